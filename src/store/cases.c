@@ -10,7 +10,7 @@ const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) N
 
 /* --- list ------------------------------------------------------------------------------------- */
 
-/* Whether there is a case of this id. */
+/* True if a case of this id exists. */
 static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
@@ -58,7 +58,7 @@ static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error
   return ARC_OK;
 }
 
-/* Reads the row behind `count` cases, for which there may have to be made room. */
+/* Appends a row to `count` cases; enlarges the array if necessary. */
 static arc_status add_case(arc_store *store, query *q, arc_case **cases, size_t *count,
                            arc_error *error) {
   arc_case *grown = arc_store_grown(*cases, *count, sizeof *grown);
@@ -90,7 +90,7 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status ----------------------------------------------------------------------------------- */
 
-/* A case whose mark stays as it is is there. */
+/* OK if the case exists, also if its status is kept. */
 static arc_status find_done(arc_store *store, int id, arc_error *error) {
   int found = 0;
   const arc_status status = find(store, id, &found, error);
@@ -153,7 +153,7 @@ static const char *const look_up[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
-/* Sets a text, or the name that stands for it; `name` lives until the query has run. */
+/* Sets a text, or its reference; `name` must be valid until the query has run. */
 static arc_status set_text(arc_store *store, query *q, const char *text, char name[ARC_TEXT_NAME],
                            arc_error *error) {
   const arc_status status = arc_store_put_text(store, text, name, error);
@@ -168,7 +168,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* numbers are never stored as whole ones, so these stand out */
+  case ARC_VALUE_FLAG: /* numbers are never stored as integers, so these are distinct */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
@@ -203,7 +203,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* What a value of a row is put into where the row does not hold it; to be freed. */
+/* Memory of the value of a row, to be freed. */
 typedef struct buffers {
   double *array;
   char *text;
@@ -230,7 +230,7 @@ static arc_status read_array(const arc_store *store, query *q, arc_value *value,
   return ARC_OK;
 }
 
-/* Names are paths, "model.mesh.size": what ASCII can print, no part of it empty. */
+/* Names are paths, "model.mesh.size": printable ASCII without empty parts. */
 static int is_path(const char *name) {
   const size_t length = strlen(name);
   for (size_t i = 0; i < length; i++)

@@ -1,5 +1,5 @@
-/* The names of columns in the file, and the parts of SQL texts that are made of them. All about the
- * history follows from the one list in archard/wear.h. A name tells the unit: half_width_mm. */
+/* Names of columns in the file, and parts of SQL texts made from them. The columns of the history
+ * follow from the list in archard/wear.h. Names include the unit: half_width_mm. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -16,7 +16,7 @@ static const column history[] = {
 #undef COLUMN
 };
 
-/* What has a unit elsewhere. */
+/* Columns without a unit in the name. */
 static const column others[] = {
     {"volume_total", "mm3", "wear volume of both bodies"},
     {"seconds", "s", "time that a finished case took; its column has no unit in the name"},
@@ -30,7 +30,7 @@ static const column others[] = {
 
 /* --- parts ------------------------------------------------------------------------------------ */
 
-/* "update" is a word of SQL's own. */
+/* "update" is a keyword of SQL. */
 static void put_name(FILE *to, const column *c) {
   fputs(strcmp(c->name, "update") == 0 ? "updates" : c->name, to);
   if (c->unit[0]) fputc('_', to);
@@ -61,7 +61,7 @@ static void put_values(FILE *to) {
   for (size_t c = 0; c < COUNT(history); c++) fputs(", ?", to);
 }
 
-/* k, alpha and jump are told as they were set. */
+/* k, alpha and jump are shown as settings. */
 static int is_setting(const char *name) {
   const arc_setting *s = arc_setting_find(arc_wear_settings, name);
   return s && s->kind != ARC_OTHER && strcmp(name, "distance") != 0 && strcmp(name, "update") != 0;
@@ -75,7 +75,7 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings that are called like a result, like a word of SQL's, or in a model like one of a run. */
+/* Settings with the name of a result, of an SQL keyword, or in a model of a setting of a run. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},
@@ -94,7 +94,7 @@ static column column_of(const char *prefix, const char *path, const arc_setting 
   return (column){name, counted ? "" : s->unit, s->text};
 }
 
-/* Names of what may be given instead of the value, which then says nothing. */
+/* Names of the other forms of a value, which replace it. */
 static void put_instead(FILE *to, const char *path, unsigned forms) {
   fputs("''", to);
   if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
@@ -102,14 +102,14 @@ static void put_instead(FILE *to, const char *path, unsigned forms) {
   if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
 }
 
-/* What a walk over the settings writes to, and what stands before their names in the file. */
+/* Context of a loop over the settings: output, and prefix of their names in the file. */
 typedef struct walk {
   FILE *to;
   const char *prefix;
   void (*put)(struct walk *walk, const char *path, const arc_setting *s);
 } walk;
 
-/* From the definition, or before there is one from the settings. */
+/* From the definition, or from the settings of a case without one. */
 static void put_setting(walk *at, const char *path, const arc_setting *s) {
   char name[96];
   const column c = column_of(at->prefix, path, s, name);
@@ -151,9 +151,9 @@ static void put_bytes(FILE *to) {
   for (unsigned b = 0; b < 256; b++) fprintf(to, "%02x", b);
 }
 
-/* What a double is, bit by bit, as SQL has no word for it, with the place of each byte in `bytes`.
- * Each LIMIT keeps SQLite from computing anew for every use what stands inside. What is less than
- * the smallest normal number is 0. */
+/* SQL expression that decodes a double from its bits; `bytes` has the position of each byte. Each
+ * LIMIT prevents SQLite from evaluating the inner query again for every use. Subnormal numbers
+ * become 0. */
 static void put_number(FILE *to, const char *array) {
   const int least_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
   fputs("(SELECT CASE WHEN e = 0 THEN f * 0.0 WHEN e = 2047 THEN NULL WHEN e < 1023 THEN f / power"
@@ -174,7 +174,7 @@ static void put_number(FILE *to, const char *array) {
       array);
 }
 
-/* The columns of a surface, each of the array of its name. */
+/* Columns of a surface, from the arrays of the same names. */
 static void put_numbers(FILE *to) {
   for (const char *const *name = arc_surface_names; *name; name++) {
     fputs(", ", to);
@@ -215,7 +215,7 @@ static const struct {
              {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
-/* Puts the part that a text begins with; how long its word is. */
+/* Appends the part for the word at the start of a text. Returns the length of the word. */
 static size_t put_part(FILE *to, const char *text) {
   for (size_t p = 0; p < COUNT(parts); p++) {
     size_t length = strlen(parts[p].word);

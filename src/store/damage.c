@@ -1,4 +1,4 @@
-/* What is wrong with a file, in the one way it is told. */
+/* Error messages about damaged files. */
 #include "store/store.h"
 
 #include <stdarg.h>
@@ -14,7 +14,7 @@ arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, c
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: case %d %s", store->path, id, what);
 }
 
-/* What may fail with a sound file, too, says nothing of it. */
+/* Statuses that can also occur with an intact file are kept. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why) {
   switch (why->status) {

@@ -1,5 +1,5 @@
-/* The one file that includes SQLite. Turns its codes into statuses with a word on what to do, and
- * keeps it from all files but the run file, its journal and what has no name. */
+/* Interface to SQLite, the only file that includes it. Translates its codes to statuses with
+ * advice, and restricts it to the run file, its journal and unnamed files. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"
@@ -14,11 +14,11 @@
 
 struct database {
   sqlite3 *handle;
-  char *path, *name; /* where it is, and what the user calls it */
-  long long bytes;   /* of the file when the present query was opened, and of the one attached */
+  char *path, *name; /* path, and name in messages */
+  long long bytes; /* size of the file when the present query was opened, and of the attached one */
   long long beside;
   arc_lock_kind locks;
-  long long work; /* instructions that it may still take, in units of WATCH */
+  long long work; /* remaining instructions, in units of WATCH */
 };
 
 struct query {
@@ -37,11 +37,11 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
-  case SQLITE_PERM:  /* by open_guarded: nobody else says so */
-  case SQLITE_ERROR: /* no such table or column: our statements are right */
+  case SQLITE_PERM:  /* only open_guarded returns this */
+  case SQLITE_ERROR: /* no such table or column, as our statements are correct */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
-  case SQLITE_INTERRUPT: /* by the limit on work: nobody else interrupts */
+  case SQLITE_INTERRUPT: /* by the limit on instructions, the only cause of interrupts */
     return ARC_FORMAT;
   case SQLITE_CONSTRAINT:
     return ARC_ARGUMENT;
@@ -50,7 +50,7 @@ static arc_status status_of(int code) {
   }
 }
 
-/* What the system said of the last thing that went wrong with the file; 0: nothing. */
+/* errno of the last failure with the file, or 0. */
 static int system_error(const database *db, int code) {
   int number = sqlite3_system_errno(db->handle);
   if ((code & 0xff) == SQLITE_IOERR)
@@ -121,9 +121,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* A file may be a stranger's. Its pages may lead round for ever, and its tables be something else:
- * what a query may take goes by the size of the file. Ours take some 50 instructions for a row of
- * 30 bytes, a few times over where shares are joined. */
+/* Files are not trusted: pages may form cycles, and tables may be views. The number of instructions
+ * of a query is limited by the size of the file. Our queries need about 50 for a row of 30 bytes, a
+ * few times more for merges. */
 enum { WATCH = 10000, LARGEST_VALUE = 64 << 20 };
 static const long long work_at_least = 10000000, work_a_byte = 100, rows_at_least = 100000;
 
@@ -142,7 +142,7 @@ static void measure(database *db) {
   begin_work(db);
 }
 
-/* Nothing that stands in the file is run: views, triggers, functions with effects. */
+/* No code of the file is executed: views, triggers, functions with side effects. */
 static void distrust(database *db) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
@@ -154,16 +154,16 @@ static void distrust(database *db) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* The system as SQLite may use it, for each kind of lock. */
+/* The restricted file system interfaces for SQLite, by kind of lock. */
 enum { KINDS = ARC_LOCK_NONE + 1 };
 static const char *const guarded_names[KINDS] = {"archard", "archard-by-name", "archard-alone"};
 static const char *const beneath_names[KINDS] = {"unix", "unix-dotfile", "unix-none"};
 static sqlite3_vfs guarded[KINDS];
 static int (*open_beneath)(sqlite3_vfs *, const char *, sqlite3_file *, int, int *);
 
-/* What stands beside a stranger's file could have SQLite delete any file, write to it, or wait for
- * ever: journals that name another file, links, pipes, logs. Nothing of that is opened here, and
- * SQLite deletes only what it could open, and the journal of its own file. */
+/* Files beside an untrusted file could make SQLite delete or write any file, or wait forever:
+ * journals that name another file, links, pipes, logs. They are not opened here; SQLite deletes
+ * only files it could open, and the journal of its own file. */
 static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
                         int *given) {
   const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
@@ -177,19 +177,19 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* one function for all: how they lock is in what they hold */
+  open_beneath = beneath->xOpen; /* one function for all kinds of lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
   own->xOpen = open_guarded;
-  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's locks are folders, which cannot tell whose they are */
+  if (kind == ARC_LOCK_BY_NAME) { /* locks of SQLite are folders, which have no owner */
     own->xSetSystemCall(own, "mkdir", (sqlite3_syscall_ptr)arc_lock_take);
     own->xSetSystemCall(own, "rmdir", (sqlite3_syscall_ptr)arc_lock_leave);
   }
   return sqlite3_vfs_register(own, 0);
 }
 
-/* Once in a process, whatever its threads do. */
+/* Once per process. */
 static int guard(void) {
   static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
   pthread_mutex_lock(&lock);
@@ -202,7 +202,7 @@ static int guard(void) {
 /* --- lists of numbers --------------------------------------------------------------------------
  */
 
-/* The numbers of a group so far. */
+/* Numbers of a group. */
 typedef struct number_list {
   double *number;
   size_t count, room;
@@ -266,21 +266,21 @@ static database *new_database(const char *path, const char *name) {
   return NULL;
 }
 
-/* SQLite gets absolute paths: it reads "file:..." as a URI, which may lead elsewhere and past the
- * guard, and ":memory:" as none. */
+/* SQLite gets absolute paths, as it interprets "file:..." as a URI, which would bypass the
+ * restrictions, and ":memory:" as no file. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
   char whole[PATH_MAX] = ""; /* of no name SQLite makes something of its own */
   const int why = *path ? arc_file_resolve(path, whole) : 0;
   if (why) return arc_fail(error, ARC_IO, "%s: %s", name, strerror(why));
-  arc_lock_kind locks = ARC_LOCK_NONE; /* nobody else knows of a new file */
+  arc_lock_kind locks = ARC_LOCK_NONE; /* a new file is not shared yet */
   arc_status status = create ? ARC_OK : arc_lock_look(whole, name, &locks, error);
   if (status != ARC_OK) return status;
   database *db = new_database(whole, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
-  /* a store belongs to one thread: locks at every value bound cost a third of storing */
+  /* a store is used by one thread; locks for every bound value would cost a third of the time */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
@@ -300,7 +300,7 @@ void arc_database_close(database **db) {
   *db = NULL;
 }
 
-/* Copies all of `from`, as it is at one moment, into a schema of `to`. */
+/* Copies a snapshot of `from` into a schema of `to`. */
 static arc_status copy(database *to, const char *schema, const database *from, arc_error *error) {
   sqlite3_backup *backup = sqlite3_backup_init(to->handle, schema, from->handle, "main");
   if (backup) sqlite3_backup_step(backup, -1);
@@ -309,7 +309,7 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
-/* SQLite keeps what has no name in memory while it is small, then in a file that nobody sees. */
+/* SQLite keeps unnamed databases in memory while small, then in a hidden file. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
   arc_status status = arc_database_open("", db->name, 1, 1, &made, error);
@@ -325,7 +325,7 @@ arc_status arc_database_copy(database *db, arc_error *error) {
   return status;
 }
 
-/* The path goes in as a parameter: it may hold any character. */
+/* The path is a parameter, as it may contain any character. */
 static arc_status attach(database *db, const char *path, arc_error *error) {
   query *q;
   arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
@@ -469,7 +469,7 @@ size_t arc_query_array_count(query *q, int column) {
   return (size_t)sqlite3_column_bytes(q->statement, column) / sizeof(double);
 }
 
-/* What SQLite hands out need not lie where a double may. */
+/* Blobs of SQLite may be unaligned for doubles. */
 void arc_query_array(query *q, int column, double *values, size_t count) {
   const void *bytes = sqlite3_column_blob(q->statement, column);
   size_t there = arc_query_array_count(q, column);
@@ -479,7 +479,7 @@ void arc_query_array(query *q, int column, double *values, size_t count) {
 
 /* --- the whole file --------------------------------------------------------------------------- */
 
-/* What the check tells in words may be that the system did not give a page. */
+/* The message of the check may be an I/O error of the system. */
 static arc_status refuse_unsound(const database *db, const char *said, arc_error *error) {
   if (system_error(db, SQLITE_IOERR)) return fail(db, SQLITE_IOERR, error);
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", db->name, said);

@@ -1,5 +1,4 @@
-/* SQLite as the other files of this layer see it: a database, and queries with numbered parameters
- * (from 1) and columns (from 0). */
+/* Databases, and queries with numbered parameters (from 1) and columns (from 0). */
 #ifndef STORE_DATABASE_H
 #define STORE_DATABASE_H
 
@@ -8,16 +7,16 @@
 typedef struct database database;
 typedef struct query query;
 
-/* `create`: makes the file, which must not be there. Messages call it `name`. */
+/* `create`: creates the file, which must not exist. `name` is its name in messages. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **db, arc_error *error);
 void arc_database_close(database **db);
-/* From now on the database is a temporary copy of itself, which goes when it is closed. */
+/* Replaces the database by a temporary copy, deleted when closed. */
 arc_status arc_database_copy(database *db, arc_error *error);
-/* Makes the tables of another database those of the schema "other" here. */
+/* Attaches another database as schema "other". */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error);
 
-/* Looks at all pages: ARC_FORMAT where they make no sound file. */
+/* Checks all pages. ARC_FORMAT: damaged. */
 arc_status arc_database_check(database *db, arc_error *error);
 
 /* Runs statements without results. */
@@ -25,19 +24,19 @@ arc_status arc_database_run(database *db, const char *sql, arc_error *error);
 
 /* Rows changed by the last statement. */
 int arc_database_changes(const database *db);
-/* Whether a transaction is open. */
+/* True if a transaction is open. */
 int arc_database_in_transaction(const database *db);
 
 arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error);
 void arc_query_close(query **q);
 
-/* What fails here is told by the next arc_query_step. Texts and arrays must live until then. */
+/* Errors are returned by the next arc_query_step. Texts and arrays must be valid until then. */
 void arc_query_set_number(query *q, int index, double value);
 void arc_query_set_whole(query *q, int index, long long value);
 void arc_query_set_text(query *q, int index, const char *text); /* NULL: no value */
 void arc_query_set_array(query *q, int index, const double *values, size_t count);
 
-/* *row: whether there is another row. */
+/* *row: 1 if there is another row. */
 arc_status arc_query_step(query *q, int *row, arc_error *error);
 
 /* Makes a query ready for new parameters. */
@@ -57,12 +56,11 @@ typedef enum column_kind {
 
 int arc_query_columns(const query *q);
 column_kind arc_query_kind(query *q, int column);
-double arc_query_number(query *q, int column); /* NaN where there is no value */
+double arc_query_number(query *q, int column); /* NaN for NULL */
 long long arc_query_whole(query *q, int column);
-const char *arc_query_text(query *q,
-                           int column); /* "" where there is none; lives until the next step */
+const char *arc_query_text(query *q, int column); /* "" for NULL; valid until the next step */
 size_t arc_query_array_count(query *q, int column);
-/* Copies as many numbers as there are, `count` at most. */
+/* Copies at most `count` numbers. */
 void arc_query_array(query *q, int column, double *values, size_t count);
 
 #endif

@@ -1,6 +1,6 @@
-/* The seal of a finished case: a checksum (FNV-1a, 64 bit) over all it holds, written in the commit
- * that finishes it and compared when the case is read. SQLite finds damage to a file's structure;
- * this finds it inside the numbers. */
+/* Checksums (FNV-1a, 64 bit) over all data of a finished case, written in the commit that finishes
+ * it and compared when it is read. SQLite detects damage to the structure of a file; this detects
+ * damage to its values. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@ static const char *const parts[] = {
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
     "SELECT * FROM arrays WHERE case_id = ?1 ORDER BY part, updates, body, name"};
 
-/* What files before format 5 had in place of the last. */
+/* The last part in files before format 5. */
 static const char *const older_parts[] = {
     "SELECT * FROM older_surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM older_state WHERE case_id = ?1 ORDER BY body"};
@@ -92,7 +92,7 @@ static arc_status seal(arc_store *store, int id, arc_error *error) {
   return status;
 }
 
-/* The first case for which the SQL holds; 0: none. */
+/* Id of the first case for which the SQL is true, or 0. */
 static arc_status first_case(arc_store *store, const char *sql, int after, int *id,
                              arc_error *error) {
   query *q;
@@ -108,7 +108,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
 /* --- which cases have one ----------------------------------------------------------------------
  */
 
-/* Of cases in SQL: whether one needs a checksum. */
+/* SQL condition: a case needs a checksum. */
 #define NEEDS_ONE                                                                                  \
   "(status = 'done' OR EXISTS (SELECT 1 FROM definition WHERE case_id = id) OR EXISTS (SELECT 1 "  \
   "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM arrays WHERE case_id = id))"
@@ -168,15 +168,15 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
 
 /* --- comparing -------------------------------------------------------------------------------- */
 
-/* Of a case: its checksum, and whether it must have one; where a run is to be read of it, what
- * belongs to no case must have one, too. */
+/* Selects the checksum of a case, and 1 if it must have one; to read a run, data without a case
+ * must have one too. */
 static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
     "(SELECT case_id FROM definition UNION ALL SELECT case_id FROM history UNION ALL SELECT "
     "case_id FROM arrays) WHERE case_id = ?1";
 
-/* The checksum as it stands in the file, "" for none. */
+/* The checksum in the file, or "". */
 static arc_status expected_digest(arc_store *store, const char *sql, int id, char text[17],
                                   int *needed, arc_error *error) {
   query *q;
@@ -203,7 +203,7 @@ static arc_status compare(arc_store *store, const char *sql, int id, arc_error *
   return status;
 }
 
-/* Another program may store the case between its checksum and its rows. */
+/* In one transaction, as another program may store the case meanwhile. */
 static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
   if (store->verified == id || is_open(store, id)) return ARC_OK;
   int own = 0;

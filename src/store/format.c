@@ -1,4 +1,4 @@
-/* The number of a file's format, and which of them this program knows. */
+/* The format number of a file, and the numbers this program supports. */
 #include "store/store.h"
 
 arc_status arc_schema_check(const char *path, long long format, arc_error *error) {

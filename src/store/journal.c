@@ -25,7 +25,7 @@ static int names_a_file(int journal, off_t size) {
   return memcmp(tail + LENGTH + SUM, magic, MAGIC) == 0 && memcmp(tail, "\0\0\0", LENGTH) != 0;
 }
 
-/* What cannot be opened, SQLite cannot open either. */
+/* SQLite cannot open it either. */
 int arc_journal_is_sound(const char *journal) {
   const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   struct stat facts;

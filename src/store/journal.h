@@ -2,11 +2,11 @@
 #ifndef STORE_JOURNAL_H
 #define STORE_JOURNAL_H
 
-/* Whether SQLite may open what stands at the path of a journal: nothing, or a plain file that names
- * no other. A journal that names a file would have SQLite delete it. */
+/* True if SQLite may open this journal: it is missing, or a regular file that names no other file,
+ * which SQLite would delete. */
 int arc_journal_is_sound(const char *journal);
 
-/* Whether a journal stands beside the file, or beside what a link of that name leads to. */
+/* True if the file, or the target of a link, has a journal. */
 int arc_journal_stands(const char *path);
 
 #endif

@@ -1,4 +1,4 @@
-/* Joining run files: the shares of a study computed apart. */
+/* Merges run files: parts of a study computed separately. */
 #include "store/store.h"
 
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
 #define HISTORY "case_id, step@columns"
 #define ARRAYS  "case_id, " ARC_ARRAYS
 
-/* The first case whose rows (columns c of table t, where w) are not the same in both files. */
+/* The first case whose rows (columns c of table t, condition w) differ between the files. */
 #define ROWS(f, t, c, w)    "SELECT " c " FROM " f "." t w
 #define LESS(f, g, t, c, w) "SELECT * FROM (" ROWS(f, t, c, w) " EXCEPT " ROWS(g, t, c, w) ")"
 #define DIFFERS(t, c, w)                                                                           \
@@ -47,7 +47,7 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
   " WHERE case_id IN (SELECT a.id FROM main.cases a JOIN other.cases b ON a.id = b.id"             \
   " WHERE a.status = 'done' AND b.status = 'done')"
 
-/* The same case gives the same bits wherever it runs: one that was computed twice does no harm. */
+/* A case computed twice has the same bits in both files, and is accepted. */
 static arc_status check_same_results(arc_store *store, const char *from, arc_error *error) {
   static const char *const parts[] = {DIFFERS("results", VALUES, IN_BOTH),
                                       DIFFERS("history", HISTORY, IN_BOTH),
@@ -65,8 +65,8 @@ static arc_status check_same_results(arc_store *store, const char *from, arc_err
   "DELETE FROM main." table NEW "; INSERT INTO main." table " (" columns ") SELECT " columns       \
   " FROM other." table NEW
 
-/* A case that was kept halfway here makes room for the finished one. Columns may stand in another
- * order in either file: checksums are written anew. */
+/* An unfinished case is replaced by the finished one. Columns may have another order in the other
+ * file: checksums are recomputed. */
 static arc_status copy_finished(arc_store *store, const char *from, arc_error *error) {
   static const char *const steps[] = {
       "INSERT OR IGNORE INTO main.texts (name, text) SELECT name, text FROM other.texts",
@@ -99,7 +99,7 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   return arc_store_leave(store, 1, status, error);
 }
 
-/* Opened by itself first, so that a foreign file is refused in plain words. */
+/* Opened separately first, for a clear message about a foreign file. */
 static arc_status attach(arc_store *store, const char *from, arc_error *error) {
   arc_store *other = NULL;
   arc_status status = arc_store_open(from, ARC_STORE_READ, &other, error);

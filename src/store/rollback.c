@@ -1,9 +1,8 @@
-/* What ends without a commit: transactions that are given up, and those of readers, to whom all is
- * of one moment. */
+/* Ends transactions without a commit: failed ones, and those of readers. */
 #include "store/store.h"
 
-/* SQLite has rolled back by itself after some failures. Without memory for the word it cannot: what
- * stays open would lock the file, so it is said again. */
+/* SQLite has rolled back itself after some failures. Without memory the statement fails, and an
+ * open transaction would lock the file: so it is repeated. */
 void arc_store_rollback(arc_store *store) {
   enum { most_tries = 10 };
   store->opened = 0;

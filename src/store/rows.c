@@ -1,4 +1,5 @@
-/* Rows as they come: how many there are is not asked before, for the answer may not hold. */
+/* Arrays that grow with the rows of a query; their number may change, so it is not counted before.
+ */
 #include "store/store.h"
 
 #include <limits.h>

@@ -1,5 +1,4 @@
-/* Run files as files: which are ours, making them, replacing them, transactions, notes. Leans on
- * the database, and on schema.c for what stands in them. */
+/* Run files: identification, creation, replacement, transactions, notes. */
 #include "store/journal.h"
 #include "store/store.h"
 
@@ -16,7 +15,7 @@ static long long big_endian(const unsigned char *bytes) {
   return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
 }
 
-/* A file that is shorter than it says, unless a journal is there to put it right. */
+/* True if the file is truncated and has no journal to repair it. */
 static int is_cut_off(const char *path, const unsigned char *header) {
   const int journalled = arc_journal_stands(path);
   struct stat file;
@@ -43,7 +42,7 @@ static arc_status check_header(const char *path, const unsigned char *header, si
   return status;
 }
 
-/* Looks at the first bytes before SQLite does, which may write to a file it takes for its own. */
+/* Checks the header first, as SQLite may write to files it recognises. */
 static arc_status check_file(const char *path, arc_error *error) {
   unsigned char header[100];
   FILE *file;
@@ -80,7 +79,7 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
-/* What a file that is gone left beside its name would be played into the new one. */
+/* Removes the journal of a deleted file, which SQLite would play into the new one. */
 static arc_status check_left(const char *path, arc_error *error) {
   if (!arc_journal_stands(path) || access(path, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -89,7 +88,7 @@ static arc_status check_left(const char *path, arc_error *error) {
                   path, path);
 }
 
-/* Makes a whole file in a place of its own. */
+/* Creates a complete file under a temporary name. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
   arc_status status = check_left(store->path, error);
   if (status == ARC_OK) status = arc_place_take(store->path, &store->place, error);
@@ -98,7 +97,7 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
-/* Of several programs that start one file at once, the first makes it and the others open it. */
+/* If several programs create one file at once, the first creates it and the others open it. */
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
@@ -107,7 +106,7 @@ static arc_status create(arc_store *store, arc_error *error) {
                           : status;
 }
 
-/* A file of an older format is brought up to date: in place for a writer, as a copy for a reader.
+/* Converts a file of an older format: in place for a writer, as a copy for a reader.
  */
 static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_error *error) {
   long long format;
@@ -117,8 +116,8 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
   return status == ARC_OK ? arc_schema_update(store, error) : status;
 }
 
-/* A reader opens for writing too where it may: what a killed program left in mid-change can only be
- * put right that way. It writes nothing of its own. */
+/* A reader opens for writing too if possible, as SQLite can only then roll back the transaction of
+ * a killed program. It writes nothing itself. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
   arc_status status = arc_database_open(store->path, store->path, writable, 0, &store->db, error);
@@ -147,7 +146,7 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **res
   return status;
 }
 
-/* Whether no case stands in the file. */
+/* True if the file has no cases. */
 static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
   arc_case *cases;
   size_t count;
@@ -157,7 +156,7 @@ static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
   return status;
 }
 
-/* A program that was killed as it began leaves a file without a kind, and with nothing in it. */
+/* A program killed at its start leaves an empty file without a kind. */
 static arc_status check_kind(arc_store *old, const char *kind, arc_error *error) {
   char *found = NULL;
   int empty = 0;
@@ -170,7 +169,7 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
   return status;
 }
 
-/* What stands where a new file is to go: nothing, or a file of the same kind. */
+/* Checks the path of a new file: no file, or one of the same kind. */
 static arc_status check_replaced(const char *path, const char *kind, arc_error *error) {
   if (access(path, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;

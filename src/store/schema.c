@@ -11,8 +11,7 @@
 #define TEXT_OF(number) TEXT(number)
 #define TEXT(number)    #number
 
-/* Numbers that must come back to the same bits stand in columns without a type: those of type REAL
- * would lose the sign of zero. */
+/* Columns of numbers have no type: REAL would lose the sign of zero. */
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
 #define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
@@ -31,7 +30,7 @@ static const char tables[] =
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
     "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;" MAKE_ARRAYS;
 
-/* Views hold nothing: they are made anew whenever the tables change. */
+/* Views are recreated whenever the tables change. */
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
                                  "DROP VIEW IF EXISTS history_of;"
                                  "DROP VIEW IF EXISTS units;";
@@ -60,7 +59,7 @@ static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, st
                             "CREATE VIEW units (name, unit, text) AS VALUES @units;"
                             "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
 
-/* To format 5: of a table with a row for each node, and of one with the state of a body. */
+/* Conversion to format 5, from a table with a row per node and one with the state of a body. */
 #define PACKED(name, column)                                                                       \
   "INSERT INTO arrays SELECT case_id, 'surface', updates, max(distance_mm), body, '" name          \
   "', count(*), 1, array_of(" column ") FROM older_surfaces GROUP BY case_id, updates, body;"
@@ -84,8 +83,8 @@ static const char to_arrays[] =
     "DROP TABLE older_surfaces; DROP TABLE older_state;";
 /* clang-format on */
 
-/* From the format before, in order; never changed once released. `names` renames, so that the SQL
- * of today finds its tables and columns, `values` adds what the checksums are then taken of. */
+/* Conversion from each format to the next; never changed after a release. `names` renames tables
+ * and columns for the present SQL, `values` adds values that the checksums include. */
 static const struct migration {
   int from;
   const char *names, *values;
@@ -128,7 +127,7 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* "auto" was a value of its own; a case that gave no steps meant 100 cycles. */
+    /* "auto" was a separate value; a case without steps meant 100 cycles. */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
@@ -166,7 +165,7 @@ static arc_status forget_views(arc_store *store, long long format, arc_error *er
   return arc_database_run(store->db, "DROP VIEW IF EXISTS surfaces", error);
 }
 
-/* Cases whose checksum is right get a new one with the commit; of damaged ones it stays wrong. */
+/* Cases with a correct checksum get a new one with the commit; damaged ones keep theirs. */
 static arc_status migrate(arc_store *store, long long format, arc_error *error) {
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
@@ -176,13 +175,13 @@ static arc_status migrate(arc_store *store, long long format, arc_error *error) 
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].values, error);
-  if (status == ARC_ARGUMENT) /* rows that no program of ours wrote */
+  if (status == ARC_ARGUMENT) /* rows not written by archard */
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: its rows contradict each other",
                     store->path);
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* Views of a program that knew other settings are made anew: they hold nothing. */
+/* Views of another version are recreated. */
 static arc_status renew_views(arc_store *store, arc_error *error) {
   query *q;
   int row = 0;
@@ -199,7 +198,7 @@ static arc_status renew_views(arc_store *store, arc_error *error) {
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* Of several programs that open a file at once, the first changes it and the others find it done.
+/* If several programs open a file at once, the first converts it.
  */
 arc_status arc_schema_update(arc_store *store, arc_error *error) {
   long long format = 0;

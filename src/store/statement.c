@@ -1,4 +1,4 @@
-/* SQL texts with columns filled in, of a store and of one of its cases. Leans on columns.c. */
+/* Executes SQL patterns with column names inserted, for a store or one of its cases. */
 #include "store/store.h"
 
 #include <stdlib.h>

@@ -1,7 +1,6 @@
-/* The engine's definitions as named values. One table says which values there are, of what kind and
- * where they stand in the definitions; it is made from the lists of settings and serves writing,
- * reading and checking: a new setting needs nothing here. Beside a setting NAME stand
- * NAME_function (only that it was one), NAME_series.distance and NAME_series.value. */
+/* Definitions as named values. One table, made from the lists of settings, has the kind and address
+ * of each value for writing, reading and checking: a new setting needs no code here. A setting NAME
+ * may also have NAME_function (a mark only), NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
 
@@ -14,14 +13,14 @@
 
 enum { LONGEST_NAME = 96 };
 
-/* A value that a definition may have. */
+/* One named value of a definition. */
 typedef struct slot {
   char name[LONGEST_NAME];
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
   void *at;     /* double, int, int, char [ARC_TEXT_SIZE], const char *, char, const double * */
-  int *count;   /* of an array: shared with those that are as long; 0: none of them is there */
-  int optional; /* an array that may miss beside the others */
+  int *count;   /* for an array: length shared with other arrays; 0: all are absent */
+  int optional; /* an array that may be absent */
 } slot;
 
 typedef struct slots {
@@ -88,8 +87,8 @@ static void add_settings(slots *list, const arc_setting *settings, const char *p
   arc_settings_walk(settings, prefix, def, add_setting, &a);
 }
 
-/* All values of a run, whose blocks of loading are there already, and the Gmsh file of its meshes
- * (NULL: they are archard's own). */
+/* Adds all values of a run (with allocated blocks of loading) and the Gmsh text of imported meshes,
+ * or NULL. */
 static slots table_of(arc_stored_run *run, arc_loading *loading, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
@@ -196,10 +195,10 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 
 /* --- what the file has ------------------------------------------------------------------------ */
 
-/* The values of a case, by name, and the blocks of loading that point to their arrays. */
+/* Values of a case by name, and its blocks of loading, which point to the arrays. */
 typedef struct kept {
   arc_value value;
-  void *memory; /* of all that the value points to */
+  void *memory; /* owner of the memory of the value */
 } kept;
 
 typedef struct stock {
@@ -222,7 +221,7 @@ void arc_stored_run_free(arc_stored_run *run) {
   *run = (arc_stored_run){.memory = NULL};
 }
 
-/* An own copy; 0: out of memory. */
+/* Copies a value. Returns 0 if out of memory. */
 static int copy_value(const arc_value *from, kept *to) {
   const size_t numbers = from->array ? from->count * sizeof(double) : 0;
   const size_t name = strlen(from->name) + 1, text = from->text ? strlen(from->text) + 1 : 0;
@@ -235,7 +234,7 @@ static int copy_value(const arc_value *from, kept *to) {
   return 1;
 }
 
-/* A case on its way from a file. */
+/* A case being read. */
 typedef struct reading {
   const arc_store *store;
   int id;
@@ -243,7 +242,7 @@ typedef struct reading {
   stock *stock;
   arc_error *error;
   arc_status status;
-  const char *msh; /* the Gmsh file of its meshes, or NULL */
+  const char *msh; /* Gmsh text of imported meshes, or NULL */
 } reading;
 
 static arc_status no_memory(const reading *r) {
@@ -300,7 +299,7 @@ static int read_text(const slot *s, const arc_value *value) {
   return fits;
 }
 
-/* The first array of those that are as long says how long. */
+/* The first array sets the length of those that share it. */
 static int read_array(const slot *s, const arc_value *value) {
   if (value->kind != ARC_VALUE_ARRAY || value->count == 0 || value->count > 1000000) return 0;
   if (*s->count != 0 && (size_t)*s->count != value->count) return 0;
@@ -309,7 +308,7 @@ static int read_array(const slot *s, const arc_value *value) {
   return 1;
 }
 
-/* 0: the value is none for this place. */
+/* Returns 0 if the value is invalid here. */
 static int read_value(const slot *s, const arc_value *value) {
   switch (s->kind) {
   case SLOT_WHOLE:
@@ -341,7 +340,7 @@ static int is_called(const void *name, const void *s) {
   return strcmp(name, ((const slot *)s)->name);
 }
 
-/* Makes room for the blocks of loading: each has two values at least. */
+/* Allocates the blocks of loading: each has at least two values. */
 static arc_status make_blocks(const reading *r) {
   stock *s = r->stock;
   int blocks = 0;
@@ -388,7 +387,7 @@ static arc_status fill(reading *r) {
 
 static void stand_in(void) {}
 
-/* What does not make two meshes is refused by the reader of such files. */
+/* The reader of Gmsh files refuses invalid meshes. */
 static arc_status read_meshes(const reading *r) {
   arc_error why = {0};
   if (!r->msh) return ARC_OK;
@@ -404,7 +403,7 @@ static arc_status check_model(const reading *r, arc_error *why) {
   return arc_model_check_given(&r->run->model, r->run->given, why);
 }
 
-/* What the engine takes; the functions are not there yet. */
+/* Checks the definition with the engine, without its functions. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
   arc_wear_def def = r->run->def;

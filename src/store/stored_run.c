@@ -1,6 +1,5 @@
-/* Runs in a run file: history, surfaces, and the state to go on from. Leans on stored_definition.c
- * for what the run was asked to do. What is read is checked before anything is made of it: the file
- * may be a stranger's. */
+/* Runs in a run file: history, surfaces and state. All data is checked before use, as files are not
+ * trusted. */
 #include "store/store.h"
 
 #include <math.h>
@@ -31,7 +30,7 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* What a set of arrays is for. */
+/* Use of a set of arrays. */
 static const char surface[] = "surface", state[] = "state";
 
 static arc_status save_arrays(arc_store *store, int id, const char *part, const arc_array *arrays,
@@ -73,7 +72,7 @@ static arc_status forget(arc_store *store, int id, arc_error *error) {
   return arc_store_run(store, "DELETE FROM arrays WHERE case_id = ?1", id, error);
 }
 
-/* What is saved can be opened: it is held to what a reader holds it to. */
+/* Checks data before saving like a reader, so that it can be opened. */
 static arc_status check_run(const arc_store *store, const arc_wear *wear, const arc_array *surfaces,
                             size_t count, arc_error *error) {
   size_t rows;
@@ -102,8 +101,7 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const 
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Numbers of a row from a column on; where there is none NaN, and where there is something else 0
- * is returned. */
+/* Reads numbers of a row from a column on, NaN for NULL. Returns 0 for other types. */
 static int read_numbers(query *q, int column, double *to, int count) {
   for (int i = 0; i < count; i++) {
     const column_kind kind = arc_query_kind(q, column + i);
@@ -161,7 +159,7 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
 
 /* --- arrays ----------------------------------------------------------------------------------- */
 
-/* Arrays as they are read, each with its values and name in a block of its own. */
+/* Arrays read so far, each with its values and name in one block. */
 typedef struct array_list {
   arc_array *array;
   size_t count;
@@ -181,7 +179,7 @@ static int body_named(const char *name, arc_body *body) {
   return 0;
 }
 
-/* The sizes in two columns, whose product is the length of the blob behind them. */
+/* Reads two sizes, whose product is the length of the following blob. */
 static int read_size(query *q, int column, size_t size[2]) {
   const long long rows = arc_query_whole(q, column), columns = arc_query_whole(q, column + 1);
   const size_t values = arc_query_array_count(q, column + 2);
@@ -191,7 +189,7 @@ static int read_size(query *q, int column, size_t size[2]) {
          size[0] == values / size[1] && values % size[1] == 0;
 }
 
-/* A row of the columns ARC_ARRAYS; the values behind are still to come. */
+/* Reads a row of the columns ARC_ARRAYS, without the values. */
 static int read_head(query *q, arc_array *array) {
   double at[2] = {0, 0};
   const int sound = read_numbers(q, 1, at, 2) && isfinite(at[0]) && isfinite(at[1]) &&
@@ -269,14 +267,14 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 
 /* --- going on --------------------------------------------------------------------------------- */
 
-/* A run as it is stored: what it went through, and where it stands. */
+/* A stored run: history and state. */
 typedef struct stored_run {
   arc_wear_record *history;
   arc_array *state;
   size_t rows, arrays;
 } stored_run;
 
-/* History and state of one moment: another program may be keeping the run on its way. */
+/* Reads history and state in one transaction, as another program may be storing the run. */
 static arc_status read_stored(arc_store *store, int id, stored_run *run, arc_error *error) {
   int own = 0;
   arc_status status = arc_store_look(store, &own, error);

@@ -1,5 +1,5 @@
-/* Long texts, such as the meshes that came from files: each stands in the file once, under the
- * checksum of what it says, and values have its name. A name means the same in all files. */
+/* Long texts, such as imported meshes: each is stored once, under a name made from its checksum,
+ * and values refer to the name. Names are equal in all files. */
 #include "store/store.h"
 
 #include <inttypes.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shorter ones stand where they belong, unless they look like a name. */
+/* Shorter texts are stored in place, unless they look like a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 
@@ -37,7 +37,7 @@ arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_
   return status;
 }
 
-/* Whether the text in a column is what its name says. */
+/* True if the text in a column matches its name. */
 static int is_sound(query *q, int column, const char *name) {
   char expected[ARC_TEXT_NAME];
   find_name(arc_query_text(q, column), expected);

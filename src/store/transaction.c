@@ -1,8 +1,8 @@
-/* Transactions: begin looks whether a newer program has changed the file meanwhile, commit writes
- * the checksums of finished cases. Leans on format.c and digest.c. */
+/* Transactions: begin checks that the format is still supported, commit writes the checksums of
+ * finished cases. */
 #include "store/store.h"
 
-/* A newer program may have changed the tables since the file was opened. */
+/* A newer version may have converted the file since it was opened. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
   long long format;
   arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
