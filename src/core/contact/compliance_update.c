@@ -13,14 +13,14 @@
 
 enum { reach = ARC_THINNING_REACH, span = ARC_THINNING_SPAN };
 
-/* Share of the wear box's thickness that column i has lost since the last condensation. */
+/* Relative loss of thickness of the wear box at column i since the last condensation. */
 static double thinned(const shape_side *side, int i) {
   const double bottom = arc_body_bottom(side->body, i)[1];
   const double then = side->settled[2 * i + 1], now = side->xy[2 * i + 1];
   return (now - then) / (bottom - then);
 }
 
-/* Rings answer by their circumference, as far as elements see it. */
+/* Factor for rings: their circumference, as in the elements. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   if (!side->body->chart.revolved.on) return 1;
@@ -36,7 +36,8 @@ static void add_column(shape_side *side, int at, double share) {
   }
 }
 
-/* What layers lose changes more than elements' errors: they are condensed again all the sooner. */
+/* Not for layers, whose wear changes more than the errors of elements: they are condensed again
+ * earlier. */
 void arc_shape_drift(shape_side *side) {
   side->drifted = 0;
   if (arc_body_layers(&side->body->mesh->solid) > 0) return;

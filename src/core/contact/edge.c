@@ -34,13 +34,13 @@ static double gap(const ending *e, int step) {
   return e->p->open[e->last + e->out * step];
 }
 
-/* Pressure and gap by the law: c0 sqrt(d) + c1 d sqrt(d). */
+/* Pressure or gap by the square-root law: c0 sqrt(d) + c1 d sqrt(d). */
 typedef struct edge_law {
   double x, c[2];
 } edge_law;
 
-/* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
- * h) both laws hold with one c. Solves for the distance. */
+/* Distance of the edge from the last node in contact (pressure q) by the laws of pressure and gap
+ * with one c; the next node, at distance h, has the gap g. */
 static double edge_between(const ending *e) {
   const double q = pressure(e, 0), g = gap(e, 1), h = place(e, 1) - place(e, 0);
   double low = 0, high = h;
@@ -56,7 +56,7 @@ static double edge_between(const ending *e) {
 
 /* --- the law ---------------------------------------------------------------------------------- */
 
-/* What a quantity at a node would be, and how that changes with the edge. */
+/* Predicted value of a quantity at a node, and its derivatives by the edge parameters. */
 typedef struct equation {
   double of_c[2], of_x, value;
 } equation;
@@ -86,7 +86,7 @@ static equation equation_inside(const ending *e, const edge_law *law, int step) 
                     .value = pressure(e, step)};
 }
 
-/* E* g over the distance, which is a pressure too. */
+/* E* g / distance, which has the unit of a pressure. */
 static equation equation_outside(const ending *e, const edge_law *law, int step) {
   const double s = place(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
   equation q = {.of_c = {4 * root / 3, -4 * s * root / 5}, .value = g};
@@ -94,14 +94,14 @@ static equation equation_outside(const ending *e, const edge_law *law, int step)
   return q;
 }
 
-/* Nodes that are asked: from `first` to `last_inside`, in contact, and `from` .. `to` outside. */
+/* Nodes used in the fit: `first` to `last_inside` in contact, `from` to `to` outside. */
 typedef struct stencil {
   int first, from, to;
 } stencil;
 
 enum { last_inside = -2, unknowns = 3 };
 
-/* Adds an equation to the normal ones of changes of c and x; its defect. */
+/* Adds an equation to the normal equations for changes of c and x. Returns its defect. */
 static double add_equation(const edge_law *law, const equation *q, double a[unknowns * unknowns],
                            double b[unknowns]) {
   const double row[unknowns] = {q->of_c[0], q->of_c[1], q->of_x};
@@ -113,7 +113,7 @@ static double add_equation(const edge_law *law, const equation *q, double a[unkn
   return off;
 }
 
-/* The normal equations at a law; the root mean square of the defects. */
+/* Sets up the normal equations at given parameters. Returns the root mean square of the defects. */
 static double add_equations(const ending *e, const stencil *at, const edge_law *law,
                             double a[unknowns * unknowns], double b[unknowns]) {
   double sum = 0;
@@ -128,8 +128,8 @@ static double add_equations(const ending *e, const stencil *at, const edge_law *
   return sqrt(sum / count);
 }
 
-/* Least squares by Gauss and Newton, from the edge between the nodes. What is left over the
- * pressure an element inside; INFINITY where the law leads away from there. */
+/* Gauss-Newton least squares, starting from the edge between the nodes. Returns the residual /
+ * pressure one element inside; INFINITY without convergence. */
 static double fit_law(const ending *e, const stencil *at, double start, edge_law *law) {
   enum { most_iterations = 12 };
   const double h = place(e, 1) - place(e, 0);
@@ -147,7 +147,7 @@ static double fit_law(const ending *e, const stencil *at, double start, edge_law
   return INFINITY;
 }
 
-/* Whether the nodes are there: on this half of the contact, and on open ground. */
+/* True if all nodes exist, in this half of the contact and outside. */
 static int has_nodes(const ending *e, const stencil *at) {
   if (e->p->active < 1 - 2 * at->first) return 0;
   const int inner = e->last + e->out * (at->first - 1), outer = e->last + e->out * at->to;
@@ -159,10 +159,10 @@ static int has_nodes(const ending *e, const stencil *at) {
   return 1;
 }
 
-/* By nodes so far from the edge that its place between two of them does not matter, if the law
- * holds as far as that; else by nearer ones. 1 where it holds as well as in unworn contacts, 0
- * where it does not: measured over worn contacts against finer meshes, it places the edge better
- * where it holds. */
+/* Fits nodes far enough from the edge that its position between nodes has no influence, or nearer
+ * ones if the law does not hold so far. Returns 1 if the law fits as well as in unworn contacts,
+ * else 0. (Compared with finer meshes for worn contacts, the fit improves the edge if it
+ * returns 1.) */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;
@@ -178,7 +178,7 @@ contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
               .last = right ? p->set[p->active - 1] : p->set[0],
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
-  /* layers as the nodes that are asked feel them */
+  /* modulus with layers at the wave length of the fitted nodes */
   e.E_star = arc_model_felt_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
@@ -205,8 +205,8 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
   }
 }
 
-/* In a half-plane's surface, per share: 2 (c0 sqrt(s) - c1 s sqrt(s)) at s outside, and its
- * integral.
+/* Stress in the surface of a half-plane per share: 2 (c0 sqrt(s) - c1 s sqrt(s)) at s outside, and
+ * its integral.
  */
 static double cusp_at(const contact_edge *edge, double x, double *integral) {
   const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
@@ -216,7 +216,7 @@ static double cusp_at(const contact_edge *edge, double x, double *integral) {
 
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp) {
-  static const double reach = 4; /* elements: farther away means miss nothing */
+  static const double reach = 4; /* elements; farther away means are accurate */
   for (int i = 1; i + 1 < n && edge->smooth > 0; i++) {
     const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
     double sum[3];

@@ -14,7 +14,7 @@
 
 enum { newton_limit = 30 };
 
-/* What was made for a set serves again wherever the way comes back to it. */
+/* Reuses the factor if the set is the same as before. */
 static int is_made(const pose *p) {
   return p->factored && p->of == p->active &&
          memcmp(p->made, p->set, (size_t)p->of * sizeof *p->made) == 0;
@@ -36,8 +36,8 @@ int arc_lcp_factorise(pose *p) {
   return 0;
 }
 
-/* Forces on the set that close its gaps under the load `line`: fs [active] and the approach.
- * Non-zero: A is not definite. */
+/* Solves for the forces fs [active] that close the gaps of the set under the load `line`, and the
+ * approach. Non-zero: A is not positive definite. */
 static int solve_on_set(pose *p, double line, double *fs) {
   if (arc_lcp_factorise(p)) return 1;
   double sum = 0, total = 0;
@@ -53,8 +53,7 @@ static int solve_on_set(pose *p, double line, double *fs) {
   return 0;
 }
 
-/* f by candidate from fs on the set; the gaps that remain: none on the set, and elsewhere between
- * its nodes. */
+/* Computes f by candidate from fs, and the gaps outside the set. */
 static void spread(pose *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;
@@ -72,7 +71,7 @@ static void spread(pose *p, const double *fs) {
   }
 }
 
-/* Nodes that press stay, nodes that penetrate join. Returns whether the set changed. */
+/* New set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if it changed. */
 static int update_set(pose *p) {
   int n = 0, same = 1;
   for (int k = 0, s = 0; k < p->count; k++) {
@@ -93,7 +92,7 @@ static void all_active(pose *p) {
   for (int k = 0; k < p->count; k++) p->set[k] = k;
 }
 
-/* 1 solved, 0 gave up, -1 broke down. */
+/* Returns 1 if solved, 0 if it cycles, -1 on breakdown. */
 static int newton(pose *p, double line, double *fs) {
   if (p->active == 0) all_active(p);
   for (int i = 0; i < newton_limit; i++) {
@@ -117,8 +116,8 @@ static void drop(pose *p, int at) {
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
 }
 
-/* From the feasible forces f towards those of the set, as far as they stay non-negative; drops a
- * node that blocks. Returns 1 where the way was free, 0 where a node was dropped, -1 on breakdown.
+/* Moves from feasible forces f to those of the set until a force becomes 0; drops this node.
+ * Returns 1 for a full step, 0 if a node was dropped, -1 on breakdown.
  */
 static int advance(pose *p, double line, double *f, double *fs) {
   if (solve_on_set(p, line, fs)) return -1;

@@ -19,12 +19,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a node is, by area. */
+/* Coordinate of a node by area. */
 static double at(const pose *p, const double *xy, int i) {
   return arc_revolution_area(p->revolved, xy[2 * i]);
 }
 
-/* Cylinder nodes whose two segments lie wholly over the plate's candidate zone. */
+/* Finds the cylinder nodes whose two segments lie completely over the plate's candidate zone. */
 static void find_candidates(pose *p, const double *cyl, double plate_left, double plate_right) {
   int lo = 1, hi = p->nc - 2;
   while (lo <= hi && cyl[2 * (lo - 1)] < plate_left) lo++;
@@ -33,7 +33,7 @@ static void find_candidates(pose *p, const double *cyl, double plate_left, doubl
   p->count = hi - lo + 1;
 }
 
-/* The plate segment [l, l + 1] that holds x (cylinder frame). */
+/* Index l of the plate segment [l, l + 1] around x (cylinder frame). */
 static int plate_segment(const pose *p, const double *plate, double x) {
   int low = 0, high = p->np - 2;
   while (low < high) {
@@ -96,7 +96,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   const int i = p->lo + k;
   const double a = at(p, cyl, i - 1), b = at(p, cyl, i), c = at(p, cyl, i + 1);
   double *row = &p->b[k * p->width];
-  /* rows at the plate's end stay inside it */
+  /* rows at the end of the plate are shifted inside */
   int first = plate_segment(p, plate, a);
   if (first > p->np - p->width) first = p->np - p->width;
   if (first < 0) first = 0;
@@ -106,7 +106,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Forces along z, by the load's direction: that of z where it points. */
+/* Components of forces along the load. */
 void arc_pose_find_down(pose *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
@@ -162,8 +162,8 @@ void arc_pose_to_plate(const pose *p, const double *v, double *result) {
   }
 }
 
-/* to[] := responses of the cylinder's nodes to node k along their normals, all candidates, from k
- * on. */
+/* to[] := responses along the normals of the cylinder's candidates, from k on, to a force at node
+ * k. */
 static inline void cylinder_responses(const pose *p, const compliance *c, int k, double *to) {
   const size_t at = dense_at(p->lo, p->lo + k, c->n);
   const double *yy = &c->yy[at], *xy = &c->xy[at], *yx = &c->yx[at], *xx = &c->xx[at];
@@ -172,7 +172,7 @@ static inline void cylinder_responses(const pose *p, const compliance *c, int k,
   for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
 }
 
-/* column[] := F_p b_k, from its row on: later ones reach no nodes before. */
+/* column[] := F_p b_k, from the first row of b_k on, as later ones need no earlier rows. */
 static inline void plate_responses(const pose *p, const double *fp, int k, double *column) {
   const int low = p->first[k];
   for (int l = low; l < p->np; l++) column[l] = 0;
@@ -218,8 +218,8 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Surfaces were measured where the pin rests at s = 0 and has not turned: it rests where the load
- * points, and turns about its own centre. */
+/* Corrects the gaps, measured for a pin at s = 0, for a pin that rests in the direction of the load
+ * and has turned about its centre. */
 static void rest(pose *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

@@ -1,4 +1,4 @@
-/* One contact pose: room, solution, and what is read from it. Leans on mortar.c and lcp.c. */
+/* The contact at one position of the plate: memory, solution, results. */
 #include "core/contact/pose.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -66,7 +66,7 @@ arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error 
   return ARC_OK;
 }
 
-/* The zone that would have held the contact, in words. */
+/* Error message with the zone needed. */
 static arc_status edge_reached(pose *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
@@ -79,8 +79,8 @@ static arc_status edge_reached(pose *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-/* Once with the compliance of the last condensation; where that has drifted off since, once more
- * with what the drift adds to the gaps under the forces found. */
+/* Solves with the compliance of the last condensation; if it has drifted, solves again with the
+ * drift times the forces added to the gaps. */
 static arc_status solve(pose *p, double line) {
   arc_status status = arc_lcp_solve(p, line);
   if (status != ARC_OK || !arc_pose_add_drift(p)) return status;
@@ -120,9 +120,8 @@ void arc_pose_forces(const pose *p, double *f) {
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
 
-/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may
- * be pulled a little. Such a force goes to the next node towards the most loaded one: nothing is
- * pulled, and the sum stays. */
+/* Removes negative forces of plate nodes next to the contact, which come from negative parts of the
+ * dual basis, by adding them to the neighbour towards the largest force: the sum is kept. */
 static void push_only(double *f, int n) {
   int peak = 0;
   for (int l = 1; l < n; l++)
@@ -149,7 +148,7 @@ void arc_pose_transfer(const pose *p, const double *from, double *to) {
   for (int l = 0; l < p->np; l++) to[l] /= p->wp[l];
 }
 
-/* The cylinder's node under the load. */
+/* Index of the cylinder's node in the direction of the load. */
 static int lowest(const pose *p) {
   const shape_side *side = &p->shape->side[ARC_CYLINDER];
   if (p->angle == 0) return p->nc / 2;
@@ -195,7 +194,7 @@ static double force_between(const pose *p, const double *cyl, double from, doubl
   return sum;
 }
 
-/* The largest window begins or ends at the edge of a cell. */
+/* The window with the largest mean starts or ends at the edge of a cell. */
 double arc_pose_average(const pose *p, const arc_shape *shape, double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;
   double most = 0, center;

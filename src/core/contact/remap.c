@@ -14,7 +14,8 @@
 
 enum { WAY_X, WAY_Y, DEPTH, QUANTITIES };
 
-/* One surface as it is taken over: node i has come from x[i] by value[WAY_X][i] and WAY_Y. */
+/* A surface to be interpolated: node i has moved from x[i] by value[WAY_X][i] and value[WAY_Y][i].
+ */
 typedef struct track {
   int n;
   double *x;
@@ -84,7 +85,7 @@ static int is_worn(const track *t, int i) {
   return i >= 0 && i < t->n && t->value[DEPTH][i] > 0;
 }
 
-/* Splines through every run of worn nodes; straight where there are too few. */
+/* Splines through each sequence of worn nodes; linear for fewer than four. */
 static void bend(track *t) {
   for (int a = 0; a < t->n; a++) {
     if (!is_worn(t, a)) continue;
@@ -96,8 +97,8 @@ static void bend(track *t) {
   }
 }
 
-/* Share of the depth at the worn node `edge` that is left at x `at`, between it and the unworn one
- * beside it: on along the spline until it meets zero, or down to zero smoothly if it does not. */
+/* Depth at x `at` relative to the worn node `edge`, between it and its unworn neighbour: by the
+ * spline down to zero, or by a smooth function if the spline does not reach zero. */
 static double share_beyond(const track *t, int edge, int outside, double at) {
   const int inside = 2 * edge - outside;
   const double depth = t->value[DEPTH][edge];
@@ -133,8 +134,8 @@ static void track_at(const track *t, double at, double value[QUANTITIES]) {
 
 /* --- areas ------------------------------------------------------------------------------------ */
 
-/* The area that the polygon of a side's unworn nodes gains under it [mm2] by `scale` times the ways
- * of a track. */
+/* Area [mm2] removed from the polygon of unworn nodes by `scale` times the displacements of a
+ * track. */
 static double area_under(const shape_side *side, const track *t, double scale) {
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
@@ -147,8 +148,7 @@ static double area_under(const shape_side *side, const track *t, double scale) {
   return area;
 }
 
-/* Scales a track until its area is the wanted one: the area is linear and a little quadratic in the
- * scale. */
+/* Scales a track to a given area, which is nearly linear in the scale. */
 static void scale_to(const shape_side *side, track *t, double wanted) {
   enum { sweeps = 6 };
   const double forth = area_under(side, t, 1), back = area_under(side, t, -1);
@@ -162,7 +162,7 @@ static void scale_to(const shape_side *side, track *t, double wanted) {
 
 /* --- taking over ------------------------------------------------------------------------------ */
 
-/* Where nodes stay over their places, the height of the surface there. */
+/* Height of the surface at the unworn positions (frozen geometry). */
 static void stand_upright(const shape_side *side, track *t) {
   memcpy(t->room, t->value[WAY_Y], (size_t)t->n * sizeof(double));
   for (int i = 1; i + 1 < t->n; i++) {
@@ -176,7 +176,7 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[WAY_X], 0, (size_t)t->n * sizeof(double));
 }
 
-/* Whether the whole scar lies on the side; else part of it is left out, and so is its area. */
+/* True if the whole scar lies on the side; else its outer part and area are lost. */
 static int covers(const shape_side *side, const track *from) {
   for (int i = 0; i < from->n; i++)
     if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))
@@ -219,7 +219,7 @@ arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *erro
 
 /* --- measured profiles ------------------------------------------------------------------------ */
 
-/* The area under the broken line through (x, h) [n] [mm2]. */
+/* Area under the polyline through (x, h) [n] [mm2]. */
 static double area_of(const double *x, const double *h, size_t n) {
   double area = 0;
   for (size_t i = 1; i < n; i++) area += (x[i] - x[i - 1]) * (h[i] + h[i - 1]) / 2;

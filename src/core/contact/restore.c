@@ -1,11 +1,10 @@
-/* Worn surfaces as they are stored, and from what was stored, which may be anybody's numbers: they
- * are checked before a node is put where they say. Leans on shape.c. */
+/* State of worn surfaces: storing, and restoring with checks of all numbers. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <string.h>
 
-/* One body's state with its values where they stand. */
+/* State of one body with addresses of its values. */
 typedef struct surface_state {
   const double *h, *xy, *settled, *even, *condensed;
 } surface_state;
@@ -40,7 +39,7 @@ static arc_status refuse(const shape_side *side, int node, const char *expected,
                   arc_body_name(side->body->mesh->body), node, expected, value);
 }
 
-/* Wear even and local. */
+/* Even and local wear. */
 static arc_status check_depths(const shape_side *side, const surface_state *state,
                                arc_error *error) {
   for (int i = 0; i < side->n; i++)
@@ -52,8 +51,8 @@ static arc_status check_depths(const shape_side *side, const surface_state *stat
   return ARC_OK;
 }
 
-/* Nodes in order along x; none is farther from its unworn place than its way was long, but for what
- * the passage to other meshes blurs. */
+/* Checks that nodes increase along x, and that no node has moved farther than its wear path, with a
+ * tolerance for remeshed surfaces. */
 static arc_status check_nodes(const shape_side *side, const surface_state *state, const double *xy,
                               arc_error *error) {
   for (int i = 0; i < side->n; i++) {

@@ -1,5 +1,5 @@
-/* Worn surfaces: nodes move along their normals, the wear box follows, the compliance is renewed
- * when it is due. */
+/* Worn surfaces: moves nodes along their normals and the wear box with them, and recomputes the
+ * compliance when necessary. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
 }
 
-/* Doubles a node has in the arrays of its side. */
+/* Doubles per node in the arrays of a side. */
 enum { side_arrays = 14 + ARC_THINNING_SPAN };
 
 static arc_status allocate_side(shape_side *side, const elastic_body *body) {
@@ -115,14 +115,14 @@ void arc_meshed_discard(arc_shape **shape) {
   *shape = NULL;
 }
 
-/* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
- * at the bottom. Without rows the surface is all there is of it. */
+/* Position of node k of the wear box: columns move with the surface, linearly to zero at the
+ * bottom. Without rows only the surface moves. */
 static void box_node_at(const shape_side *side, const double *surface_xy, double even, int k,
                         double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = arc_body_top(side->body, column);
-  /* far elements share the nodes at the box's sides, and stay as they are: so do these */
+  /* nodes at the sides of the box are shared with far elements, which do not move */
   const int side_column = column == 0 || column == side->n - 1;
   const double pull = mesh->rows > 0 ? arc_body_pull(side->body, column, row) : 1;
   const double share = side_column ? 0 : pull;
@@ -139,16 +139,16 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double even
     box_node_at(side, surface_xy, even, k, &box_xy[2 * k]);
 }
 
-/* What is left of the layer that lies open at node i [mm]. */
+/* Remaining thickness of the exposed layer at node i [mm]. */
 static double left_of_layer(const shape_side *side, int i) {
   double end = 0;
   for (int n = 0; end <= side->h[i]; n++) end = arc_body_stratum(side->body, i, n).end;
   return end - side->h[i];
 }
 
-/* Whether node i has gone too far since the last condensation: by more than a share of an element's
- * height as it is now, or by a fifth of that of the layer it lies in; or, in elements' widths, by a
- * hundredth of that along the surface, which shows in the pressure at a scar's edge as much. */
+/* True if node i has moved too far since the last condensation: by the share `refresh` of the
+ * element's height, a fifth of it of the remaining layer, or along the surface a hundredth of it of
+ * an element's width, which has a similar effect on the pressure at the edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
@@ -159,9 +159,9 @@ static int gone_too_far(const shape_side *side, const double *xy, int i, double 
   return across > share * height || along > share / 100 * mesh->def.size;
 }
 
-/* Whether the slope at node i of the plate, along whose normals pressures act, has changed enough
- * to tell: to first order slopes change pressures by Dundurs' beta times the change of slope;
- * between like bodies the forces along x on both undo each other. */
+/* True if the slope at node i of the plate has changed too much. To first order slopes change
+ * pressures by Dundurs' beta times the change of slope; between equal materials the forces along x
+ * on both cancel. */
 static int turned_too_far(const shape_side *side, const double *xy, int i, double limit) {
   double now[2], then[2];
   shape_chord(xy, side->n, i, now);
@@ -172,7 +172,7 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   static const double turn = 0.002; /* of `refresh`, over the mismatch: a share of the pressure */
   if (shape->geometry == ARC_FROZEN) return 0;
-  /* slopes change pressures by it times their change; between like bodies forces undo each other */
+  /* relative change of pressure per change of slope */
   const arc_model_def *def = arc_model_definition(shape->handle.model);
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0 && !side->body->chart.polar;
@@ -255,7 +255,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   return status;
 }
 
-/* The compliance of one side as a geometry wants it, into *renewed (n = 0: the unworn one). */
+/* Computes the compliance of one side for a geometry, into *renewed (n = 0: use the unworn one). */
 static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
                                  arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};
@@ -308,8 +308,8 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, c
   return status;
 }
 
-/* Layers are followed at once: how much of them was left at the last condensation need not be known
- * then. */
+/* Bodies with layers are condensed at every change, so that the thickness at the last condensation
+ * is not needed. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error) {
   shape_side *side = &shape->side[body];
   shape_side worn = *side;

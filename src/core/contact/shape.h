@@ -1,4 +1,4 @@
-/* Inside of arc_shape: the worn surfaces and the compliance that goes with them. */
+/* Members of arc_shape: worn surfaces and their compliance. */
 #ifndef CONTACT_SHAPE_H
 #define CONTACT_SHAPE_H
 
@@ -17,22 +17,21 @@ typedef struct shape_side {
   double *x0, *y;  /* [n] unworn x; present height, even wear included [mm] */
   double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
   double *settled; /* [2 n] surface nodes at the last condensation */
-  double *x, *way; /* [n] present x; length of the way from the unworn position [mm] */
+  double *x, *way; /* [n] present x; distance from the unworn position [mm] */
   double *level;   /* [n] present height of the surface at the x of `settled` [mm] */
   double *drift;  /* [n x ARC_THINNING_SPAN] by which the compliance is off since then, between node
                      i and those up to ARC_THINNING_REACH away */
-  double *room;   /* [4 n] means nothing between calls */
-  int drifted;    /* whether it is off at all */
-  double even;    /* [mm] wear that left the surface as it was */
-  compliance own; /* of the worn box; n = 0 while the unworn one serves */
+  double *room;   /* [4 n] workspace */
+  int drifted;    /* 1 if there is a drift */
+  double even;    /* [mm] even wear */
+  compliance own; /* of the worn box; n = 0: the unworn compliance is used */
 } shape_side;
 
 struct arc_shape {
   shape_handle handle;
   arc_geometry geometry;
   double refresh;
-  long version; /* of both compliances: those of one version are the same bits, on all shapes of a
-                   model */
+  long version; /* of both compliances: equal versions mean equal bits, for all shapes of a model */
   shape_side side[ARC_BODIES];
 };
 
@@ -40,7 +39,7 @@ static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
 
-/* Into the material: up for the cylinder, down for the plate. */
+/* Sign of the direction into the material: up for the cylinder, down for the plate. */
 static inline double shape_inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
@@ -61,11 +60,11 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  * Of revolution: the area of its ring as seen from above [mm2], and so for the spans below. */
 double arc_shape_width(const shape_side *side, int i);
 
-/* Fills in what follows from where nodes are. They move along x with their normals while the
- * coupling stays where they settled: levels are those there. */
+/* Computes values derived from the nodes. Nodes move along x with their normals, but the coupling
+ * uses the positions of the last condensation, and so do the levels. */
 void arc_shape_read_nodes(shape_side *side);
 
-/* Makes the compliance of the wear box with its surface at xy [2 n]. */
+/* Computes the compliance of the wear box with its surface at xy [2 n]. */
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
@@ -78,15 +77,15 @@ double arc_shape_box_depth(const shape_side *side);
  * nearer, until the surface has come to them; between them nodes go linearly (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
-/* The even wear [mm] that moving geometry feels: that through layers, where the wear box reaches
- * below them all (wear_box.c). */
+/* The even wear [mm] that affects the stiffness: through layers, if the wear box reaches below all
+ * of them (wear_box.c). */
 double arc_shape_even_felt(const shape_side *side);
 
-/* A wear box is deepened to so many rows at the most. */
+/* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* The rows that a wear box needs to reach below layers that have worn evenly by a part that is
- * felt, or as many as there is room for; 0 where it has them (wear_box.c). */
+/* Number of rows for a wear box that reaches below evenly worn layers, limited by the bodies; 0 if
+ * it has them (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
@@ -94,10 +93,11 @@ int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
-/* Wear [mm] that nobody sees: beyond it the gaps of a frozen geometry hide what pressures do. */
+/* Upper bound of the wear [mm] of a frozen geometry, beyond which gaps lose the digits of
+ * displacements. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Whether the surface may wear by depth [n] more, what all nodes share apart; ARC_GEOMETRY
+/* Checks that the surface may wear by depth [n], apart from the common part. ARC_GEOMETRY
  * (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
@@ -109,9 +109,9 @@ void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
  * are heights (frozen). */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
-/* Depths that would take areas depth[i] * span to first order become those that take just these
- * areas off the polygon of the surface: on a curved one the next surface is shorter or longer.
- * Surfaces of revolution stay as they are: there it is of second order in an update's depth. */
+/* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span: the
+ * length of a curved surface changes with depth. Not for surfaces of revolution, where the effect
+ * has second order in the depth of an update. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* --- compliance_update.c --- */
@@ -121,7 +121,7 @@ void arc_shape_drift(shape_side *side);
 
 /* --- shape.c --- */
 
-/* What the handle of surfaces asks of meshed ones: see arc_shape_create and so on. */
+/* Functions of the kind for meshed surfaces: see arc_shape_create etc. */
 arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
                              arc_shape **shape, arc_error *error);
 arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -129,15 +129,14 @@ void arc_meshed_discard(arc_shape **shape);
 arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body);
 double arc_meshed_depth(const arc_shape *shape, arc_body body);
 
-/* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n], under which so much wore
- * evenly. */
+/* Wear-box nodes [2 * box_count] for a surface at surface_xy [2 n] and an even wear. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy);
 
-/* The even wear [mm] that the stiffness knows of: none under frozen geometry. */
+/* The even wear [mm] included in the stiffness; 0 with frozen geometry. */
 double arc_shape_risen(const arc_shape *shape, arc_body body);
 
-/* Goes on with another geometry: frozen takes the unworn compliance, moving that of the present
- * nodes. On failure the shape is as it was. */
+/* Changes the geometry: frozen uses the unworn compliance, moving that of the present nodes. On
+ * failure the shape is unchanged. */
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
@@ -147,7 +146,7 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
 arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
                          const double *h, double even, arc_error *error);
 
-/* Bytes of one shape. */
+/* Memory of one shape [bytes]. */
 size_t arc_shape_bytes(const arc_shape *shape);
 
 #endif

@@ -1,4 +1,4 @@
-/* The line of a worn surface: normals, and the lengths and areas that wear along them takes. */
+/* Geometry of a worn surface: normals, lengths and areas. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -38,7 +38,8 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* -inward n_i x n_i+1: the area that the ways of two neighbours share, twice, per depth of both. */
+/* -inward n_i x n_i+1: twice the area shared by the displacements of two neighbours, per depth of
+ * each. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];
   if (i + 1 == side->n) return 0;
@@ -47,8 +48,8 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   return -shape_inward(side) * (here[0] * next[1] - here[1] * next[0]);
 }
 
-/* With ways d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2; each of two
- * nodes answers for half of the product. */
+/* With displacements d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2;
+ * each of two nodes has half of the product. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   enum { sweeps = 4 }; /* each gains a factor of depth over radius of curvature */
   const shape_side *side = &shape->side[body];

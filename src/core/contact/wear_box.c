@@ -1,11 +1,10 @@
-/* Whether worn surfaces leave the wear boxes their elements, and what helps where they do not;
- * whether they are surfaces at all. */
+/* Checks that worn surfaces are valid and keep the elements of the wear box; deeper wear boxes. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* An element of the wear box may lose this share of its height before the mesh counts as used up.
+/* Largest relative loss of height of an element of the wear box.
  */
 static const double thinnest = 0.1;
 
@@ -14,7 +13,7 @@ double arc_shape_box_depth(const shape_side *side) {
   return fabs(arc_body_bottom(side->body, middle)[1] - arc_body_top(side->body, middle)[1]);
 }
 
-/* The rows of a deeper wear box, as far as the bodies have room; 0 where there is no deeper one. */
+/* Number of rows of a deeper wear box, limited by the bodies; 0 if it cannot be deeper. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->handle.model)) return 0;
   const arc_model_def *def = arc_model_definition(shape->handle.model);
@@ -55,7 +54,7 @@ double arc_shape_sink(const shape_side *side, double sunk, double even, int i, i
   return sunk_above * (bottom - depth) / (bottom - above);
 }
 
-/* How deep the layers are [mm]. */
+/* Total thickness of the layers [mm]. */
 static double depth_of_layers(const arc_mesh *mesh) {
   return arc_body_interface(&mesh->solid, arc_body_layers(&mesh->solid) - 1);
 }
@@ -72,7 +71,7 @@ double arc_shape_even_felt(const shape_side *side) {
 }
 
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
-  static const double noticed = 0.01; /* of the layers: what they lose before that is not felt */
+  static const double noticed = 0.01; /* smallest relative loss of the layers with an effect */
   const shape_side *side = &shape->side[body];
   const arc_mesh *mesh = side->body->mesh;
   const double deep = depth_of_layers(mesh);

@@ -90,7 +90,7 @@ static int is_triangle(const arc_mesh *m, int e) {
   return arc_mesh_corners(m, e) == 3;
 }
 
-/* Whether triangle e goes on with the cell of e - 2. */
+/* True if triangle e is in the same cell as e - 2. */
 static int goes_on(const arc_mesh *m, int e) {
   return e - 2 >= m->box_elements && e < m->elements && is_triangle(m, e) &&
          is_triangle(m, e - 2) && m->element[4 * e] == m->element[4 * (e - 2)];
@@ -104,7 +104,7 @@ int arc_body_cell(const elastic_body *b, int e) {
   return count;
 }
 
-/* The node's position in the list, where it is entered at the end if it is new. */
+/* Index of the node in the list; appends a new node. */
 static int enter_node(int node, int *nodes, int *count) {
   int at = 0;
   while (at < *count && nodes[at] != node) at++;
@@ -112,7 +112,8 @@ static int enter_node(int node, int *nodes, int *count) {
   return at;
 }
 
-/* Triangles of one cell: each resists a change of its shape, all together that of their area. */
+/* Adds the triangles of one cell: each with its deviatoric stiffness, all with one common
+ * dilatation. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
   const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
   int nodes[most_cell_nodes], count = 0;
@@ -150,7 +151,7 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-/* S_far = K_rr - K_rf K_ff^-1 K_fr falls out of the factorisation. */
+/* Factorises, which also gives S_far = K_rr - K_rf K_ff^-1 K_fr. */
 static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
@@ -184,13 +185,13 @@ static arc_status allocate(elastic_body *b) {
   return arc_compliance_create(&b->unworn, m->surface);
 }
 
-/* The column that stands for all: the centre, unless that is on an axis of revolution. */
+/* The representative column: the centre, unless it is on an axis of revolution. */
 static int usual_column(const elastic_body *b) {
   const revolution *r = &b->chart.revolved;
   return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
 }
 
-/* The difference that a usual column thinner by a hundredth makes. */
+/* Change of the compliance for a representative column thinner by 1 %. */
 static void take_difference(elastic_body *b, const compliance *thinner, double share) {
   const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
   const double weight = arc_revolution_weight(&b->chart.revolved, arc_body_top(b, centre)[0]);
@@ -206,7 +207,7 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  /* no box that could get thinner, or not without layers that do */
+  /* no wear box, or a body with layers */
   if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);
@@ -233,7 +234,7 @@ static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *
   return status;
 }
 
-/* By layer; returns the largest Poisson's ratio. */
+/* Sets the elasticity by layer. Returns the largest Poisson's ratio. */
 static double take_materials(elastic_body *b, const arc_body_def *solid) {
   const int layers = arc_body_layers(solid);
   double nu = b->material.nu;
@@ -245,7 +246,7 @@ static double take_materials(elastic_body *b, const arc_body_def *solid) {
   return nu;
 }
 
-/* Builds the mesh of the body, or takes the one that is given. */
+/* Builds the mesh of the body, or uses the given one. */
 static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body which,
                             arc_mesh **given, arc_error *error) {
   arc_mesh_def mesh = def->mesh;
@@ -259,7 +260,7 @@ static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body 
   return arc_given_layers(b->mesh, &solid, error);
 }
 
-/* All but the mesh. */
+/* Builds everything except the mesh. */
 static arc_status make(elastic_body *b, work_watch *seen, arc_error *error) {
   arc_status status = arc_watch_stage(seen);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);

@@ -14,8 +14,8 @@
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
-/* What of one layer lies under a node of the surface: down to `end` [mm] along the chart's z, the
- * last one to INFINITY. */
+/* A layer below a node of the surface, down to `end` [mm] along the chart's z; INFINITY for the
+ * last one. */
 typedef struct stratum {
   double end;
   int layer;
@@ -42,8 +42,8 @@ typedef struct elastic_body {
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
   double *thinning;   /* see arc_body_thinning */
-  stratum *stratum;   /* of a mesh from outside with layers, node by node; NULL of others */
-  int *stratum_start; /* [surface] where those of a node begin */
+  stratum *stratum;   /* of an imported mesh with layers, node by node; else NULL */
+  int *stratum_start; /* [surface] index of the first one of a node */
 } elastic_body;
 
 /* How the compliance answers where the wear box gets thinner at one column: to be added to the
@@ -65,7 +65,7 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* An unworn surface node in the chart, and the wear box's bottom under it: s and z [mm]. */
+/* An unworn surface node in the chart, and the bottom of the wear box below it: s and z [mm]. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
 }
@@ -82,7 +82,7 @@ static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
 }
 
-/* The n-th stratum under node i of the surface, from 0; the last one ends at INFINITY. */
+/* The n-th stratum (from 0) below node i of the surface; the last one ends at INFINITY. */
 static inline stratum arc_body_stratum(const elastic_body *body, int i, int n) {
   if (body->stratum) return body->stratum[body->stratum_start[i] + n];
   const arc_body_def *solid = &body->mesh->solid;

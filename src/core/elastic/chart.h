@@ -20,8 +20,8 @@ typedef struct revolution {
   double axis; /* [mm]; 0: the sections on both sides of x = 0 are the same ring */
 } revolution;
 
-/* What stands behind a point of the section [mm]: the circumference, or half of it where the
- * section has it twice; in the plane, 1. */
+/* Length represented by a point of the section [mm]: the circumference, or half of it if the
+ * section contains it twice; 1 in the plane. */
 static inline double arc_revolution_weight(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return 1;
@@ -44,10 +44,10 @@ typedef struct chart {
   revolution revolved;
 } chart;
 
-/* The chart of a pair. */
+/* Returns the chart of a pair. */
 chart arc_chart_of(const arc_model_def *def);
 
-/* Space to chart, and back; n points. */
+/* Transforms n points from space to the chart, and back. */
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 

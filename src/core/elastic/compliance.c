@@ -6,7 +6,7 @@
 
 enum { blocks = 5 };
 
-/* The last one counts who shares them. */
+/* The last element counts references. */
 static size_t compliance_numbers(int n) {
   return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
@@ -72,7 +72,7 @@ static double difference_at(const compliance *c, int k, int columns) {
   return sum / sides;
 }
 
-/* The elements' error falls with the square of the distance. */
+/* The error of the elements decreases with the square of the distance. */
 void arc_compliance_level(compliance *c) {
   if (c->n <= 2 * ARC_SHEAR_REACH) return;
   c->level = c->slope + c->n;

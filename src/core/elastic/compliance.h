@@ -1,4 +1,4 @@
-/* How a surface gives way to forces on its nodes. */
+/* Compliance of a surface: displacements under forces on its nodes. */
 #ifndef ELASTIC_COMPLIANCE_H
 #define ELASTIC_COMPLIANCE_H
 
@@ -25,10 +25,10 @@ static inline double compliance_shear(const compliance *c, int r, int k) {
   return c->yy[at] - (c->level[r] + c->level[k]) / 2;
 }
 
-/* Room for a compliance of n nodes, all zero and flat; ARC_MEMORY leaves it empty. */
+/* Allocates a compliance of n nodes, zero and flat. ARC_MEMORY: it is empty. */
 arc_status arc_compliance_create(compliance *c, int n);
 void arc_compliance_free(compliance *c);
-/* The same compliance once more, to be freed on its own; neither may be written to any more. */
+/* Another reference to the same compliance, to be freed too; neither may be written to. */
 compliance arc_compliance_share(const compliance *c);
 /* Fills `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
@@ -38,7 +38,7 @@ void arc_compliance_incline(compliance *c);
  * as under such pressure. So within a few columns yy stands for xx, but for the difference that
  * bodies of finite size make. */
 void arc_compliance_level(compliance *c);
-/* Bytes of a compliance of n nodes. */
+/* Memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);
 
 #endif

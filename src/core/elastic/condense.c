@@ -17,12 +17,12 @@
 
 enum {
   together = ARC_DENSE_BAND_SIDES, /* right-hand sides of the band solved at once */
-  panel = 64                       /* columns of W that count as one: 32 surface nodes */
+  panel = 64                       /* columns of W processed together: 32 surface nodes */
 };
 
 typedef struct condensation {
   int ni, nr, ns;     /* inner and rim unknowns, surface nodes */
-  double even;        /* [mm] wear that left the surface where it was */
+  double even;        /* [mm] even wear */
   double *band;       /* [(band + 1) * ni] factor of K_ii */
   double *side;       /* [(ni + 2 band) x together] right-hand sides of the band, side by side; zero
                          between calls */
@@ -88,8 +88,8 @@ static elasticity mix_layers(const elastic_body *b, double from, double to) {
                       .nu = b->d.nu};
 }
 
-/* The surface moves through the layers, which stay where they are; where it stays although it
- * wears, `even` [mm], they come to meet it. */
+/* The surface moves through the fixed layers. Under even wear [mm] the layers are shifted toward
+ * the surface. */
 static elasticity box_elasticity(const elastic_body *b, const double *box_at, double even,
                                  const int corner[4]) {
   const int rows = b->mesh->rows + 1;
@@ -136,13 +136,13 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
   return status;
 }
 
-/* Inner unknown of surface unknown j, or -1 where that is a rim's. */
+/* Inner index of surface unknown j, or -1 if it is on the rim. */
 static int inner_unknown(const elastic_body *b, int j) {
   const int at = b->box_inner[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* The same for the rim. */
+/* Rim index of surface unknown j, or -1. */
 static int rim_unknown(const elastic_body *b, int j) {
   const int at = b->box_rim[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
@@ -308,8 +308,7 @@ static void split(const condensation *c, compliance *result) {
     }
 }
 
-/* Displacement of node r under a force at node k, both turned into the chart's directions: ss, sz,
- * zs, zz. */
+/* Displacement of node r under a force at node k in the directions of the chart: ss, sz, zs, zz. */
 static void turn_pair(const compliance *c, const double *axes, int r, int k, double turned[4]) {
   const size_t at = dense_at(r, k, c->n);
   const double *u = &axes[4 * r], *v = &axes[4 * k];

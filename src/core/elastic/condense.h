@@ -5,8 +5,8 @@
 #include "core/elastic/body.h"
 
 /* The compliance, in the chart's directions, with the wear-box nodes at box_at [2 * box_count] of
- * the chart (order of box_node). Under a surface that stays where it is although it wore by `even`
- * [mm] the layers in the box lie so much higher. ARC_NUMERIC, ARC_MEMORY. */
+ * the chart (order of box_node). With an even wear `even` [mm] the layers in the box lie higher by
+ * it. ARC_NUMERIC, ARC_MEMORY. */
 arc_status arc_body_condense(const elastic_body *body, const double *box_at, double even,
                              compliance *result, arc_error *error);
 

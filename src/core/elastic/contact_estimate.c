@@ -18,7 +18,7 @@ int arc_model_is_round(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
 }
 
-/* Length of a contact that is a line, straight or around [mm]. */
+/* Length of a line contact, straight or circular [mm]. */
 static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
@@ -48,7 +48,7 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
 
 /* --- their gap -------------------------------------------------------------------------------- */
 
-/* How far a surface lies inside its body at x [mm]. */
+/* Distance of a surface below its outermost point at x [mm]. */
 static double inset_at(const contact_pair *g, int b, double x) {
   const arc_body_def *s = &g->solid[b];
   const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
@@ -63,12 +63,13 @@ static double gap_at(const contact_pair *g, double x) {
   return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
 }
 
-/* Of both sides of the first point of contact, the mean. */
+/* Mean of both sides of the first point of contact. */
 static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* Where smooth profiles come nearest the other body: a point, or a flat; the first of several. */
+/* Position where smooth profiles are nearest to the other body: a point or a flat, the first of
+ * several. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -120,7 +121,7 @@ contact_pair arc_model_pair(const arc_model_def *def) {
 
 /* --- the load that a width takes -------------------------------------------------------------- */
 
-/* The contact modulus of the pair to a contact of this half width [MPa]. */
+/* Contact modulus of the pair for a contact of this half width [MPa]. */
 static double modulus_at(const contact_pair *g, double half_width) {
   const arc_model_def *def = g->def;
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
@@ -153,7 +154,7 @@ static double press(const contact_pair *g, double wide) {
   return sum;
 }
 
-/* The width that a load takes, by halving on a scale of sizes; the widest where that takes less. */
+/* Half width for a load by bisection of its logarithm; the largest if its load is smaller. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -215,7 +216,7 @@ static int is_arc_or_flat(const arc_body_def *b) {
   return arc_body_is_round(b) || arc_body_is_flat(b);
 }
 
-/* Whether both are arcs or flat, and feel nothing but themselves. */
+/* True if both are arcs or flat, without layers or near bases. */
 static int is_plain(const contact_pair *g, double half_width) {
   return g->hole == 0 && is_arc_or_flat(&g->solid[0]) && is_arc_or_flat(&g->solid[1]) &&
          half_width > 0 &&

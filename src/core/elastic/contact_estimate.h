@@ -1,4 +1,4 @@
-/* How wide unworn bodies touch, estimated. */
+/* Estimate of the width of unworn contacts. */
 #ifndef ELASTIC_CONTACT_ESTIMATE_H
 #define ELASTIC_CONTACT_ESTIMATE_H
 

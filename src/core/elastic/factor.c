@@ -15,7 +15,7 @@
 struct factor {
   cholmod_common common;
   cholmod_factor *l;
-  int last;                 /* unknowns whose Schur complement is wanted */
+  int last;                 /* number of unknowns of the Schur complement */
   cholmod_dense *x, *y, *e; /* workspace kept between solves */
 };
 
@@ -72,7 +72,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-/* Least fill, with the last unknowns kept last: what they hold then is the Schur complement. */
+/* Ordering for small fill with the last unknowns kept last: their part of the factor gives the
+ * Schur complement. */
 static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
   const int n = (int)a->nrow;
   int *group = malloc((size_t)n * sizeof *group);
@@ -86,7 +87,7 @@ static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *
   return done;
 }
 
-/* Analysis may still reorder: unknowns that are not joined to the rest would not stay last. */
+/* The analysis may reorder: unknowns not connected to the rest would not be last. */
 static int kept_last(const factor *f) {
   const int *permutation = f->l->Perm, n = (int)f->l->n;
   for (int k = n - f->last; k < n; k++)
@@ -179,8 +180,7 @@ void arc_factor_destroy(factor **f) {
   *f = NULL;
 }
 
-/* cholmod_solve2 takes its workspace itself, but asks for the second block without looking whether
- * it got the first, and then writes to nowhere. */
+/* Allocates the workspace before, as cholmod_solve2 does not check its first allocation. */
 static int ensure_workspace(factor *f, size_t count) {
   const size_t n = f->l->n, e = f->l->maxesize;
   return cholmod_ensure_dense(&f->x, n, count, n, CHOLMOD_REAL, &f->common) &&
@@ -188,12 +188,12 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-/* One of cholmod_solve's systems, from `from` into f->x. */
+/* Solves one system of cholmod_solve, from `from` into f->x. */
 static int solve_system(factor *f, int system, cholmod_dense *from) {
   return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
 }
 
-/* With the last rows zero between the two halves the last unknowns stay out of it. */
+/* Setting the last rows to zero between the two solves excludes the last unknowns. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
   const size_t n = f->l->n, first = n - (size_t)f->last;
   double *room = calloc(n, sizeof *room);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The part of an element under a node of the surface [mm of depth]. */
+/* Part of an element below a node of the surface, by depth [mm]. */
 typedef struct piece {
   int node, layer;
   double from, to;
@@ -33,7 +33,7 @@ static const double *corner(const search *f, int e, int k) {
   return &f->sz[2 * f->body->mesh->element[4 * e + k]];
 }
 
-/* From where to where an element reaches along s. */
+/* Range of an element along s. */
 static void reach(const search *f, int e, double *low, double *high) {
   *low = *high = corner(f, e, 0)[0];
   for (int k = 1; k < arc_mesh_corners(f->body->mesh, e); k++) {
@@ -42,7 +42,7 @@ static void reach(const search *f, int e, double *low, double *high) {
   }
 }
 
-/* Takes z of an edge at s, if it gets there, into the range. */
+/* Extends the range by z of an edge at s, if the edge reaches s. */
 static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
   if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;
   const double z = p[0] == q[0] ? p[1] : p[1] + (q[1] - p[1]) * ((s - p[0]) / (q[0] - p[0]));
@@ -50,7 +50,7 @@ static void cut_edge(const double *p, const double *q, double s, double *low, do
   *high = fmax(*high, z);
 }
 
-/* The part of element e under node i of the surface; 0: no memory. */
+/* Adds the part of element e below node i of the surface. Returns 0 if out of memory. */
 static int cut_element(search *f, int e, int i) {
   const arc_mesh *m = f->body->mesh;
   const int corners = arc_mesh_corners(m, e);
@@ -78,7 +78,7 @@ static int first_from(const search *f, double s) {
   return low;
 }
 
-/* Elements at the other side of a hole, where s begins anew, are far from any surface. */
+/* Elements at the other side of a hole, where s jumps, are far from the surface. */
 static int find_pieces(search *f) {
   const arc_mesh *m = f->body->mesh;
   for (int e = 0; e < m->elements; e++) {
@@ -93,7 +93,7 @@ static int find_pieces(search *f) {
 
 /* --- strata ----------------------------------------------------------------------------------- */
 
-/* Joins the pieces of each node; what lies beside another one on a common edge is left out. */
+/* Joins the pieces of each node; duplicates on a common edge are removed. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;
   int at = 0, count = 0;

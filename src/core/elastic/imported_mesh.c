@@ -1,4 +1,4 @@
-/* Meshes from outside: whether they suit the definition of a model, and what they make of it. */
+/* Imported meshes: checks against the definition of a model, and values they set in it. */
 #include "core/elastic/imported_mesh.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
@@ -31,7 +31,7 @@ static const char *list_names(const arc_mesh *mesh, char text[200]) {
 }
 _Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "room for all names in a message");
 
-/* Every layer is one of the mesh's by name. */
+/* Checks that every layer is a named material of the mesh. */
 static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
   const char *role = arc_model_role_name(mesh->body);
   char names[200];
@@ -103,7 +103,7 @@ static double area_of(const arc_mesh *mesh, int e) {
   return twice / 2;
 }
 
-/* The body's own material; where all of it has names, that with the largest area stands for it. */
+/* The bulk material: the unnamed one, or the named one with the largest area. */
 static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
   const arc_body_def *solid = &def->body[mesh->body];
   double area[ARC_MESH_MATERIALS] = {0};
@@ -120,7 +120,7 @@ static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* What lies across the axis would be a ring on both of its sides. */
+/* Refuses elements across the axis. */
 static arc_status check_across(const arc_mesh *mesh, double width, arc_error *error) {
   for (int e = 0; e < mesh->elements; e++) {
     const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
@@ -138,7 +138,7 @@ static arc_status check_across(const arc_mesh *mesh, double width, arc_error *er
   return ARC_OK;
 }
 
-/* All of a body of revolution lies on one side of its axis, or about it. */
+/* Checks that a body of revolution lies on one side of its axis or symmetrically about it. */
 static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
   double least = INFINITY, most = -INFINITY;
   if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
@@ -187,7 +187,7 @@ static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
   fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* nobody fits it to another contact */
+  fit.mesh.fineness = 0; /* not fitted to other contacts */
   for (int b = 0; b < ARC_BODIES; b++) {
     fit.mesh.zone[b] = given[b]->def.zone[b];
     fit.material[b] = bulk_of(def, given[b]);

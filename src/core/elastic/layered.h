@@ -1,4 +1,4 @@
-/* How stiff layered bodies are to waves of pressure. */
+/* Stiffness of layered bodies against pressure waves. */
 #ifndef ELASTIC_LAYERED_H
 #define ELASTIC_LAYERED_H
 
@@ -14,7 +14,7 @@ double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material 
  * INFINITY for a half-plane, that is held below. */
 double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, double base,
                           arc_material own, double q);
-/* The contact modulus of two such bodies [MPa]. */
+/* Contact modulus of two such bodies [MPa]. */
 double arc_pair_modulus(arc_space space, const arc_body_def body[ARC_BODIES],
                         const arc_material own[ARC_BODIES], double q);
 

@@ -14,7 +14,7 @@ double arc_model_size_for(double half_width) {
   return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
-/* The least dimension of both bodies that limits meshes. */
+/* The smallest dimension of both bodies that limits meshes. */
 static double least_measure(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
@@ -30,7 +30,7 @@ double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
   return arc_body_widest_zone(&solid);
 }
 
-/* Rows of the usual height take a tenth of the radius at the most, and leave room for the rest. */
+/* Largest depth of rows of the usual height: a tenth of the radius. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
@@ -51,7 +51,7 @@ static double contact_size(const arc_model_def *def, const contact_estimate *e) 
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
-/* Eight elements a wave of a rough profile. */
+/* Eight elements per wave of a rough profile. */
 static void fit_size(arc_model_def *def, const contact_estimate *e) {
   enum { a_wave = 8 };
   arc_mesh_def *mesh = &def->mesh;
@@ -101,7 +101,7 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
-/* Rounded up, so that runs that differ a little share a model. */
+/* Rounded up, so that similar runs share a model. */
 static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
   return fmin(rounded, arc_model_widest_zone(def, body));

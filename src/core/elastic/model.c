@@ -21,7 +21,7 @@ typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
   double *profile[ARC_BODIES]; /* of the definition */
-  long version;                /* the last number given to a compliance */
+  long version;                /* last version number of a compliance */
 } elastic_model;
 
 static const elastic_model *meshed(const arc_model *model) {
@@ -69,7 +69,7 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* A model under construction, by whoever waits for it or by a thread that is left behind. */
+/* A model under construction, on a thread that may outlive its caller. */
 typedef struct build {
   elastic_model *model;
   arc_mesh *given[ARC_BODIES]; /* NULL: to be made */
@@ -96,7 +96,7 @@ static void discard(void *job) {
   free(b);
 }
 
-/* Profiles belong to whoever asked: a model has its own. */
+/* Copies profiles, which are owned by the caller. */
 static arc_status keep_profiles(elastic_model *m) {
   arc_status status = ARC_OK;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -130,7 +130,7 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
 
-/* Meshes that are given (NULL: none) are taken over and nulled. */
+/* Takes ownership of given meshes (NULL: none). */
 static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                 const arc_callbacks *callbacks, arc_model **result,
                                 arc_error *error) {
@@ -252,14 +252,14 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
            e.edge, fewest, size, arc_model_size_for(e.edge));
 }
 
-/* Height of a body's surface at the node next to s [mm]. */
+/* Height of a body's surface at the node nearest to s [mm]. */
 static double height_at(const elastic_body *body, double s) {
   const arc_mesh *m = body->mesh;
   const int next = arc_chart_nearest(body->box_at, m->rows + 1, m->surface, s);
   return arc_body_top(body, next)[1];
 }
 
-/* The slope of a hollow surface at the edges of a contact; negative of others. */
+/* Slope of a hollow surface at the edges of a contact; negative for others. */
 static double hollow_slope(const arc_model *m, arc_body which, double half_width) {
   const elastic_body *body = meshed(m)->body[which];
   const double rise =

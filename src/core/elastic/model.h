@@ -1,10 +1,10 @@
-/* A model as contact and wear see it. */
+/* Members of a model for contact and wear. */
 #ifndef ELASTIC_MODEL_H
 #define ELASTIC_MODEL_H
 
 #include "core/elastic/body.h"
 
-/* The model's body (not public: contact and wear lean on it). */
+/* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
 /* Warns where a contact of this half width [mm], or a sharp edge of the unworn one under a load [N]
@@ -12,9 +12,8 @@ const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 
-/* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
- * them: a number means the same bits on whatever shape it stands. The unworn compliance has the
- * first one; none is 0. */
+/* Version numbers of compliances, counted by the model: equal numbers mean equal bits for all
+ * shapes. The unworn compliance has the first one; 0 is not used. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
@@ -22,7 +21,7 @@ long arc_model_next_version(arc_model *model);
  * with the layers that bodies from outside have. */
 double arc_model_felt_modulus(const arc_model *model, double q);
 
-/* What the handle of a model asks of meshed bodies: see arc_model_check, arc_model_build_watched,
+/* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_watched,
  * arc_model_release and arc_model_bytes. */
 arc_status arc_elastic_check(const arc_model_def *def, arc_error *error);
 arc_status arc_elastic_build(const arc_model_def *def, const arc_callbacks *callbacks,

@@ -1,4 +1,4 @@
-/* Pairs of bodies: what they are called, and what two shapes are to each other. */
+/* Pairs of bodies: names, and relations of two shapes. */
 #include "core/elastic/pair.h"
 #include "core/mesh/body_shape.h"
 
@@ -102,12 +102,12 @@ static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, a
 
 /* --- bodies of revolution --------------------------------------------------------------------- */
 
-/* How far a body reaches to the side [mm]. */
+/* Half width of a body [mm]. */
 static double reach_of(const arc_body_def *b) {
   return arc_body_is_round(b) ? fabs(arc_body_radius(b)) : b->width / 2;
 }
 
-/* A profile about the axis is the same on both sides. */
+/* Checks that a profile about the axis is symmetric. */
 static arc_status check_profile_turns(const arc_body_def *b, const char *path, arc_error *error) {
   const arc_series *y = &b->y_series;
   for (int i = 0; i < y->count; i++) {
@@ -121,7 +121,7 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
-/* What is asked of a body of revolution. */
+/* Checks a body of revolution. */
 typedef arc_status turn_check(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error);
 
@@ -166,7 +166,7 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
                   "field 'thickness': bodies of revolution have none, got %g mm", def->thickness);
 }
 
-/* Each by itself, and what they are called and stand for. */
+/* Checks each body and the names of both. */
 static arc_status check_each(const arc_model_def *def, const arc_body_def solid[ARC_BODIES],
                              arc_error *error) {
   arc_status status = arc_body_check(&solid[ARC_UPPER], "upper.", error);

@@ -16,7 +16,7 @@ static const double settled = 1e-13;
 /* --- the shear problem of an increment ----------------------------------------------------------
  */
 
-/* More than friction carries is cut back, as it may be only on the way that it is too much. */
+/* Limits the force to that of friction, as only an intermediate iterate may exceed it. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -29,7 +29,7 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-/* That of the pose's present forces, from the ways of w->slip. */
+/* Sets up the shear problem for the present forces, starting from the states in w->slip. */
 static void set_shear(friction_task *k) {
   const pose *p = k->p;
   shear_problem *s = &k->w->shear;
@@ -50,7 +50,7 @@ static void set_shear(friction_task *k) {
   if (s->by_force) set_total(k);
 }
 
-/* Its solution to w->t and w->slip, by candidate. */
+/* Copies its solution to w->t and w->slip, by candidate. */
 static void take_shear(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
@@ -64,7 +64,7 @@ static void take_shear(friction_task *k) {
 
 /* --- sweeps ----------------------------------------------------------------------------------- */
 
-/* The part of the load that the slopes' shear carries [N/mm]. */
+/* Part of the load carried by shear on slopes [N/mm]. */
 static double carried_by_shear(const friction_task *k) {
   double sum = 0;
   for (int i = 0; i < k->p->count && !k->g->flat; i++)
@@ -77,7 +77,7 @@ static void set_gaps(friction_task *k) {
     k->p->gap[i] = k->w->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->w->sheared[i];
 }
 
-/* The largest change of gaps in contact, by the displacement that pressures cause there. */
+/* Largest change of gaps in contact, relative to the displacement by pressures. */
 static double changed(const friction_task *k, const double *sheared) {
   double most = 0, all = 0;
   for (int i = 0; i < k->p->active; i++) {
@@ -89,8 +89,7 @@ static double changed(const friction_task *k, const double *sheared) {
   return most / all;
 }
 
-/* The next sweep's shear: the new one or, where sweeps come back to where they were, on the way
- * there. */
+/* Shear of the next sweep: the new one, or a mean if the sweeps oscillate. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
   for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
@@ -98,7 +97,7 @@ static void take_over(friction_task *k, const double *sheared, double held) {
   k->held += share * (held - k->held);
 }
 
-/* One sweep. Returns 1 where nothing changed any more, 0 where something did, -1 on breakdown. */
+/* One sweep. Returns 1 if converged, 0 if not, -1 on breakdown. */
 static int sweep(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
@@ -171,13 +170,13 @@ static double touch(const pose *p) {
   return least;
 }
 
-/* A pose that has no solution yet starts from the nodes that touched. */
+/* Starts an unsolved pose from the nodes in contact before. */
 static void set_of(pose *p, const friction_state *s) {
   for (int c = 0; c < p->count; c++)
     if (s->f[p->lo + c] > 0) p->set[p->active++] = c;
 }
 
-/* The factor of the shear problem stays while increments stay on one pose. */
+/* Reuses the factor of the shear problem on the same pose. */
 static void take_grip(tangential_compliance *g, const pose *p, friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
   if (w->compliance != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
@@ -212,7 +211,7 @@ double arc_friction_slip(const friction_task *k, int candidate) {
   return k->dx + k->w->shear.shift + up + k->w->before[candidate] - k->w->dragged[candidate];
 }
 
-/* Slip of the candidates that do not touch. */
+/* Slip of the open candidates. */
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
   friction_workspace *w = k->w;
@@ -257,7 +256,7 @@ static void commit(friction_task *k, friction_state *s) {
   arc_tangential_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
 }
 
-/* Nothing touches any more. */
+/* Handles separation. */
 static void lift(friction_task *k, friction_state *s) {
   pose *p = k->p;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);

@@ -28,30 +28,30 @@ typedef struct shear_problem {
   int ld;
   int by_force;
   double total; /* [N/mm] */
-  double shift; /* [mm] the plate's motion that total needs; 0 by motion */
+  double shift; /* [mm] motion of the plate for `total`; 0 for a given motion */
   double *bound, *drive;
   double *t, *slip;
   int *way;         /* 0 sticks, 1 and -1 slip along and against x; warm start and result */
   int *list, *pick; /* stuck nodes: candidates, positions */
   int stuck;
-  int factored; /* factor and ones belong to list and a */
+  int factored; /* 1 if factor and ones are valid for list and a */
   double *factor, *ones, *target;
   double *held, *pulled; /* forces of the nodes that slip; by candidate A_tt t */
   int iterations;
 } shear_problem;
 
-/* Returns 1 solved, 0 gave up, -1 broke down. */
+/* Solves the problem. Returns 1 if solved, 0 if not, -1 on breakdown. */
 int arc_shear_solve(shear_problem *s);
 /* Finds the nodes that stick by its ways, and what holds them against a unit of motion: stuck,
  * list, pick, factor, ones. Non-zero: broke down. */
 int arc_shear_factorise(shear_problem *s);
 
-/* What a pose needs besides: the tangential part of its contact matrix. */
+/* Tangential part of the contact matrix of a pose. */
 typedef struct tangential_compliance {
   int nc, np, count;
-  long version; /* of the pose it was made for; 0: none */
+  long version; /* version of its pose; 0: none */
   double x;
-  int flat;   /* no slopes anywhere */
+  int flat;   /* 1 if there are no slopes */
   double *nt; /* [count x count] gaps under shear forces */
   double *tn; /* [count x count] its transpose */
   double *tt; /* [count x count] */
@@ -60,10 +60,10 @@ typedef struct tangential_compliance {
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
 void arc_tangential_free(tangential_compliance *g);
 size_t arc_tangential_bytes(const tangential_compliance *g);
-/* Brings the matrices up to date with a pose that is; work [2 * (nc + np)]. */
+/* Updates the matrices for an updated pose; work [2 * (nc + np)]. */
 void arc_tangential_update(tangential_compliance *g, const pose *p, double *work);
 
-/* Room for an increment, and its solution until the next one; one serves any number of poses. */
+/* Workspace of an increment, with its solution until the next one; usable for all poses. */
 typedef struct friction_workspace {
   int nc, np;
   double *gap;     /* [nc] gaps with the plate at the increment's x, without those of shear */
@@ -81,12 +81,12 @@ typedef struct friction_workspace {
   double x;
   double *coupled; /* [(2 nc) x (2 nc + 3)] of friction_newton.c */
   int *pivots;     /* [6 * nc] as well */
-  int patience;    /* sweeps before the coupled iteration is tried: 4, tests take more */
-  int by_force;    /* sweeps before a given force is bracketed: 50, tests take none */
+  int patience;    /* sweeps before the coupled iteration: 4, more in tests */
+  int by_force;    /* sweeps before a given force is bracketed: 50, none in tests */
   int sweeps;      /* of the last increment */
   int iterations;  /* sets it went through, all of them */
-  int newton;      /* whether the coupled iteration found it */
-  int bracketed;   /* whether the motion under a given force had to be bracketed */
+  int newton;      /* 1 if solved by the coupled iteration */
+  int bracketed;   /* 1 if the motion was bracketed for a given force */
 } friction_workspace;
 
 arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
@@ -103,17 +103,17 @@ typedef struct friction_turn {
   double force, energy;
 } friction_turn;
 
-/* What is not yet forgotten of the plate's ways under one load; see friction_hysteresis.c. */
+/* History of the plate's motion under one load; see friction_hysteresis.c. */
 enum { ARC_FRICTION_TURNS = 64 };
 typedef struct friction_memory {
   int sense; /* of the present way: 1 along x, -1 against it; 0: load and motion change together */
-  int fresh; /* whether there was no shear where the first way began */
-  int count; /* of turns, each between the two before it */
+  int fresh; /* 1 if the first motion started without shear */
+  int count; /* turning points, each between the two previous ones */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] of the present way */
 } friction_memory;
 
-/* What is carried from increment to increment; nothing else has influence on the next solution. */
+/* State between increments; the next solution depends on nothing else. */
 typedef struct friction_state {
   int nc, np;
   double x;          /* [mm] position of the plate's base */
@@ -121,7 +121,7 @@ typedef struct friction_state {
   double line;       /* [N/mm] */
   double tangential; /* [N/mm] */
   double energy;     /* [N] dissipated per thickness, all increments */
-  double between;    /* [N] part of it that the nodes do not see (slip_energy.c) */
+  double between;    /* [N] part of it between the nodes (slip_energy.c) */
   friction_memory memory;
   double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
   double *slip;          /* [nc] ds of the last increment [mm] */
@@ -129,16 +129,16 @@ typedef struct friction_state {
   double *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, along x, then along y */
 } friction_state;
 
-/* Unloaded: nothing touches, the plate's base at x [mm]. */
+/* Creates an unloaded state with the plate's base at x [mm]. */
 arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
 void arc_friction_free(friction_state *s);
-/* Unloaded again, as created. */
+/* Resets to the unloaded state. */
 void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
-/* Bytes of its arrays, one block from f on. */
+/* Size of its arrays, one block from f on [bytes]. */
 size_t arc_friction_bytes(const friction_state *s);
 
-/* Where an increment ends. */
+/* End of an increment. */
 typedef struct friction_step {
   double mu;
   double line;       /* [N/mm]; 0: lifted off */
@@ -149,7 +149,7 @@ typedef struct friction_step {
 
 /* Increment i of n of those in which bodies are pressed to a step: the width of the contact grows
  * in equal steps. */
-/* How many, where nobody chose it: four while the contact's edge crosses an element, at least 20.
+/* Automatic number of them: four while the edge of contact crosses an element, at least 20.
  */
 int arc_friction_press_increments(const arc_model *model, double load);
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
@@ -172,7 +172,7 @@ void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body,
 
 /* --- between its files ------------------------------------------------------------------------ */
 
-/* One increment on its way. */
+/* An increment being solved. */
 typedef struct friction_task {
   pose *p;
   tangential_compliance *g;
@@ -180,27 +180,28 @@ typedef struct friction_task {
   const friction_step *step;
   const friction_state *from;
   double approach;    /* [mm] before the increment; from nothing, where it first touches */
-  int by_force;       /* whether the tangential force is given, or the motion */
+  int by_force;       /* 1 if the tangential force is given, 0 for the motion */
   double dx;          /* [mm] the plate's way; by force w->shear.shift comes on top */
   double change;      /* of the last sweep, see friction.c */
   double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
-  int over;           /* the last shear problem was asked for more than friction carries */
+  int over;           /* 1 if the last force exceeded friction */
 } friction_task;
 
-/* Pressures and shear by turns, for a given force or motion. 1 solved, 0 not, -1 broke down. */
+/* Solves for pressures and shear alternately, for a given force or motion. Returns 1 if solved, 0
+ * if not, -1 on breakdown. */
 int arc_friction_sweeps(friction_task *k, int limit);
-/* A given force by the motion that leads to it (friction_force_control.c), where the sweeps do not
- * end. */
+/* Solves for a given force by its motion (friction_force_control.c), if the sweeps do not converge.
+ */
 int arc_friction_bracket(friction_task *k);
 
-/* Notes where the plate turns, before the increment's forces are taken over. */
+/* Records turning points, before the forces of the increment are stored. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
 /* Loops that the present way has closed are forgotten, and add what they still had to. */
 void arc_friction_close_loops(friction_state *s);
 /* How far the present way has come, as a force on surfaces without shear [N/mm]. */
 double arc_friction_rise(const friction_memory *m, double force);
 
-/* Adds what is dissipated between the nodes, and finds what they have in reserve. */
+/* Adds the energy dissipated between the nodes, and computes their reserves. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
 /* ds of a candidate [mm] by the forces that w->dragged belongs to. */

@@ -8,16 +8,16 @@
 
 enum { sweeps = 1000, doublings = 60, halvings = 200 };
 
-/* What the force may be off, as a share of the load. */
+/* Tolerance of the force, relative to the load. */
 static const double close_enough = 1e-13;
 
-/* The motion becomes `dx`; gaps follow along the slopes. */
+/* Sets the motion to `dx` and updates gaps on slopes. */
 static void move_to(friction_task *k, double dx) {
   for (int c = 0; c < k->p->count; c++) k->w->gap[c] += k->p->slope[k->p->lo + c] * (dx - k->dx);
   k->dx = dx;
 }
 
-/* By how much the force after a motion is above the given one [N/mm]; NaN where it breaks down. */
+/* Force after a motion minus the given one [N/mm]; NaN on breakdown. */
 static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
@@ -27,7 +27,7 @@ static double excess(friction_task *k, double dx) {
 }
 
 typedef struct range {
-  double x[2], off[2]; /* motions whose forces are below and above */
+  double x[2], off[2]; /* motions with smaller and larger forces */
 } range;
 
 /* Steps away from the first motion, twice as far each time, until the force has passed the given

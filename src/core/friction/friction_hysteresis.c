@@ -12,10 +12,10 @@
 #include <math.h>
 #include <string.h>
 
-/* A force, or a load, is another one where it differs by this share of the load. */
+/* Forces or loads that differ by less than this share of the load count as equal. */
 static const double rounding = 1e-9;
 
-/* Which way the plate goes under a load that stays; 0: not known. */
+/* Direction of the plate under a constant load; 0: unknown. */
 static int sense_of(const friction_task *k, const friction_state *s) {
   static const double still = 1e-12;
   const double way = k->dx + k->w->shear.shift;
@@ -24,7 +24,7 @@ static int sense_of(const friction_task *k, const friction_state *s) {
   return way > 0 ? 1 : -1;
 }
 
-/* Whether the surfaces are not sheared, but for little. */
+/* True if the shear is negligible. */
 static int is_free(const friction_state *s, double mu) {
   static const double little = 0.1;
   double sum = 0;
@@ -32,14 +32,14 @@ static int is_free(const friction_state *s, double mu) {
   return sum <= little * mu * s->line;
 }
 
-/* The force at which the present way closes a loop [N/mm]. */
+/* Force at which the present motion closes a loop [N/mm]. */
 static double loop_end(const friction_memory *m) {
   if (m->count < 2) return copysign(INFINITY, m->sense);
   if (m->count == 2 && m->fresh) return 2 * m->turn[0].force - m->turn[1].force;
   return m->turn[m->count - 2].force;
 }
 
-/* The loop that the present way closes is forgotten; back to the way it began on. */
+/* Removes the closed loop and continues on the motion before it. */
 static double close_loop(friction_memory *m) {
   friction_turn *last = &m->turn[m->count - 1];
   const double whole = (m->count == 2 && m->fresh ? 2 : 1) * last->energy;
@@ -64,7 +64,7 @@ double arc_friction_rise(const friction_memory *m, double force) {
   return m->count == 1 && m->fresh ? way : way / 2;
 }
 
-/* The oldest turn gives way; what was before it is not known any more. */
+/* Drops the oldest turning point. */
 static void note_turn(friction_memory *m, double force) {
   if (m->count == ARC_FRICTION_TURNS) {
     memmove(&m->turn[0], &m->turn[1], (ARC_FRICTION_TURNS - 1) * sizeof *m->turn);

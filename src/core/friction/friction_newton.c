@@ -86,7 +86,7 @@ static void fill_sides(coupled *c) {
   }
 }
 
-/* What an unknown adds to the load and to the tangential force. */
+/* Contribution of an unknown to the load and the tangential force. */
 static void share_of(const coupled *c, int unknown, double *load, double *tangential) {
   const int shear = unknown >= c->na;
   const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];
@@ -95,7 +95,7 @@ static void share_of(const coupled *c, int unknown, double *load, double *tangen
   *tangential = shear ? 1 : pull - m;
 }
 
-/* Approach and motion that give the resultants. 0: they do not determine them. */
+/* Solves for approach and motion from the resultants. Returns 0 if they are undetermined. */
 static int find_rigid(coupled *c, double rigid[2]) {
   double sum[right_hand_sides][2] = {{0}};
   for (int u = 0; u < c->n; u++) {
@@ -154,7 +154,7 @@ static void spread(coupled *c) {
   arc_dense_add_columns(0, p->count, c->na, p->set, p->a, p->count, c->b, p->open);
 }
 
-/* The way of a node in contact. */
+/* State (stick or slip direction) of a node in contact. */
 static int next_way(const coupled *c, int at) {
   friction_workspace *w = c->k->w;
   const int way = c->way[at];
@@ -163,7 +163,7 @@ static int next_way(const coupled *c, int at) {
   return w->t[at] > 0 ? 1 : -1;
 }
 
-/* Whether a set changed. */
+/* True if a set changed. */
 static int update_sets(coupled *c) {
   pose *p = c->k->p;
   int n = 0, changed = 0;
@@ -196,7 +196,7 @@ static int iterate(coupled *c) {
   return 0;
 }
 
-/* Sets and shear as they were, for the sweeps to go on with. */
+/* Restores sets and shear for the sweeps. */
 static void save(const coupled *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);

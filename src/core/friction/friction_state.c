@@ -1,4 +1,4 @@
-/* What friction remembers: room and copies; how it begins. */
+/* State of friction: memory, copies, initial state. */
 #include "core/friction/friction.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Room for increments with friction. */
+/* Workspace for increments with friction. */
 #include "core/base/carve.h"
 #include "core/friction/friction.h"
 

@@ -19,7 +19,7 @@ static void pull(shear_problem *s, const double *t) {
   arc_dense_add_columns(first, last, s->n, s->at, s->a, s->ld, t, s->pulled);
 }
 
-/* Lists the stuck nodes; whether they are the ones of the last time. */
+/* Lists the stuck nodes. Returns 1 if they are unchanged. */
 static int list_stuck(shear_problem *s) {
   int n = 0, same = 1;
   for (int i = 0; i < s->n; i++) {
@@ -47,7 +47,7 @@ int arc_shear_factorise(shear_problem *s) {
   return 0;
 }
 
-/* The motion by which the stuck nodes carry the rest of the given force. */
+/* Motion for which the stuck nodes carry the rest of the given force. */
 static void find_shift(shear_problem *s) {
   double rest = s->total, sum = 0;
   for (int i = 0; i < s->n; i++)
@@ -80,14 +80,14 @@ static void take_target(shear_problem *s) {
   for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
 }
 
-/* Slip of the nodes that do not stick. */
+/* Slip of the slipping nodes. */
 static void measure_slip(shear_problem *s) {
   pull(s, s->t);
   for (int i = 0; i < s->n; i++)
     s->slip[i] = s->way[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
 }
 
-/* Whether a way changed. */
+/* True if a state changed. */
 static int update_ways(shear_problem *s) {
   int changed = 0;
   for (int i = 0; i < s->n; i++) {
@@ -114,7 +114,7 @@ static int newton(shear_problem *s) {
   return 0;
 }
 
-/* Forces within their bounds, with the given sum. */
+/* Feasible forces with the given sum. */
 static void start_inside(shear_problem *s) {
   double all = 0;
   for (int i = 0; i < s->n; i++) all += s->bound[i];
@@ -149,7 +149,7 @@ static int advance(shear_problem *s) {
   return 0;
 }
 
-/* The node that slips most against its force; -1 where none does beyond rounding. */
+/* Node with the largest slip against its force, or -1. */
 static int most_wrong(const shear_problem *s) {
   int worst = -1;
   double most = 0;
@@ -175,7 +175,7 @@ static int descend(shear_problem *s) {
   return 0;
 }
 
-/* Without friction everything slips. */
+/* All nodes slip without friction. */
 static int is_free(shear_problem *s) {
   for (int i = 0; i < s->n; i++)
     if (s->bound[i] > 0) return 0;

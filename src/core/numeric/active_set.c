@@ -5,12 +5,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { most_sets = 30 /* before the guard takes over */ };
+enum { most_sets = 30 /* iterations before the cycling safeguard starts */ };
 
-/* By how much the residual falls before the set is looked at again. */
+/* Reduction of the residual before the set is revised. */
 static const double fall = 0.3;
 
-/* Cells that leave have p < 0; those that enter overlap by more than the limit. */
+/* Revises the set: cells with p < 0 leave, cells that overlap by more than the limit enter. */
 static void change_set(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
@@ -49,7 +49,7 @@ static void finish(const pass *s, double *delta) {
   memcpy(delta, w->delta, (size_t)(s->problem->blocks * s->problem->modes) * sizeof *delta);
 }
 
-/* Sets until one stands: *done; else the guard's turn. */
+/* Revises the set until it does not change (*done), or the safeguard must start. */
 static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error *error) {
   unsigned long long seen[2] = {0, 0};
   double product = 0, share = fall;
@@ -70,7 +70,7 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
     }
     const unsigned long long now = hash_of(s);
     if (now == seen[0] && share == 0) return ARC_OK;
-    if (now == seen[0]) share = 0; /* it was judged too early */
+    if (now == seen[0]) share = 0; /* the set was revised too early */
     seen[0] = seen[1];
     seen[1] = now;
     sets++;

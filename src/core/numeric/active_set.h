@@ -27,13 +27,13 @@ typedef struct active_problem {
   const double *load;   /* [blocks][modes] */
   const double *weight; /* [blocks]; NULL: 1 */
   operator_fn apply;
-  operator_fn precondition; /* about A's inverse, positive; NULL: none */
+  operator_fn precondition; /* approximate inverse of A, positive definite; NULL: none */
   void *context;            /* of both */
   double tolerance;         /* of gaps, relative to the largest displacement A p */
   work_team *team;          /* shares the work on blocks; NULL: none */
 } active_problem;
 
-/* What a solution cost. */
+/* Work of a solution. */
 typedef struct active_count {
   int iterations;   /* steps of conjugate gradients */
   int applications; /* of A */

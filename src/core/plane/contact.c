@@ -1,4 +1,4 @@
-/* One contact solution as an object: a pose, solved, and what users ask of it. */
+/* The contact object: a solved pose and its results. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 #include "core/elastic/contact_estimate.h"
@@ -75,7 +75,7 @@ static double driving_force(const arc_contact *c) {
   return sum;
 }
 
-/* What presses along the normals [N/mm]. */
+/* Sum of the forces along the normals [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
   for (int k = 0; k < c->pose.count; k++) sum += c->pose.f[k];
@@ -101,7 +101,7 @@ static void read_result(arc_contact *c) {
       .iterations = c->rubs ? c->iterations : c->pose.iterations};
 }
 
-/* What does not keep to the axis. */
+/* Refuses settings that break the rotational symmetry. */
 static arc_status check_revolved(const arc_model *model, const arc_contact_def *def,
                                  arc_error *error) {
   if (arc_model_definition(model)->geometry != ARC_AXISYMMETRIC) return ARC_OK;
@@ -138,7 +138,7 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   return status;
 }
 
-/* What users see, from the solved pose. */
+/* Results from the solved pose. */
 static void read_all(arc_contact *c) {
   read_pressures(c);
   read_shear(c);
@@ -153,13 +153,13 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
 }
 
-/* To three digits, upwards where there is room [mm]. */
+/* Rounds to three digits, upwards if possible [mm]. */
 static double round_zone(double zone, double widest) {
   const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
   return up <= widest ? up : floor(widest / unit) * unit;
 }
 
-/* Whether no zone of the plate reaches where it would touch. */
+/* True if no zone of the plate can reach the contact. */
 static int is_off(const arc_contact *c) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (arc_model_body(c->handle.shape->handle.model, ARC_UPPER)->chart.polar) return 0;
@@ -193,7 +193,7 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
   return more;
 }
 
-/* What is said where the zones do not hold the contact. */
+/* Error message for a contact beyond the zones. */
 static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (!error || arc_model_is_given(c->handle.shape->handle.model)) return ARC_ZONE;

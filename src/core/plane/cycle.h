@@ -1,4 +1,4 @@
-/* The cycle of the plane: contact at every point of a block on two meshes, and what it wears. */
+/* Cycles in the plane: contact at every point of a block on two meshes, and the wear. */
 #ifndef PLANE_CYCLE_H
 #define PLANE_CYCLE_H
 
@@ -6,16 +6,15 @@
 #include "core/friction/friction.h"
 #include "core/wear/run.h"
 
-/* One point of the path, solved. Arrays by body; one block. */
+/* One solved point of the path. Arrays by body; one block. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
-  double *q[ARC_BODIES]; /* what wears: p times the factors of law and place [MPa] */
+  double *q[ARC_BODIES]; /* wear rate: p times the factors of law and position [MPa] */
   double *u[ARC_BODIES]; /* elastic displacement along x [mm] */
-  double *f[ARC_BODIES]; /* factor of the place */
+  double *f[ARC_BODIES]; /* local factor */
 } wear_point;
 
-/* The block at hand, its poses (which know themselves whether they are up to date) and the last two
- * points that were solved: point i in point[i % 2]. */
+/* The present block, its poses and the last two solved points: point i in point[i % 2]. */
 typedef struct wear_path {
   const wear_block *block; /* NULL: none yet */
   int poses;
@@ -31,13 +30,13 @@ typedef struct wear_path {
   friction_state state;
 } wear_path;
 
-/* What the plane adds to a run. */
+/* Data of a run in the plane. */
 typedef struct plane_cycle {
   wear_path path;
-  pose reference;        /* plate at x = 0, nominal load */
-  double *slip;          /* [4 n] of an increment; or what mirror images wear */
-  double *down;          /* [n] how much lower depths of the window make the surface, see
-                            arc_shape_downward */
+  pose reference; /* plate at x = 0, nominal load */
+  double *slip;   /* [4 n] of an increment, or of mirror images */
+  double
+      *down; /* [n] lowering of the surface by the depths of the window, see arc_shape_downward */
   double *width;         /* [n] of the nodes' cells [mm] in the window before */
   double *plate, *below; /* [np], [nc] depths of the plate, and those under the cylinder's nodes */
 } plane_cycle;
@@ -49,40 +48,41 @@ static inline wear_path *path_of(const arc_wear *w) {
   return &plane_of(w)->path;
 }
 
-/* -d rate / d depth, at frozen compliance and along y. Neighbouring points whose contact hardly
- * differs are taken together: a Newton iteration does not mind. */
+/* -d rate / d depth, at frozen compliance and along y. Neighbouring points with nearly equal
+ * contact are grouped, which is accurate enough for Newton's method. */
 struct wear_tangent {
   int nc, np;
-  double width;  /* [mm] of plate positions in a group; 0: every point is its own */
+  double width;  /* [mm] range of plate positions in a group; 0: no groups */
   double *value; /* [n x n], n = nc + np, column-major; cylinder first */
   struct jacobian_group *group;
 };
 
 /* --- path.c --- */
-/* Room for the points; ARC_MEMORY leaves nothing to free. */
+/* Allocates the points. ARC_MEMORY: nothing needs to be freed. */
 arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs);
 void arc_path_free(wear_path *path);
-/* Makes poses for a block, unless it is the one at hand. ARC_MEMORY: no block is at hand. */
+/* Creates poses for a block, unless it is the present one. ARC_MEMORY: there is no present block.
+ */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
                           arc_error *error);
-/* Zeroes a point: lifted off. */
+/* Sets a point to zero (no contact). */
 void arc_path_clear(const wear_path *path, wear_point *point);
 void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to);
 
 /* --- rate.c --- */
-/* The wear of a window. */
+/* Computes the wear of a window. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error);
-/* Sliding [mm] that the points of a window stand for together. */
+/* Total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
-/* What a slope takes of the wear that the same pressure does on the level. */
+/* Ratio of the wear on a slope to that of the same pressure on a level surface. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
-/* Solves the point window->first only: can the contact be there? */
+/* Solves the point window->first only, to check that the contact is inside the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 
-/* Brings the pose of point `at` of the block at hand up to date with a window. */
+/* Updates the pose of point `at` of the present block for a window. */
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error);
-/* What the solution on a pose presses and wears. */
+/* Pressures and wear rates of a solved pose. */
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
                          arc_error *error);
 
@@ -90,33 +90,32 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, 
 arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *state,
                                   wear_point *point, arc_error *error);
 
-/* Adds work at the cylinder's nodes [MPa mm], as a density along x, to the wear of both bodies, by
- * the factors of their places: the plate gets the same through the coupling (Eq. 15). on [np] is
- * room. */
+/* Adds work at the cylinder's nodes [MPa mm], a density along x, times local factors to the wear of
+ * both bodies: the plate gets the same through the coupling (Eq. 15). on [np] is workspace. */
 void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
                     double *on, wear_rate *rate);
 
 /* --- mirror.c --- */
-/* Whether the contact in the second half of a window is the mirror image of that in its first. */
+/* True if the contact in the second half of a window mirrors that in the first. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
-/* Whether the wear is not, for factors of places. */
+/* True if the wear does not, because of local factors. */
 int arc_wear_has_places(const arc_wear *w, const wear_window *window);
-/* The image of point `at`, just solved; `law` has what wears there without factors of places. */
+/* Mirrors point `at`, just solved; `law` has its wear rate without local factors. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
-/* Depths [n] become the mean of themselves and their mirror image. */
+/* Replaces depths [n] by their mean with their mirror image. */
 void arc_wear_symmetrise(const arc_wear *w, double *depth);
-/* The wear of a first half, and its Jacobian, become those of the whole window; `images`: the wear
- * of the other half, NULL where it is the mirror image. */
+/* Extends the wear of a first half, and its Jacobian, to the whole window; `images`: the wear of
+ * the other half, or NULL if it is the mirror image. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
                          wear_rate *rate);
 
 /* --- fretting.c --- */
-/* The wear of a steady cycle with friction. */
+/* Computes the wear of a steady cycle with friction. */
 arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
                          arc_error *error);
 
-/* The fretting loop of a whole cycle. */
+/* Computes the fretting loop of a cycle. */
 arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_watch *watch,
                               arc_loop **loop, arc_error *error);
 
@@ -147,29 +146,29 @@ arc_status arc_plane_check(const arc_wear_def *def, const arc_model_def *model, 
 /* --- increments.c --- */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts);
-/* Warns of increments that leap over parts of the contact's way. */
+/* Warns of increments too long for the contact. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 
 /* --- revolved.c --- */
-/* Whether a definition keeps to the axis of a model of revolution, and asks for one only there;
- * ARC_ARGUMENT. */
+/* Checks the settings for models of revolution. ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
 /* Half width of a flat scar of a volume [mm3] on a cylinder of that radius, or on a ball. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
-/* Slip at surface node i over that at the radius where it is told: 1 unless the bodies spin. */
+/* Slip at surface node i relative to that at the reference radius: 1 unless the bodies spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
 /* --- measures.c --- */
-/* alpha = 0 over the whole plate: the contact never changes. */
+/* True for alpha = 0 over the whole plate, where the contact never changes. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
 double arc_plane_roughness(const arc_wear *w, arc_body body);
 /* Largest depth of the plate [mm]; of a track, its mean depth as wide as the contact is. The record
  * has volume and half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* What wears evenly, per thickness [mm]: the plate's width; a track 1 mm wide [mm2]. */
+/* Size of the evenly worn surface per thickness [mm]: the plate's width; for a track 1 mm wide
+ * [mm2]. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
@@ -194,32 +193,31 @@ arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
 /* --- remesh.c --- */
-/* Whether what a step failed of is want of room (ARC_ZONE) or depth (ARC_GEOMETRY) that the run has
- * grown into, and not the step itself. */
+/* True if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear box
+ * (ARC_GEOMETRY), so that a larger mesh can help. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* The rows that a wear box needs for layers that wear evenly, of which only those in the box are
- * felt as they get thinner; 0 where it has them. */
+/* Number of rows of a wear box that contains evenly worn layers; 0 if it has them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
-/* Whether bodies of that radius have room for the zones that the run needs. */
+/* True if the zones of the run fit on bodies of this radius. */
 int arc_wear_has_room(const arc_wear *w);
 
-/* A copy of the run on larger meshes. Errors: those of arc_model_build, `why` where
- * there is no room for larger ones; *result is NULL then. */
+/* Copies the run to larger meshes. Errors: those of arc_model_build, `why` if they cannot be
+ * larger; *result is NULL then. */
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                          arc_wear **result, arc_error *error);
 
-/* A copy of the run on a mesh that is asked for, as in arc_wear_set. Errors: those of
- * arc_wear_grow, ARC_ARGUMENT where the meshes are from outside. */
+/* Copies the run to a given mesh, for arc_wear_set. Errors: those of arc_wear_grow, ARC_ARGUMENT
+ * for imported meshes. */
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
-/* Says which meshes a run has got by now, and why. */
+/* Warns about new meshes of a run, with the reason. */
 void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
                           const arc_callbacks *callbacks);
 
-/* Says that and how a run has grown. */
+/* Warns that a run has larger meshes. */
 void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
                          const arc_callbacks *callbacks);
 
@@ -229,21 +227,21 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                            arc_error *error);
 
 /* --- rims.c --- */
-/* A run like one just created, on meshes whose elements resolve the rims that slip; *finer NULL
- * where they do, where sizes are given, and without friction. */
+/* Recreates a new run on meshes that resolve the slip zones; *finer is NULL if they are resolved,
+ * sizes are given, or there is no friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
-/* The largest size [mm] that resolves the rims of the last update; INFINITY where there are none.
+/* Largest element size [mm] that resolves the slip zones of the last update; INFINITY without them.
  */
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --- */
-/* The depth from h on [mm] that a depth due at the largest wear coefficient of the layers under
- * node i of a body comes to at their own. */
+/* Converts a depth [mm] at the largest wear coefficient to the depth with the coefficients of the
+ * layers below node i, starting at h. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
-/* The same for the depths of all nodes of both surfaces, the cylinder's first. */
+/* The same for all nodes of both surfaces, cylinder first. */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
-/* Share of the largest coefficient by which node i of a body wears where it has lost `depth` more.
+/* Wear coefficient of node i after `depth` more wear, relative to the largest.
  */
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 

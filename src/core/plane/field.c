@@ -128,7 +128,7 @@ static void turn_stresses(const placing *to, arc_field *field) {
   }
 }
 
-/* To where the body is. */
+/* Transforms results to the position of the body. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
   const placing to =
       arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->pose.x, c->pose.angle);
@@ -150,7 +150,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   arc_shape_box(side, side->xy, even, box);
   const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);
   if (status != ARC_OK) return status;
-  /* what has no wear box has been solved as unworn */
+  /* without a wear box the shape is unworn */
   const arc_mesh *mesh = side->body->mesh;
   arc_shape_nodes(c->handle.shape, body, xy);
   if (recover(c, body, mesh->rows > 0 ? xy : mesh->xy, u, field) != ARC_OK)

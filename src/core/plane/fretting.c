@@ -17,7 +17,7 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is steady where forces come back within this share of the largest load. */
+/* A cycle is steady if forces return to within this share of the largest load. */
 static const double steady = 1e-6;
 
 typedef struct fretting {
@@ -25,8 +25,8 @@ typedef struct fretting {
   const wear_window *window;
   wear_watch *watch;
   wear_rate *rate;
-  arc_loop *loop;    /* NULL: none is wanted */
-  double *start;     /* [2 nc] f and t as the cycle began */
+  arc_loop *loop;    /* NULL: not needed */
+  double *start;     /* [2 nc] f and t at the start of the cycle */
   double *least;     /* [nc] smallest force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] */
@@ -46,7 +46,7 @@ static void fretting_free(fretting *r) {
 
 /* --- one increment ---------------------------------------------------------------------------- */
 
-/* One increment, that ends at point `at`. */
+/* Solves the increment that ends at point `at`. */
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
   wear_path *path = path_of(r->w);
   const int place = path->block->place[at];
@@ -59,7 +59,7 @@ static arc_status advance(fretting *r, int at, const friction_step *step, arc_er
                             &path->state, error);
 }
 
-/* The contact after an increment to point `at`, with all that wears there. */
+/* Solves the contact at point `at`, with its wear. */
 static arc_status go_to(fretting *r, int at, arc_error *error) {
   arc_wear *w = r->w;
   wear_path *path = path_of(w);
@@ -104,7 +104,7 @@ static arc_status press(fretting *r, arc_error *error) {
   return status;
 }
 
-/* From apart: pressed, then to the end of the cycle, where it begins. */
+/* From separation: presses the bodies, then moves to the end of the cycle, which is its start. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
@@ -153,7 +153,7 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
-/* What a node of the plate slides: the way of what it touches, as the work tells. */
+/* Sliding distance of a node of the plate, from the work of its partners. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const way[ARC_BODIES] = {r->work, r->on};
@@ -216,7 +216,7 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* Whether forces are those the cycle began with. */
+/* True if the forces equal those at the start of the cycle. */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;
@@ -226,8 +226,8 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
-/* Where the force only comes back to where it slipped once, rounding slips. No more sticks than
- * touches: nodes at the edge are as wide as others. */
+/* Cap the stick width at the contact width, as rounding may slip where the force just reaches its
+ * earlier maximum. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -242,7 +242,7 @@ static void find_stick(fretting *r) {
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
-/* All nodes by the same share more. */
+/* Scales all nodes by the same factor. */
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
@@ -250,7 +250,7 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* The outermost nodes in touch slide for all that slips beside them, each for half the energy. */
+/* The outermost nodes in contact get the energy between the nodes at the edges, half each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -269,8 +269,8 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* What is dissipated between the nodes wears where the nodes do, as far as they do as much; the
- * rest at the contact's edges. */
+/* Distributes the energy between the nodes in proportion to that of the nodes, at most as much; the
+ * rest goes to the edges. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);
@@ -323,7 +323,7 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Forces of the whole thickness, energy of the whole loop. */
+/* Converts to forces on the whole thickness and the energy of the whole loop. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;

@@ -1,4 +1,4 @@
-/* In how many increments a motion is simulated, so that they follow the contact. */
+/* Number of increments of a motion. */
 #include "core/base/callbacks.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
@@ -9,7 +9,7 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_way(model, from->rotation[i]) : from->x[i];
 }
 
-/* arc_wear_reach, by a pair that estimates for more loads than one. */
+/* arc_wear_reach for several loads. */
 static double reach_of(contact_pair *pair, double load) {
   static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
   return share * arc_pair_estimate(pair, load).half_width;
@@ -46,10 +46,10 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
   return way_to(from, pair->def, i) / reach_of(pair, fmax(load, least));
 }
 
-/* As many as follow the contact there, unless the number is the user's. */
+/* Number of increments for the contact there, unless given by the user. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* a contact that stays where it is: only its load has to be followed */
+  enum { of_load = 100 }; /* a contact at rest, with only the load changing */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;
@@ -66,7 +66,7 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* The longest increment, over what follows the contact well. */
+/* Longest increment / accurate length. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
@@ -79,7 +79,7 @@ static double longest_increment(const arc_wear *w) {
   return longest;
 }
 
-/* Increments whose number is the user's, and that leap over parts of the contact's way. */
+/* Warns of given numbers of increments that are too small. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double leap = 4; /* half the contact's half width */
   const arc_wear_def *d = &w->def;

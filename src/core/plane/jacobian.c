@@ -18,10 +18,10 @@ typedef struct jacobian_group {
   int at, m;             /* size of its active set */
   int *node;             /* [nc] the set, by surface node */
   int *from, *to;        /* [nc] plate nodes in a cylinder node's rows of B: from .. to - 1 */
-  int low, high;         /* in those of the set */
-  int points;            /* so many are in it */
+  int low, high;         /* plate nodes of the set: from .. to - 1 */
+  int points;            /* number of poses in the group */
   double total;          /* sum of their shares */
-  const double *wc, *wp; /* tributary widths: the same for all poses */
+  const double *wc, *wp; /* tributary widths, equal for all poses */
   double *scale;         /* [nc + np] sum of share * dq/dp */
   double *c;             /* [nc x nc] C of the head */
   double *own, *mean;    /* [np x nc] B' of the head; the sum of share * B' */
@@ -67,7 +67,7 @@ size_t arc_tangent_bytes(const arc_wear *w) {
   return (n * n + n + c * c + 3 * c * p) * sizeof(double);
 }
 
-/* An empty group, which the memory of a new one is. */
+/* Sets a group to empty (all zero). */
 static void empty(wear_tangent *j) {
   jacobian_group *g = j->group;
   g->points = 0;
@@ -97,7 +97,8 @@ static void fill_c(const pose *p, double *c) {
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
 }
 
-/* Takes C and B of the head; returns 0 where A is not definite, which the solution had it to be. */
+/* Computes C and B of the head. Returns 0 if A is not positive definite, which the solution
+ * excludes. */
 static int take_head(wear_tangent *j) {
   jacobian_group *g = j->group;
   pose *p = g->head;
@@ -227,7 +228,7 @@ static int same_set(const pose *a, const pose *b) {
          memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
 }
 
-/* Nearby points under the same load at which the same nodes touch. */
+/* True for nearby points with the same load and active set. */
 static int belongs(const wear_tangent *j, const wear_block *block, int at, const pose *p) {
   const jacobian_group *g = j->group;
   const int to = g->at;
@@ -266,7 +267,7 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Of diag(k) J by power iteration. The vectors lie in the group's memory. */
+/* Largest eigenvalue of diag(k) J by power iteration, with vectors in the memory of the group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
                               wear_tangent *tangent) {
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};

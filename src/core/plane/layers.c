@@ -1,11 +1,11 @@
-/* Wear through layers: the coefficient is a table over depth. A depth that is due at the largest
- * coefficient is spent layer by layer, each of which wears by its share of it, so that an update
- * that ends in another layer than it began in takes what both would. */
+/* Wear through layers: the coefficient is a table over depth. A depth at the largest coefficient is
+ * converted layer by layer, so that an update through several layers uses the coefficient of each.
+ */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Share of the largest coefficient that a layer wears by; 1 where none has one. */
+/* Wear coefficient of a layer relative to the largest; 1 if none has one. */
 static double share_of(const arc_model_def *def, arc_body body, int layer) {
   const double largest = arc_model_wear_k(def, body);
   const arc_material own = def->material[body];

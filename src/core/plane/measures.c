@@ -1,4 +1,4 @@
-/* What is measured after each update, in the reference configuration. */
+/* Results after each update, in the reference configuration. */
 #include "archard/measure.h"
 #include "core/plane/cycle.h"
 
@@ -21,7 +21,7 @@ double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear
   return record->volume_plate / (arc_plane_even_width(w) * 2 * record->half_width);
 }
 
-/* From unworn surfaces it stays Hertz'. */
+/* Hertz' contact for unworn surfaces. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
   return arc_plane_stays_as_it_is(&w->def, arc_model_definition(w->model)) &&
          arc_shape_depth(shape, ARC_CYLINDER) == 0;

@@ -1,6 +1,6 @@
-/* Where surfaces and the plate's way are mirror images about x = 0 to the bit, the second half of
- * the way wears the mirror image of the first: half of the contact solutions tell all. Symmetric
- * runs start so, and stay so: what a mirrored rate takes off is symmetric to the bit. */
+/* If surfaces and motion are mirror images about x = 0 to the bit, the wear of the second half of a
+ * stroke is the mirror image of the first: half of the contact solutions suffice. Symmetric runs
+ * stay symmetric, as a mirrored rate is symmetric to the bit. */
 #include "core/plane/cycle.h"
 
 static int is_mirrored_way(const wear_block *b) {
@@ -41,8 +41,8 @@ int arc_wear_has_places(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Meshes from outside may differ inside; the simple rule looks one way; elastic slip and
- * what factors of places make of a Jacobian need not be symmetric. */
+/* Not for imported meshes, which may be asymmetric inside, the simple rule, which is one-sided,
+ * elastic slip, and Jacobians with local factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&

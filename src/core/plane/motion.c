@@ -1,4 +1,4 @@
-/* Contacts with friction: pressed together, and moved from there. Leans on friction.c. */
+/* Contacts with friction: pressing and motions. */
 #include "core/plane/solution.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ static double thickness_of(const arc_contact *c) {
   return arc_model_definition(c->handle.shape->handle.model)->thickness;
 }
 
-/* One increment; all that the contact holds follows. */
+/* Solves one increment and updates the contact. */
 static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
                         arc_error *error) {
   arc_status status = arc_pose_update(&c->pose, c->handle.shape, pairing, error);
@@ -25,7 +25,7 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
   return status;
 }
 
-/* Without friction under the whole load at once; what it displaced is where friction starts from.
+/* Presses without friction under the whole load; its displacements are the start of friction.
  */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
   const int rubs = c->handle.def.press == ARC_PRESS_FRICTION;
@@ -79,15 +79,15 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* So far about the place where points were paired [mm] they keep their partners: about as far as
- * elasticity takes those that stick, half of the way over which wear's cycles keep theirs. */
+/* Distance [mm] from the position of pairing within which points keep their partners: about the
+ * elastic displacement of points that stick, half the value for wear cycles. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);
 }
 
-/* Nodes stay paired as they are under a force, as the plate's way is small, and on short ways; they
- * go along with others. */
+/* Pairs of nodes are kept under a force, whose displacements are small, and on short motions; on
+ * others they follow the plate. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);

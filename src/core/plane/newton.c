@@ -1,6 +1,6 @@
-/* Newton on the depths of both surfaces. The Jacobian and its factors are kept over the stages of a
- * step for as long as the iteration contracts well; a step with new ones is halved until the
- * residual falls. Leans on rate.c and jacobian.c. */
+/* Newton on the depths of both surfaces. The Jacobian and its factors are reused over the stages of
+ * a step while the iteration converges well; a step with new ones is halved until the residual
+ * decreases. */
 #include "core/plane/newton.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -10,9 +10,9 @@
 #include <string.h>
 
 enum { newton_limit = 15, halvings = 5 };
-/* Of the largest depth at hand; with a tolerance, a share of it. */
+/* Convergence limit relative to the largest depth; with a tolerance, relative to it. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
-/* The kept Jacobian has to reduce the error to this share in each iteration. */
+/* Required contraction of each iteration with a reused Jacobian. */
 static const double contraction = 0.4;
 
 /* Length of the path of a block [mm]. */
@@ -34,7 +34,7 @@ static double group_width(const newton *s) {
               length_of(s->at->window.block) / parts);
 }
 
-/* What Newton's method takes; a contact that rests needs none of it. */
+/* Allocates the memory of Newton's method, which a contact at rest does not need. */
 static arc_status create_moving(newton *s) {
   const size_t n = (size_t)s->n;
   const carve_part parts[] = {{&s->residual, n},  {&s->step, n}, {&s->packed, n},
@@ -55,7 +55,7 @@ static arc_status create_resting(newton *s) {
   return ARC_CARVE(parts) ? arc_pose_create(&s->with_wear, s->at->run->model) : ARC_MEMORY;
 }
 
-/* To the bit; with friction a cycle is so to rounding at best. */
+/* True if symmetric to the bit; with friction only to rounding. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_places(w, &stage->window) &&
@@ -77,7 +77,7 @@ static double k_at(const newton *s, int i) {
   return s->at->k[i < s->at->run->nc ? ARC_CYLINDER : ARC_PLATE];
 }
 
-/* The depths that z comes to. */
+/* Sets the shape to the depths z. */
 static void wear_by_z(newton *s) {
   memcpy(s->at->worn, s->at->z, (size_t)s->n * sizeof *s->at->worn);
   arc_wear_into_layers(s->at->window.shape, s->at->worn);
@@ -95,7 +95,7 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
-/* What a rate takes off one body [mm2]. */
+/* Worn area of one body by a rate [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
   for (int i = 0; i < s->at->window.shape->side[b].n; i++)
@@ -103,7 +103,7 @@ static double area_on(const newton *s, arc_body b, const double *rate) {
   return sum;
 }
 
-/* What a cycle wears off both bodies [mm2]. */
+/* Worn area of both bodies in a cycle [mm2]. */
 static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
@@ -124,7 +124,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* --- the linear system --- */
 
-/* Only nodes that wear and were in contact have anything to solve for. */
+/* Unknowns: nodes that wear and were in contact. */
 static arc_status factorise(newton *s, double h) {
   const double *rates = s->jacobian->value;
   int m = 0;
@@ -174,7 +174,7 @@ int arc_newton_is_hopeless(const newton *s, arc_status status) {
          status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
-/* No node is pulled: the body loses `area` all the same. */
+/* Removes negative wear of nodes and keeps the total `area`. */
 static void push_only(const newton *s, arc_body b, double area, double *rate) {
   const int n = s->at->window.shape->side[b].n;
   for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
@@ -246,7 +246,7 @@ static arc_status walk(newton *s, double h, double *rate, int most) {
   return status;
 }
 
-/* With the Jacobian at hand for as long as it contracts well, then with one of the present iterate.
+/* Iterates with the present Jacobian while it converges well, then with a new one.
  */
 static arc_status solve_moving(newton *s, double h, double *rate) {
   double last = 0, size;
@@ -296,7 +296,7 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error --- */
 
-/* What part of the load a pose's forces shift by depths that are off. */
+/* Relative change of the forces of a pose by errors of depths. */
 static double shifted_by(newton *s, pose *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_pose_to_cylinder(p, off + s->at->run->nc, below);

@@ -1,5 +1,5 @@
-/* The equation of an implicit stage in the plane, and what solves it: one complementarity problem
- * where the contact rests, else Newton's method on the depths. */
+/* Implicit stages in the plane: one complementarity problem for a contact at rest, else Newton's
+ * method on the depths. */
 #ifndef PLANE_NEWTON_H
 #define PLANE_NEWTON_H
 
@@ -9,12 +9,12 @@
 typedef struct newton {
   wear_stage *at;
   int n;        /* nodes of both surfaces */
-  double area;  /* what a cycle of the last evaluation wears [mm2] */
-  int rests;    /* the contact is one, under one load */
-  int mirrored; /* depths stay mirror images about x = 0, to the bit */
+  double area;  /* worn area of a cycle in the last evaluation [mm2] */
+  int rests;    /* 1: a single contact at rest under one load */
+  int mirrored; /* 1: depths are symmetric about x = 0, to the bit */
   double *residual, *step;
 
-  /* of a contact that moves */
+  /* for a moving contact */
   double *packed;
   double *defect, *last, *taken; /* steps: the plain one, the one before, and as accelerated */
   wear_tangent *jacobian;
@@ -22,16 +22,16 @@ typedef struct newton {
   int live, *node, *pivots;
   double h; /* cycles [-] the factors belong to; 0: none */
 
-  /* of one that rests */
+  /* for a contact at rest */
   pose with_wear;        /* it, with the wear of its forces in the compliance */
-  double *per_force;     /* depth that a force on a node wears off it [mm per N/mm] */
+  double *per_force;     /* wear depth per force on a node [mm per N/mm] */
   double *opening;       /* of the gap, per depth [-] */
   double *moved, *force; /* work; force by cylinder node [N/mm] */
 } newton;
 
 arc_status arc_newton_begin(wear_stage *stage);
 void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth);
-/* Wear per cycle at z = 0 into `rate`. */
+/* Computes the wear per cycle at z = 0 into `rate`. */
 arc_status arc_newton_start(wear_stage *stage, double *rate);
 /* Solves z = known + h rate(z) from the present z, whose rate is `rate`, which becomes that of the
  * solution: z = known + h rate to the bit. ARC_ZONE: the run has grown out of its mesh;
@@ -49,18 +49,18 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
 /* residual = z - known - h rate; its largest entry, and what is small enough [mm]. */
 double arc_newton_residual(newton *s, double h, const double *rate);
 double arc_newton_allowed(const newton *s);
-/* Whether a shorter step would not help either. */
+/* True if a shorter step would not help. */
 int arc_newton_is_hopeless(const newton *s, arc_status status);
 
 /* --- rest_stage.c --- */
-/* Whether all points of the window are one contact under one load, with neither friction nor
- * elastic slip. */
+/* True if all points of the window are one contact under one load, without friction and elastic
+ * slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
 /* Gaps [active] that open on the set of a solved pose become the changes of its forces; returns
  * what part of the load they shift along the surface at the most. */
 double arc_stage_forces(pose *p, double *gap);
-/* arc_newton_error for the last stage that was solved so. */
+/* arc_newton_error for a stage solved this way. */
 double arc_stage_rest_error(newton *s, double *defect);
 
 #endif

@@ -1,4 +1,4 @@
-/* The poses and points of the block at hand. Leans on the contact layer's poses. */
+/* The poses and points of the present block. */
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
 

@@ -1,16 +1,14 @@
-/* What a definition of a wear run comes to in the plane: procedure, strokes, increments, and what
- * goes together. */
+/* Definitions of wear runs in the plane: procedure, strokes, increments, valid combinations. */
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* So many increments may be made for a cycle, all of which every update takes, and for a history
- * that goes by once. */
+/* Largest number of increments of a cycle, and of a history that is run once. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
-/* What turns in a hole would change its fit by wearing all round, and what is not flat does not
- * wear alike. */
+/* Refuses even wear in holes, where it would change the clearance, and on surfaces that are not
+ * flat. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
     return 0;
@@ -22,7 +20,7 @@ double arc_wear_def_stroke(const arc_wear_def *def) {
   return def->track > 0 ? acos(-1) * def->track : def->stroke;
 }
 
-/* As many in a stroke as follow the contact. */
+/* Number of increments of a stroke. */
 static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
   return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
 }
@@ -81,7 +79,7 @@ wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model
 
 /* --- checks --- */
 
-/* Degrees, of which only holes know. */
+/* Refuses rotations and load angles without a hole. */
 static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
                                 double most, const arc_model_def *model, int number,
                                 arc_error *error) {
@@ -135,7 +133,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   return ARC_OK;
 }
 
-/* Slip of points has to be found along x. */
+/* Checks that local slip is along x. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -167,7 +165,7 @@ static arc_status refuse_way(const char *field, double most, double got, arc_err
                   field, most, got);
 }
 
-/* Points of a loading that the user gave are as many as they are. */
+/* Points of a loading are not increased if the user gave the increments. */
 static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
   const double stroke = strokes ? 2 * half_increments(d, model) : 0;

@@ -51,8 +51,8 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- whether the contact can be everywhere ---------------------------------------------------- */
 
-/* Points of a block where the plate stands farthest to either side, where the load does, and where
- * it does on the plate. */
+/* Points of a block with extreme positions of the plate, of the load, and of the load on the plate.
+ */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;
@@ -70,7 +70,7 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
-/* Zones that the bodies have no room for. */
+/* Fails for zones wider than the bodies. */
 static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BODIES],
                              const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_way(def, 1);
@@ -86,7 +86,7 @@ static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BOD
       arc_model_widest_zone(def, ARC_PLATE), angle);
 }
 
-/* What went wrong at an end of a path; for want of room, with the zones that would do. */
+/* Error at an end of a path; for a narrow zone with the width needed. */
 static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def *def = arc_model_definition(w->model);
@@ -99,8 +99,7 @@ static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_erro
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* The outermost positions must find the contact: said at creation rather than in the middle of a
- * run. */
+/* Checks at creation that the zones contain the contact at the outermost positions. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const arc_wear_record unworn = {0};
   arc_error why = {0};

@@ -1,4 +1,4 @@
-/* The plane's surfaces as arrays: what shows them, and what to go on from. */
+/* The surfaces of the plane as arrays, for output and as state. */
 #include "core/plane/cycle.h"
 
 enum { X, H, Y, P, NAMES };

@@ -1,5 +1,6 @@
 /* The wear of a cycle, or of a part of it, on a given shape: contact at every point of the path,
- * integrated by Eq. (4) or (5), as often as the block says (Eqs. 22, 26 and 27). */
+ * integrated by Eq. (4) or (5) and multiplied by the repetitions of the block (Eqs. 22, 26 and 27).
+ */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
@@ -19,8 +20,8 @@ static void deepen(const arc_wear *w, const double *depth, pose *p) {
   }
 }
 
-/* Law and slip are those where pressure is an unknown, and what wears there wears the plate under
- * it too: both bodies see the same pressure at a pair of points. */
+/* Law and slip are evaluated at the cylinder's nodes, where pressure is an unknown; the plate gets
+ * the same wear rate, as both bodies have the same pressure at a pair of points. */
 static void apply_law(const arc_wear *w, const wear_window *window, const pose *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
@@ -90,7 +91,7 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
+/* NSP or sliding along z under a constant load: the next point equals the last one. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
@@ -121,7 +122,7 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
   return meets ? arc_wear_prepare(w, window, window->first, error) : ARC_OK;
 }
 
-/* The solved point `at` of a window, from the one before it. */
+/* Solves point `at` of a window, from the previous one. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
                               arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
@@ -190,7 +191,7 @@ static void spread_work(const arc_wear *w, wear_rate *rate) {
   rate->even /= path_of(w)->block->sliding;
 }
 
-/* Share of point `at` in the integral over the window [mm of sliding]. */
+/* Weight of point `at` in the integral over the window [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = path_of(w)->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -221,7 +222,7 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* In hollow surfaces and under a spin it is not the load. */
+/* True if the normal force differs from the load (hollow surfaces, spin). */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;
@@ -295,7 +296,7 @@ static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_wa
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error) {
   assert(0 <= window->first && window->last < window->block->count);
-  if (w->manner.closed) { /* the load is all that counts */
+  if (w->manner.closed) { /* depends on the load only */
     arc_wear_rate_clear(rate, w->nc + w->np);
     if (window->tangent) arc_wear_jacobian_clear(window->tangent);
     rate->even = window->block->line[0];

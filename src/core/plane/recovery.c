@@ -15,11 +15,11 @@ typedef struct recovery {
   const arc_mesh *mesh;
   const double *xy, *u;
   int samples;         /* elements, then nodes */
-  double *place;       /* [2 * samples] where stresses are known */
-  double *value;       /* [3 * samples] and what they are */
-  int *known;          /* [samples] whether they are */
+  double *place;       /* [2 * samples] positions of the samples */
+  double *value;       /* [3 * samples] stresses of the samples */
+  int *known;          /* [samples] 1 if the stress is known */
   int *start, *around; /* [nodes + 1], [4 * elements] elements around each node */
-  int *seen;           /* [samples] the last patch a sample was taken into */
+  int *seen;           /* [samples] last patch that contains the sample */
   int *patch;          /* [samples] */
 } recovery;
 
@@ -58,7 +58,7 @@ static void list_elements_around(recovery *r) {
       r->around[--r->start[m->element[4 * e + c]]] = e;
 }
 
-/* --- what the elements know ------------------------------------------------------------------- */
+/* --- stresses at the elements ---------------------------------------------------------------- */
 
 static element element_with(const recovery *r, int e, double u[8]) {
   const int *corner = &r->mesh->element[4 * e];
@@ -105,17 +105,17 @@ static void sample_elements(recovery *r) {
   }
 }
 
-/* --- what the boundary knows ------------------------------------------------------------------ */
+/* --- boundary stresses ----------------------------------------------------------------------- */
 
 /* The boundary as a closed polygon; edge k runs from node k to the next one. */
 typedef struct boundary {
   int count;
   double *p, *q;  /* [count] traction at the nodes: pressure, shear along the boundary [MPa] */
-  double *load;   /* [count] pressure that the nodes have answered to */
+  double *load;   /* [count] pressure of the nodal forces */
   double *bend;   /* [count] second difference of the pressure */
   double *length; /* [count] of the edges [mm] */
-  double *rest;   /* [count] stress along the edge, but for what its own pressure does there */
-  double *cusp;   /* [count] by how much that is more at the node than in its edges */
+  double *rest;   /* [count] stress along the edge, without the part of its own pressure */
+  double *cusp;   /* [count] excess of that at the node over its edges */
   double *work;   /* [5 * nodes] */
 } boundary;
 
@@ -143,7 +143,7 @@ static int element_at(const recovery *r, int a, int b) {
   return r->around[r->start[a]];
 }
 
-/* By what the boundary is made of there. */
+/* Stress along an edge by the material of its element. */
 static edge_law law_between(const recovery *r, int a, int b) {
   const arc_material top = arc_body_layer_material(
       &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);

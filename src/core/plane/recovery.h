@@ -4,12 +4,10 @@
 
 #include "core/elastic/body.h"
 
-/* What acts on the candidate surface of a body [MPa]; on the rest of the boundary nothing does, but
- * where it is fixed. */
+/* Tractions on the candidate surface of a body [MPa]; the rest of the boundary is free or fixed. */
 typedef struct surface_traction {
   double *normal;     /* [surface] pressure */
-  double *load;       /* [surface] nodal forces over tributary widths: the pressure that the nodes
-                         have answered to */
+  double *load;       /* [surface] nodal forces / tributary widths */
   double *tangential; /* [surface] along the surface, towards larger x; NULL: none */
   double *cusp;       /* [surface] by how much the stress along the surface is more at a node than
                          between the two beside it, where it is not smooth; NULL: nowhere */

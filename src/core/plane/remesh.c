@@ -1,12 +1,12 @@
-/* Runs that outgrow their meshes: both are built anew, wider, deeper or coarser, the worn surfaces
- * are taken over, and the run goes on. Which meshes these are follows from the state of the run
- * alone: one that was stored in between comes to the same. */
+/* Remeshing of runs that outgrow their meshes: both meshes are rebuilt wider, deeper or coarser and
+ * the worn surfaces interpolated. The new meshes depend on the state of the run only, so that a
+ * stored run gets the same ones. */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* So much wider, in shares of the cylinder's zone, and deeper at once. */
+/* Growth of the cylinder's zone (a factor), and of the depth of the wear box. */
 static const double wider = 1, deeper = 2;
 
 /* The element size goes with the contact where nobody chose it: a contact of so many times the
@@ -49,7 +49,7 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* The wear that a box has to hold is what changes the surface. */
+/* Wear depth for the wear box: the part that changes the surface. */
 static int has_grown_into_box(const arc_wear *w) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];
@@ -132,7 +132,7 @@ static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **resu
   return status;
 }
 
-/* A copy of the run on another model of the same bodies. */
+/* Copies the run to another model of the same bodies. */
 static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
                           const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
   arc_model *model = NULL;
@@ -199,7 +199,7 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* The mesh asked for on the bodies of the run. */
+/* The given mesh on the bodies of the run. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;

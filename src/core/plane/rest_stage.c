@@ -1,7 +1,6 @@
-/* Stages of a contact that rests under one load: what its forces wear within the stage adds to the
- * compliance of both bodies, so that wear and contact are one complementarity problem, of which a
- * single solution is exact for the linear law, however long the step. Laws, layers and drift come
- * by repetition. */
+/* Stages of a contact at rest under one load: the wear of its forces within the stage adds to the
+ * compliance of both bodies, so that wear and contact are one complementarity problem; one solution
+ * is exact for the linear law and any length of step. Laws, layers and drift need iterations. */
 #include "core/base/dense.h"
 #include "core/plane/newton.h"
 
@@ -24,7 +23,7 @@ int arc_stage_rests(const wear_stage *stage) {
   return 1;
 }
 
-/* What a force on each node wears off it within h cycles, and how that opens the gap. */
+/* Wear of each node per force within h cycles, and its effect on the gap. */
 static void find_wear_of_forces(newton *s, double h, const pose *p) {
   const arc_wear *w = s->at->run;
   const wear_window *window = &s->at->window;
@@ -69,14 +68,14 @@ static void soften(newton *s, const pose *p) {
   with->factored = 0;
 }
 
-/* Depths [n] that forces on the cylinder's nodes [nc] wear off both bodies. */
+/* Wear depths [n] of both bodies by forces on the cylinder's nodes [nc]. */
 static void wear_of(const newton *s, const pose *p, const double *force, double *depth) {
   arc_pose_to_plate(p, force, depth + p->nc);
   for (int i = 0; i < p->nc; i++) depth[i] = force[i];
   for (int i = 0; i < s->n; i++) depth[i] *= s->per_force[i];
 }
 
-/* Adds what depths [n] open to gaps, by candidate. */
+/* Adds the opening by depths [n] to the gaps, by candidate. */
 static void add_gaps(const newton *s, const pose *p, const double *depth, double *gap) {
   double *plate = plane_of(s->at->run)->plate, *below = plane_of(s->at->run)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * s->opening[p->nc + l];

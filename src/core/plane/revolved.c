@@ -1,4 +1,4 @@
-/* Bodies of revolution in wear runs: what does not keep to the axis, scars, slip of a spin. */
+/* Bodies of revolution in wear runs: valid settings, scars, slip of a spin. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -70,7 +70,7 @@ static double moment_beside(const revolution *r, double x, double other) {
   return 2 * (b * b * (b * b * b - a * a * a) / 3 - (pow(b, 5) - pow(a, 5)) / 5) / whole;
 }
 
-/* A node on the axis stands for what is around it. */
+/* The mean radius for a node on the axis. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i) {
   const revolution *r = &side->body->chart.revolved;
   const double *at = side->settled, x = at[2 * i];

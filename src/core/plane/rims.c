@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Elements in a rim at the least: volumes of 10000 cycles are within 1 % from there on where the
- * zone that sticks ends halfway between two nodes, within 2 % elsewhere. */
+/* Minimum number of elements in a slip zone: volumes of 10000 cycles are within 1 % from there on
+ * where the zone that sticks ends halfway between two nodes, within 2 % elsewhere. */
 static const double in_rim = 5;
 
-/* Columns that a run gets by itself, in a zone of so many half widths. */
+/* Largest automatic number of columns, in a zone of this many half widths. */
 static const double most_columns = 320, contact_widths = 3;
 
-/* What a cycle of a block comes to. */
+/* Slip zone of a cycle of a block. */
 typedef struct cycle_of {
   double share; /* half of the way from the least to the largest tangential force, over what
                    friction carries; 1: all of the contact slips */

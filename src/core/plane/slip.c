@@ -10,9 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-/* An increment as the work on it is found: arrays by surface node. */
+/* Work of an increment: arrays by surface node. */
 typedef struct increment {
-  const wear_point *end;        /* the one of its ends that is looked at */
+  const wear_point *end;        /* the present end */
   const pose *pose;             /* of this end */
   double rigid, share;          /* motion of the plate [mm]; weight of this end */
   const double *moved_c;        /* [nc] displacement along x since the increment began [mm] */

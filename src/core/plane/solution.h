@@ -1,4 +1,4 @@
-/* Inside of arc_contact, for contact.c, motion.c, field.c and stick.c. */
+/* Members of arc_contact, for contact.c, motion.c, field.c and stick.c. */
 #ifndef PLANE_SOLUTION_H
 #define PLANE_SOLUTION_H
 
@@ -20,13 +20,14 @@ struct arc_contact {
   friction_state state;
 };
 
-/* An empty contact on a copy of the shape, without its solution. */
+/* Creates an unsolved contact on a copy of the shape. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);
-/* Reads, warns and, in builds with checks, validates; *contact is NULL where `status` is not OK. */
+/* Completes a contact: results, warnings, and validation in builds with checks; *contact is NULL if
+ * `status` is not OK. */
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error);
-/* What the handle of a contact asks of one in the plane: see arc_contact_solve, arc_contact_move,
+/* Functions of the kind for contacts in the plane: see arc_contact_solve, arc_contact_move,
  * arc_contact_destroy, arc_contact_bytes and arc_contact_surfaces. */
 arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);

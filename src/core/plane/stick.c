@@ -1,9 +1,9 @@
-/* Where a contact with friction sticks. */
+/* Stick zone of a contact with friction. */
 #include "core/plane/solution.h"
 
 #include <math.h>
 
-/* Neighbours that stick, by their places in the active set. */
+/* Adjacent sticking nodes, by their indices in the active set. */
 typedef struct stick_zone {
   const arc_contact *c;
   int first, last;
@@ -16,7 +16,7 @@ static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->pose.active && c->workspace.reserve[c->pose.set[set]] > 0;
 }
 
-/* Whether it sticks together with the one after it. */
+/* True if the node and the next one stick. */
 static int goes_on(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->pose.set[set + 1] == c->pose.set[set] + 1;
 }
@@ -75,7 +75,7 @@ static double edge_at_end(const stick_zone *z, int right, double other) {
   return ends[right] - (right ? 1 : -1) * less;
 }
 
-/* Where no node slips on a side the zone ends with the contact, until the plate moves. */
+/* Without slipping nodes on a side the zone ends with the contact, until the plate moves. */
 static void find_edges(stick_zone *z) {
   enum { rounds = 4 }; /* until each edge knows where the other one is */
   const arc_contact *c = z->c;

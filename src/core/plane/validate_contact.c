@@ -1,12 +1,12 @@
-/* Whether a contact solution is one: balance of forces, and complementarity recomputed from the
- * contact matrix. Leans on pose.h for the matrix. */
+/* Checks a contact solution: balance of forces, and complementarity recomputed from the contact
+ * matrix. */
 #include "core/base/dense.h"
 #include "core/plane/solution.h"
 
 #include <assert.h>
 #include <math.h>
 
-/* What rounding may leave, as a share of the largest number involved. */
+/* Tolerance for rounding, relative to the largest number involved. */
 static const double rounding = 1e-9;
 
 /* Force along the load that presses on a node [N/mm]. */
@@ -69,7 +69,7 @@ static arc_status check_complementarity(const pose *p, arc_error *error) {
   return ARC_OK;
 }
 
-/* |t| <= mu f, no slip where less, none against the shear. */
+/* Checks |t| <= mu f, no slip if less, and slip along the shear otherwise. */
 static arc_status check_friction(const arc_contact *c, arc_error *error) {
   const pose *p = &c->pose;
   const double mu = c->mu;

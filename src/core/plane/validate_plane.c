@@ -1,4 +1,4 @@
-/* Whether the plane's surfaces are sound: depths, worn meshes, contact. */
+/* Checks the surfaces of the plane: depths, worn meshes, contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>

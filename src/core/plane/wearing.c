@@ -1,4 +1,4 @@
-/* What updates take off the plane's surfaces, and how much an update may. */
+/* Wear of the surfaces by updates, and limits of the wear of an update. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -52,13 +52,13 @@ arc_status arc_plane_wear(const arc_wear *w, arc_shape *shape, wear_depths *dept
   return ARC_OK;
 }
 
-/* --- how much an update may take -------------------------------------------------------------- */
+/* --- limits of an update ---------------------------------------------------------------------- */
 
 static int has_layers(const arc_model_def *d) {
   return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
 }
 
-/* E* as the unworn contact feels it [MPa]. */
+/* E* of the unworn contact [MPa]. */
 static double felt_modulus(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
@@ -85,7 +85,7 @@ static double even_pressure(const arc_wear *w) {
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Layers may wear by less than the largest coefficient. */
+/* Converts depths by the coefficients of layers. */
 double arc_plane_even_dose(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
   const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
@@ -107,7 +107,7 @@ static double even_layer_dose(const arc_wear *w) {
   return isfinite(end) ? arc_plane_even_dose(w, layer_bite * (end - from)) : INFINITY;
 }
 
-/* The layer that lies open at a node. */
+/* The exposed layer at a node. */
 static int open_layer(const shape_side *side, int i) {
   int n = 0;
   while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
@@ -138,8 +138,8 @@ static double scar_layer_dose(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Wear coefficient of the layers that lie open, over the largest of the body: the most of all nodes
- * that have worn, at first of any. */
+/* Wear coefficient of the exposed layers relative to the largest of the body: maximum over all worn
+ * nodes, at first over all nodes. */
 static double open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   double most = 0;

@@ -1,9 +1,9 @@
-/* How wide the zones of a run have to be, by its way and by the contact it wears. */
+/* Widths of the zones of a run, by its motion and its contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
+/* Sliding distance of the whole run [mm], or of its blocks of loading. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -24,8 +24,8 @@ static double largest_k(const arc_wear_def *def) {
  * half width: all of the paper's cases (2.5) do with one mesh. */
 static const double outgrown_at = 6;
 
-/* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
- * cylinder at the most. */
+/* Half width of the widest contact: between Hertz' and a flat scar of the whole volume on the
+ * cylinder. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);

@@ -1,4 +1,4 @@
-/* Blocks of loading as they are simulated: the reciprocating stroke, or the user's. */
+/* Increments of the loading: of the reciprocating stroke, or of the user's blocks. */
 #include "core/base/angle.h"
 #include "core/wear/run.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* More distinct positions than this share one pose, which is built anew at every point. */
+/* With more distinct positions than this, one pose is rebuilt at every point. */
 enum { most_poses = 2048 };
 
 static arc_status block_create(wear_block *b, int count) {
@@ -26,7 +26,7 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* NSP looks at the flat plate at x = 0 only, and a way out of the plane leads nowhere else. */
+/* NSP, and sliding out of the plane, use the plate at x = 0 only. */
 static void one_pose(wear_block *b, double x) {
   b->poses = 1;
   for (int i = 0; i < b->count; i++) b->pose_x[i] = x;
@@ -68,7 +68,7 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
   return def->increments > 0 ? def->increments : usual;
 }
 
-/* One between two points, where the kind does not follow the contact. */
+/* One increment between two points, for kinds without automatic increments. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
   const arc_kind *kind = arc_kind_of(model);
@@ -95,7 +95,7 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
     find_poses(b);
 }
 
-/* A force to and fro; pressed where it is about 0. */
+/* A cycle of an alternating force; the bodies are pressed together where it is about 0. */
 static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
                            const wear_manner *m, wear_block *b) {
   const int half = increments_of(def, model) / 2;
@@ -122,8 +122,8 @@ static double along(double stroke, int i, int last) {
 }
 
 /* The paper's cycle: half of it, counted twice (r = 2), or the single pass over the plate (r = 1).
- * Where the geometry is updated within the cycle, and with friction, both strokes are simulated,
- * which stand for one of the passes. NSP needs no more than the ends, unless slip has to be found.
+ * With updates within the cycle, or with friction, both strokes are simulated and represent one of
+ * the passes. NSP needs the ends only, unless slip is computed.
  */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 const wear_manner *m, wear_block *b) {
@@ -145,7 +145,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
   b->load = def->load;
   finish(b, def, model, m);
-  /* r s to the bit, whatever the increments add up to */
+  /* exactly r s, without the rounding of the sum */
   b->sliding = m->strokes * m->stroke;
   b->travel = m->stroke;
   return ARC_OK;
@@ -238,7 +238,7 @@ double arc_wear_block_end(const wear_block *block) {
   return block->start_distance + block->cycles * block->sliding;
 }
 
-/* Cycles tell blocks apart where distances do not (a generic history may stand still). */
+/* By cycles, as blocks may have no sliding distance (a history that rests). */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle) {
   int b = 0;
   while (b + 1 < w->blocks && cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;

@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* At a distance, on the line through the point `inside`; two values at one distance are a jump, and
- * the latter counts there. */
+/* Value at a distance, on the segment of point `inside`; of two values at one distance (a jump) the
+ * latter is used. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;
@@ -103,7 +103,7 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
-/* The laws as the list has them: a factor on k, and how p times it grows with p. */
+/* The laws of the list: a factor on k, and the derivative d ln(p factor) / d ln p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
 #define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \
@@ -115,7 +115,7 @@ static double law_factor(const arc_wear_def *d, double p) {
 }
 
 static double law_growth(const arc_wear_def *d, double p) {
-  (void)p; /* not every list has a law whose growth depends on it */
+  (void)p; /* unused if no law of the list needs it */
   switch (d->law) {
 #define LAW_GROWTH(name, word, properties, text, factor, growth)                                   \
   case ARC_##name:                                                                                 \

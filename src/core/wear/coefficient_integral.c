@@ -1,35 +1,36 @@
 /* The coefficients over an update, of wear and of friction, integrated before it is taken: by a
  * Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of
  * tables, between which coefficients are linear and their product is met exactly. Functions of the
- * state are asked along the way that the rate at the start predicts. Where a step would shrink to
- * nothing, a coefficient jumps, and there the update ends. Leans on coefficient.c and predictor.c.
+ * state are evaluated along the path predicted from the rate at the start. If a step would shrink
+ * to zero, a coefficient jumps there, and the update ends. Leans on coefficient.c and predictor.c.
  */
 #include "core/wear/step.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Error of a step, as a share of what it integrates. */
+/* Tolerance of a step, relative to the integral. */
 static const double tolerance = 1e-5;
-/* A step as short as this share of the update holds a jump; so near its ends none is looked for,
- * and functions are asked no nearer, so that a jump right there belongs to one update only. */
+/* A step shorter than this share of the update contains a jump. Within this share of the ends no
+ * jump is searched and no function evaluated, so that a jump at an end belongs to one update only.
+ */
 static const double shortest = 1e-9, margin = 1e-7;
-/* The same of tables, whose points are known. */
+/* The same for tables, whose points are known. */
 static const double table_margin = 1e-10;
-/* So much of a step lies before the point of a table that it ends at, where the table may jump. */
+/* Evaluate just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
-/* What is a jump: this share of the larger value, over an interval of a table that is so much
- * shorter than those beside it. */
+/* Definition of a jump in a table: a change by this share of the larger value over an interval
+ * shorter by this factor than its neighbours. */
 static const double large = 0.1, steep = 20;
-/* Steps of an update at the least: of a length that was chosen, and of one still to be found. */
+/* Minimum number of steps of an update: of a given length, and of a length to be found. */
 static const double chosen_steps = 4, open_steps = 64;
-/* So near to the integral that a plan may reach is there. */
+/* Relative tolerance for reaching the integral of a plan. */
 static const double near = 1e-3;
-/* Functions are asked all along the way, so often in a cycle or, in long runs, so often in the run:
- * what they do in between shows in no estimate. Nothing that repeats is in step with that. */
+/* Sampling of functions: at least this often in a cycle or, in long runs, in the run, as no error
+ * estimate sees what happens between samples. An irrational rate avoids aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
-/* Functions that no step can follow (random ones) are sampled evenly after so many steps more were
- * refused than taken. */
+/* Functions that no step can resolve (random ones) are sampled evenly after this many more refused
+ * than accepted steps. */
 enum { most_refused = 200 };
 
 typedef struct dose_way {
@@ -39,15 +40,15 @@ typedef struct dose_way {
   arc_error *error;
   double length;               /* of the plan [mm] */
   double at;                   /* share of the way */
-  double y[WEAR_COEFFICIENTS]; /* integral of k over the share so far [mm2/N]; of friction */
+  double y[WEAR_COEFFICIENTS]; /* integrals of k [mm2/N] and of friction over the share */
   double k[WEAR_COEFFICIENTS]; /* at `at` */
   double only[WEAR_COEFFICIENTS];
-  int calls, changed[WEAR_COEFFICIENTS]; /* whether any gave another one than `only` */
-  int refused;                           /* steps, more than were taken */
-  int sampled;                           /* no step could follow */
+  int calls, changed[WEAR_COEFFICIENTS]; /* 1 if any value differs from `only` */
+  int refused;                           /* steps, minus accepted steps */
+  int sampled;                           /* 1: no step could resolve the function */
 } dose_way;
 
-/* What a change of coefficient b is held against. */
+/* Reference value for changes of coefficient b. */
 static double size_of(int b, const double k[WEAR_COEFFICIENTS]) {
   return b == WEAR_FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
@@ -56,7 +57,7 @@ static double total(const double k[WEAR_COEFFICIENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
-/* The coefficients a share of the way, with integrals y so far. */
+/* The coefficients at a share of the update, with integrals y up to there. */
 static arc_status ask(dose_way *s, double share, const double y[WEAR_COEFFICIENTS],
                       double k[WEAR_COEFFICIENTS]) {
   const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}, NULL, 0, 0};
@@ -72,7 +73,8 @@ static arc_status ask(dose_way *s, double share, const double y[WEAR_COEFFICIENT
   return ARC_OK;
 }
 
-/* One step of the pair to `next`: integrals, coefficients there, and the error over that allowed.
+/* One step of the Runge-Kutta pair to `next`: integrals and coefficients there, and error /
+ * tolerance.
  */
 static arc_status try_step(dose_way *s, double h, double y[WEAR_COEFFICIENTS],
                            double k[WEAR_COEFFICIENTS], double *error) {
@@ -118,7 +120,7 @@ static double next_point(const dose_way *s, const arc_series *table) {
   return 1;
 }
 
-/* Ends of tables leave off where functions take over. */
+/* Table points are not used beyond the start of a function. */
 static double next_end(const dose_way *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
@@ -128,7 +130,7 @@ static double next_end(const dose_way *s) {
   return end;
 }
 
-/* Whether a table jumps in the interval that ends at a share of the way. */
+/* True if a table jumps in the interval that ends at this share. */
 static int table_jumps(const dose_way *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
@@ -165,13 +167,13 @@ static int ends_jump(const dose_way *s, double share, double from,
 
 /* --- along the way ---------------------------------------------------------------------------- */
 
-/* Length of the first step: where the end is still to be found, a part of the way there. */
+/* Length of the first step; if the end is unknown, a part of the estimated length. */
 static double first_length(const dose_way *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
 }
 
-/* That of the longest step, as a share of the way. */
+/* Length of the longest step, as a share of the update. */
 static double longest_step(const dose_way *s) {
   const arc_wear *w = s->w;
   const double steps = isfinite(s->plan->most) ? open_steps : chosen_steps;
@@ -180,7 +182,7 @@ static double longest_step(const dose_way *s) {
   return fmin(1 / steps, arc_wear_has_state_functions(w) ? asked : 1);
 }
 
-/* What is left, in even steps that nothing refuses. */
+/* Integrates the rest in even steps without error control. */
 static arc_status sample_rest(dose_way *s) {
   const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
@@ -198,7 +200,7 @@ static arc_status sample_rest(dose_way *s) {
   return ARC_OK;
 }
 
-/* Goes to the end of the way: that of the plan, of the integral it may reach, or a jump. */
+/* Integrates to the end: of the plan, of the integral allowed, or to a jump. */
 static arc_status go(dose_way *s) {
   const double most = s->plan->most / s->length;
   const double longest = longest_step(s);
@@ -222,7 +224,7 @@ static arc_status go(dose_way *s) {
       return ARC_OK;
     }
     const int jump = ends_jump(s, end, s->at, k);
-    take_step(s, end, y, jump ? s->k : k); /* what comes after a jump is another update's */
+    take_step(s, end, y, jump ? s->k : k); /* the part after a jump belongs to the next update */
     s->refused -= s->refused > 0 && length > 3 * shortest;
     if (jump || total(y) >= most * (1 - near)) return ARC_OK;
     h = length * fmin(5, error > 0 ? 0.9 * cbrt(1 / error) : 5);
@@ -236,7 +238,7 @@ static int varies(const arc_wear *w) {
          arc_wear_friction_changes(w);
 }
 
-/* What never changes needs no way; the last two steps are alike. */
+/* Constant coefficients need no integration; the last two steps are equal. */
 static arc_status go_straight(dose_way *s) {
   const arc_status status = ask(s, 0, s->y, s->k);
   const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));

@@ -15,8 +15,8 @@ const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 #define LAW_PROPERTIES(name, text, properties, ...) properties,
 const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
-/* Choices that are decided by comparison: a new one would quietly run as an old one. Whoever adds
- * one decides it in the places named, then counts it here. (Laws are formulas in their list.) */
+/* Choices handled by comparisons: a new one must be handled in the files named, then counted here,
+ * as it would otherwise run like an old one. (Laws are formulas in their list.) */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
@@ -84,20 +84,21 @@ static arc_status check_points(const arc_loading *l, int number, arc_error *erro
   return ARC_OK;
 }
 
-/* Whether values come back to the first, but for rounding. */
+/* True if the last value equals the first to rounding. */
 static int closes(int count, const double *value) {
   double most = 0;
   for (int i = 0; i < count; i++) most = fmax(most, fabs(value[i]));
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Tangential force that is refused [N]: more will be told of on the way. */
+/* Smallest refused tangential force [N]; with tables or functions of friction it is checked during
+ * the run. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
 }
 
-/* More than friction carries, where that is known; and a cycle that does not come back. */
+/* Refuses a force above friction times load, if that is known, and a cycle that is not closed. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
   const int last = l->count - 1;
@@ -126,7 +127,7 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-/* True if the load changes: unlike bodies slip by that alone. */
+/* True if the load changes, which makes bodies of different materials slip. */
 static int breathes(const arc_loading *l) {
   for (int i = 1; l->load && i < l->count; i++)
     if (l->load[i] != l->load[0]) return 1;
@@ -209,7 +210,7 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
 }
 
-/* What stands on slip that is known beforehand, or on a state that outlives an update. */
+/* Refuses settings that need slip known in advance, or a state kept between updates. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
@@ -232,7 +233,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Where a changed run began anew. */
+/* Checks the start of the loading of a changed run. */
 static arc_status check_start(const arc_wear_def *d, arc_error *error) {
   if (d->start_distance >= 0 && isfinite(d->start_distance) && d->start_cycle >= 0 &&
       isfinite(d->start_cycle))
@@ -254,7 +255,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
 
 /* --- copies --- */
 
-/* x, load and what else there is of a block as one piece of memory. */
+/* Copies x, load and the other arrays of a block to one allocation. */
 static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   enum { lists = 5 };
   const double **list[lists] = {&to->x, &to->load, &to->tangential, &to->rotation, &to->load_angle};
@@ -267,7 +268,7 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   return ARC_OK;
 }
 
-/* Two arrays of n doubles as one block, given back as the first. */
+/* Copies two arrays of n doubles to one block. Returns the first. */
 static double *copy_pair(int n, const double *first, const double *second) {
   double *block = malloc(2 * (size_t)n * sizeof *block);
   if (!block) return NULL;
@@ -280,7 +281,7 @@ static arc_series *series_of(const arc_setting *s, arc_wear_def *def) {
   return (arc_series *)(void *)((char *)def + s->series);
 }
 
-/* Own copies of all series; those that could not be made are empty. */
+/* Copies all series; a copy that failed is empty. */
 static arc_status copy_series(arc_wear_def *def) {
   arc_status status = ARC_OK;
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {

@@ -1,11 +1,12 @@
-/* The coefficient of friction of a state, and whether it carries the force that drives the plate.
+/* The coefficient of friction of a state, and the check that it carries the tangential force.
  */
 #include "core/base/callbacks.h"
 #include "core/wear/run.h"
 
 #include <math.h>
 
-/* The point of a block that takes most friction; and how much, infinite where nothing presses. */
+/* The point of a block that needs the largest coefficient of friction, and this value; infinite for
+ * a force at load 0. */
 static int worst_point(const wear_block *b, double *needed) {
   int worst = 0;
   *needed = 0;
@@ -16,7 +17,8 @@ static int worst_point(const wear_block *b, double *needed) {
   return worst;
 }
 
-/* A number is checked with the definition; tables and functions may fall below it on the way. */
+/* Numbers are checked with the definition; tables and functions may become too small during the
+ * run. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error) {
   const wear_block *b = arc_wear_block_at(w, state->cycle);

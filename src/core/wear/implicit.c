@@ -1,7 +1,7 @@
 /* Implicit updates: the wear uses the pressures of the geometry it ends in (order 1, backward
- * Euler), or of its start, of a stage on the way and of its end (order 2, TR-BDF2, L-stable). The
- * sites that enter the contact within a step set its length: they take all their wear from the last
- * stages. TR-BDF2 exaggerates their pressures least among the methods of its kind. The kind solves
+ * Euler), or of its start, of a stage on the way and of its end (order 2, TR-BDF2, L-stable). Sites
+ * that enter the contact within a step limit its length, as they wear in the last stages only;
+ * TR-BDF2 overestimates their pressures least among similar methods. The kind of the pair solves
  * the stages. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An update whose length is chosen by the tolerance takes so many implicit steps of equal length,
- * all with the compliance of its start. They cost contact solutions alone, and the largest error of
- * several steps varies less than that of one, which jumps as the contact's edge crosses nodes. */
+/* Implicit steps of equal length in an update with error control, all with the compliance of its
+ * start. They cost contact solutions only, and the largest of several errors varies less than one
+ * error, which jumps when the edge of contact crosses a node. */
 enum { steps_by_tolerance = 4 };
 
-/* What a cycle does besides the wear of sites. */
+/* Results of a cycle besides the wear of sites. */
 enum { ENERGY, EVEN, PRESSED, SUMS };
 typedef struct sums {
   double of[SUMS];
@@ -26,9 +26,9 @@ typedef struct implicit {
   wear_stage at;
   const wear_dose *dose;
   int n;
-  int steps, done; /* steps of the update, and those before the present one */
+  int steps, done; /* number of steps of the update; index of the present one */
   sums mean;       /* over these */
-  double worst;    /* of their errors, over what is allowed */
+  double worst;    /* largest error / tolerance of the steps */
   double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
@@ -36,12 +36,12 @@ typedef struct implicit {
 /* Steps share the tolerance: at order 2 the errors of the first ones fade as the pressure flattens.
  * Found on the twenty cases of the paper, at 20, 10 and 5 um. */
 static const double share_per_step = 0.5;
-/* The forces may be off by so many tolerances: they follow from the depths, and do not add up. */
+/* Error of forces allowed, in tolerances: they follow from the depths and do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* The coefficient of friction a share of the way through a step; it is asked for before any stage,
- * as what is asked leaves no depths. */
+/* The coefficient of friction at a share of a step; evaluated before the stages, as the evaluation
+ * overwrites the depths. */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
@@ -56,8 +56,8 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Takes a step into the mean of all steps, from the end of it and `part` of each stage before: what
- * all have alike stays to the bit. */
+/* Adds a step to the mean of all steps, from its end and `part` of each stage; equal values are
+ * kept to the bit. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {
@@ -111,7 +111,7 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error --- */
 
-/* Largest error of one body's depths, where they count, over the deepest. */
+/* Largest relevant error of the depths of one body, relative to the deepest. */
 static double depth_error(const implicit *s, int b) {
   static const double counts = 0.05; /* of the deepest site */
   const arc_wear *w = s->at.run;
@@ -124,7 +124,7 @@ static double depth_error(const implicit *s, int b) {
   return deepest > 0 ? largest / deepest : 0;
 }
 
-/* The estimated error over what is allowed. */
+/* Estimated error / tolerance. */
 static double share_of_tolerance(implicit *s, double h) {
   const double tolerance = s->at.run->def.tolerance;
   if (tolerance == 0) return 0;

@@ -1,4 +1,4 @@
-/* What a rate takes in a dose, and the state on the way through an update that it predicts. */
+/* Depths of a rate over a dose, and the predicted state within an update. */
 #include "archard/measure.h"
 #include "core/wear/step.h"
 
@@ -20,12 +20,12 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
 /* --- what is measured --------------------------------------------------------------------------
  */
 
-/* Wear [mm3/N] on the way to a state from the one before it. */
+/* Wear [mm3/N] between a state and the previous one. */
 static double dose_to(const arc_wear_record *state, const arc_wear_record *before) {
   return state->k * (state->distance - before->distance);
 }
 
-/* Three states and the wear between them; those that are not known are NULL. */
+/* Three states and the wear between them; unknown states are NULL. */
 typedef struct course {
   const arc_wear_record *before, *now, *ahead;
   double since, to; /* [mm3/N] */
@@ -40,8 +40,8 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* A quantity of them after so much wear [mm3/N]: on the parabola through all three, where they fall
- * or rise all the way; with no state ahead, as it went before, at a rate that fades. */
+/* Interpolates a quantity at `wear` [mm3/N]: by the parabola through three monotonic states;
+ * without a state ahead, by extrapolation with a decreasing rate. */
 static double on_course(const course *c, int column, double wear) {
   const double now = arc_wear_record_get(c->now, column);
   const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;
@@ -52,7 +52,7 @@ static double on_course(const course *c, int column, double wear) {
   return now + rise * wear + bend * wear * (wear - c->to);
 }
 
-/* Pressures and widths of a state on the way, and with a state ahead the depths too. */
+/* Pressures and widths of an intermediate state, and with a state ahead the depths. */
 static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
                           arc_wear_record *state) {
   const course c = course_of(w, plan);

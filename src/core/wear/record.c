@@ -29,7 +29,7 @@ const char *arc_wear_column_name(int column) {
 /* --- what rows can be ---------------------------------------------------------------------------
  */
 
-/* Past this squares and sums of what is recorded would overflow; no run comes near. */
+/* Largest recordable value, so that squares and sums do not overflow. */
 static const double largest = 1e100;
 
 static const struct column_rule {
@@ -41,8 +41,8 @@ static const struct column_rule {
 #undef COLUMN_RULE
 };
 
-/* Fails with `refused` where a row behind `before` (NULL: it is the first) has in a column what it
- * cannot have. */
+/* Fails with status `refused` if a row after `before` (NULL: the first row) has an invalid value in
+ * a column. */
 static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
                               size_t row, int column, arc_status refused, arc_error *error) {
   const struct column_rule *r = &rules[column];

@@ -1,17 +1,17 @@
-/* Inside of arc_wear: what one run holds, and what is computed of it. */
+/* Members of arc_wear, and functions on them. */
 #ifndef WEAR_RUN_H
 #define WEAR_RUN_H
 
 #include "core/pair/kind.h"
 
-/* Room that lasts for a call and means nothing between calls. */
+/* Workspace of a call. */
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
 } wear_work;
 
-/* The wear of a cycle of a block on the present surfaces: found with them, as the next update
- * begins with it. Leaves no trace in results. */
+/* Cached wear of a cycle on the present surfaces, with which the next update starts. Does not
+ * change results. */
 typedef struct wear_start {
   const wear_block *block; /* NULL: unknown */
   wear_rate rate;
@@ -21,7 +21,7 @@ typedef struct wear_start {
   double mu;             /* coefficient of friction it was found with */
 } wear_start;
 
-/* What the limit of stability was found for. */
+/* Inputs of the cached stability limit. */
 typedef struct wear_judged {
   const wear_block *block; /* NULL: not yet */
   double k[ARC_BODIES];    /* [mm2/N] */
@@ -34,33 +34,33 @@ struct arc_wear {
   arc_model *model;
   const arc_kind *kind;
 
-  /* state: all that is stored; a restored run goes on to the same bits */
+  /* the stored state, from which a restored run continues to the same bits */
   arc_wear_def def; /* series and loading are own copies */
   arc_shape *shape;
   size_t records, capacity;
   arc_wear_record *history;
 
-  /* what follows from the definition */
+  /* derived from the definition */
   wear_manner manner;
   int blocks;
   wear_block *block;
 
-  /* where contact is solved: leaves no trace in results */
+  /* solver objects, without influence on results */
   int nc, np; /* sites of the upper and of the lower body */
   void *own;  /* the kind's */
   wear_work work;
-  int warned; /* the callbacks know what speaks against this definition */
-  int coarse; /* and that its sites are too coarse */
+  int warned; /* 1: warnings about this definition were given */
+  int coarse; /* 1: the warning about coarse sites was given */
   wear_judged judged;
   wear_start start;
 };
 
-/* Every increment of a cycle has an update of its own. */
+/* True if every increment of a cycle has an update. */
 static inline int splits_cycles(const arc_wear *w) {
   return w->def.update == ARC_UPDATE_INCREMENT && w->manner.procedure == ARC_SP;
 }
 
-/* Wear coefficients of the sites: what wears evenly moves none. */
+/* Wear coefficients of the sites; 0 for bodies that wear evenly. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
   return body == ARC_LOWER && w->manner.even ? 0 : k[body];
 }
@@ -79,18 +79,18 @@ static inline double *sites_from(const arc_wear *w, double *vector, int body) {
  * nothing to free. */
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
-/* Whether only the upper body wears, all the time. */
+/* True if only the upper body ever wears. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
 int arc_wear_jump_is_auto(const arc_wear_def *def);
-/* Whether a run is one with friction, and whether its coefficient is one number all the time. */
+/* True for a run with friction; true if its coefficient is constant. */
 int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
 /* --- wear.c --- */
-/* Nothing wears: the sites' [n] and all beside them. */
+/* Sets all depths, [n] of the sites and the others, to zero. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
-/* Each becomes the other. */
+/* Swaps two depths. */
 void arc_wear_exchange(arc_wear *a, arc_wear *b);
 
 /* --- block.c --- */
@@ -98,30 +98,30 @@ void arc_wear_exchange(arc_wear *a, arc_wear *b);
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
 void arc_wear_blocks_free(wear_block **block, int count);
-/* Where it ends [mm]. */
+/* Distance at the end of a block [mm]. */
 double arc_wear_block_end(const wear_block *block);
-/* The block that holds the state after so many cycles. */
+/* The block of the state at `cycle`. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 
 /* --- coefficient.c --- */
-/* Wear coefficients of both bodies [mm2/N], averaged over distances [from, to]; functions are asked
- * with `state`. */
+/* Wear coefficients of both bodies [mm2/N], averaged over distances [from, to]; functions are
+ * evaluated with `state`. */
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
                                  const arc_wear_record *state, double k[ARC_BODIES],
                                  arc_error *error);
 /* A table at a distance [mm]. */
 double arc_wear_series(const arc_series *s, double distance);
-/* Asks a function for a quantity, and refuses what is out of its range. */
+/* Evaluates a function for a quantity and checks the range of the result. */
 arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
                         const arc_wear_record *state, double *value, arc_error *error);
-/* Those of the present state. */
+/* Wear coefficients of the present state. */
 arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], arc_error *error);
 int arc_wear_has_state_functions(const arc_wear *w);
 /* k and alpha of a record from the bodies' coefficients. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
-/* What wears under a pressure [MPa]: p times the factor of the law. */
+/* Wear rate of the law [MPa]: pressure times its factor. */
 double arc_wear_law(const arc_wear *w, double p);
-/* The same with friction, whose coefficient the energy law takes. */
+/* The same with friction, which the energy law multiplies. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
 /* The local factors of one body at sites under pressures p [sites], to factor [sites]; 1 where the
  * run has none. */
@@ -130,7 +130,7 @@ arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_b
 /* dq/dp of the law at a node. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
-/* As arc_wear_create, on the meshes of the model whatever cycles need. */
+/* Like arc_wear_create, without a check of the zones. */
 arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                               arc_wear **wear, arc_error *error);
 
@@ -141,12 +141,12 @@ void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
 
 /* --- friction_coefficient.c --- */
-/* Whether the coefficient of friction is a table or a function. */
+/* True if the coefficient of friction is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
-/* The coefficient of friction of a state; what a function fails of. */
+/* The coefficient of friction of a state. Errors of the function. */
 arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
                                 arc_error *error);
-/* ARC_ARGUMENT where it does not carry the force that drives the plate at a state. */
+/* ARC_ARGUMENT if friction does not carry the tangential force at a state. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error);
 /* Both. */

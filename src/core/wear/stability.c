@@ -1,4 +1,4 @@
-/* Stability of explicit updates: how fast ripples grow, and a warning before they do. */
+/* Stability of explicit updates: growth rate of ripples, and warnings. */
 #include "core/base/callbacks.h"
 #include "core/pair/units.h"
 #include "core/wear/step.h"
@@ -42,7 +42,7 @@ static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* What the eigenvalue may have become at most: it is linear in the coefficients together. */
+/* Upper bound of the present eigenvalue, which is proportional to the coefficients. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;
@@ -53,7 +53,7 @@ static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES
   return growth * j->eigenvalue;
 }
 
-/* Whether an update of so many cycles calls for another look: it costs a cycle of solutions. */
+/* True if an update of `cycles` needs a new eigenvalue, which costs a cycle of solutions. */
 static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                        double cycles) {
   static const double fallen = 0.8;
@@ -65,7 +65,7 @@ static int may_be_past(const arc_wear *w, const wear_block *block, const double 
   return cycles * eigenvalue_at_most(j, k) > 2;
 }
 
-/* An update past the limit: its ripples grow until the results mean nothing. Said once. */
+/* Warns once about an update beyond the limit, whose ripples grow. */
 static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIES], double cycles,
                   const arc_callbacks *callbacks) {
   wear_judged *j = &w->judged;
@@ -87,8 +87,8 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
            cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
 }
 
-/* Steps at .9 of the limit kept below .3 on elements of 20 and 10 um, those past it soon went above
- * 1. */
+/* Measured: steps at 0.9 of the limit stayed below 0.3 on elements of 20 and 10 um; steps beyond it
+ * exceeded 1. */
 static const double most_ripple = 0.5;
 
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
@@ -121,8 +121,8 @@ void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_call
   judge(w, block, k, now->jump, callbacks);
 }
 
-/* A loading has no stroke of its own, nor has sliding along z; with friction a short one sticks as
- * it should; where bodies fit into each other any stroke is short beside the contact. */
+/* Not for loadings and sliding along z (no stroke), friction (short strokes stick) and conforming
+ * bodies (any stroke is short relative to the contact). */
 static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
   const arc_model_def *model = arc_model_definition(w->model);

@@ -1,8 +1,8 @@
-/* Explicit updates in stages, for jumps that choose themselves: the Runge-Kutta method of second
- * order with s stages and equal weights (SSPRK(s,2)). Each stage wears on by Euler's rule over
- * 1 / (s - 1) of the update, and the update takes the mean of all rates: a longer update needs more
- * stages, so that ripples never set its length. Leans on the rate at trial depths: the compliance
- * of an update's start serves all its stages, and volumes stay exact. */
+/* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second
+ * order with s stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1)
+ * of the update, and the update uses the mean of all rates. Longer updates get more stages, so that
+ * stability does not limit their length. All stages use the compliance at the start of the update;
+ * volumes stay exact. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -10,21 +10,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How a law is followed. */
+/* Parameters of the stages by kind of law. */
 typedef struct staging {
-  int fewest, most; /* stages of an update: those whose rates also tell the error, and no more */
-  double share;     /* of the limit 2 / eigenvalue that a stage uses */
-  int by_thirds;    /* single rates say nothing: the error is told by means over thirds */
+  int fewest, most; /* smallest number of stages, which also estimate the error; largest number */
+  double share;     /* share of the limit 2 / eigenvalue used by a stage */
+  int by_thirds;    /* 1: estimate the error by means over thirds, as single rates are noisy */
 } staging;
 
-/* Under a law with a jump in it nodes hop to and fro across the jump, by less the shorter the
- * stages are. */
+/* With a discontinuous law nodes oscillate across its jump, less with shorter stages. */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
 }
 
-/* Nodes shallower than this share of the deepest do not speak in the error. */
+/* Nodes shallower than this share of the deepest are excluded from the error norm. */
 static const double worn = 0.05;
 
 typedef struct staged {
@@ -34,7 +33,7 @@ typedef struct staged {
   wear_rate *rate; /* of the last stage */
   int n, stages;
   double even, energy;  /* sums of the rates */
-  double pressed;       /* the same of the normal force over the sliding */
+  double pressed;       /* the same for the normal force over the sliding distance */
   double peak;          /* pressure on the way of the first */
   double *z, *sum;      /* [n] depths so far, sum of the rates */
   double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
@@ -48,7 +47,7 @@ static arc_status staged_create(staged *s) {
   return ARC_OK;
 }
 
-/* What layers leave of depths. */
+/* Limits depths by layers. */
 static void go_through_layers(const staged *s, double *depth) {
   const arc_kind *kind = s->w->kind;
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
@@ -59,7 +58,7 @@ static double scale(const staged *s, int i) {
   return s->dose.cycles * sites_k(s->w, s->dose.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
 }
 
-/* Adds the rate at hand, and goes on by Euler's rule. */
+/* Adds the present rate and makes an Euler step. */
 static void add_stage(staged *s, int stage) {
   const double *rate = s->rate->node[0];
   const double weight = 3 * stage / s->stages == 1 ? -2 : 1;
@@ -88,8 +87,8 @@ static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
   return ARC_OK;
 }
 
-/* Root mean square over the worn part of one body [mm]: at a scar's edge the error of single nodes
- * does not fall with the mesh. */
+/* Root mean square over the worn part of one body [mm]: at the edge of a scar the error of single
+ * nodes does not converge with the mesh. */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
   const arc_kind *kind = s->w->kind;
@@ -106,8 +105,8 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* The mean of all rates against that of the first and the last, which is of the same order. Where
- * single rates say nothing, as much by how the rate bends between thirds of the update. */
+/* Error estimate: mean of all rates minus mean of the first and last, which has the same order.
+ * With noisy single rates: the second difference of the means over thirds of the update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

@@ -1,16 +1,16 @@
-/* One step of a run: planned, tried, cut, met with targets; then all of it or nothing. */
+/* One step of a run: plan, attempts, shorter attempts, targets; it completes or changes nothing. */
 #include "core/base/callbacks.h"
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* The tolerance of steps that choose themselves; 0 for those that do not. */
+/* Tolerance of automatic steps; 0 for others. */
 static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
 
-/* What functions of the state give at the end of a step without having been foreseen, over the
- * largest there; 0 where nothing could be foreseen. */
+/* Difference of functions of the state at the end of a step from their prediction, relative to the
+ * largest; 0 without a prediction. */
 static arc_status find_surprise(arc_wear *w, const wear_outcome *out, double *surprise,
                                 arc_error *error) {
   static const double margin = 1e-6; /* of the step: what jumps at its end is not its own */
@@ -37,7 +37,7 @@ static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   return k > 0 ? fmax(c, p) / k : 0;
 }
 
-/* Tries the plan on a copy of the shape; the run itself stays. */
+/* Tries the plan on a copy of the shape; the run is unchanged. */
 static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                                arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
@@ -62,9 +62,9 @@ static double added_by(const arc_wear *w, const arc_wear_record *end) {
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Steps of second order are tried again with the state they led to ahead, where functions of it
- * were surprised. Steps that choose themselves answer for what is left: of a surprise half is
- * missing, of a parabola's way less than a third of what it was off at first. */
+/* Steps of second order are repeated with the computed final state as prediction, if functions of
+ * the state differ from their first prediction. Automatic steps include the remaining error: half
+ * the difference, or less than a third of it with a parabola. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *ahead, wear_watch *watch,
                          wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -96,8 +96,8 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_
   return status;
 }
 
-/* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit
- * one, at half the length at which ripples would grow. */
+/* With a discontinuous law no implicit solution may exist: then the plan becomes explicit, at half
+ * the stability limit. */
 static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_watch *watch,
                                    arc_error *error) {
   double eigenvalue;
@@ -108,13 +108,13 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_watc
   return status;
 }
 
-/* What an estimate asks for, of a step that erred too much. */
+/* Length factor of the next attempt after a step with too large an error. */
 static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
   const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
   return fmax(0.1, 0.8 * pow(error, -power));
 }
 
-/* Errors let pass, over the tolerance. That of stages is aimed at: a step is dear, and its
+/* Accepted error / tolerance. For stages the tolerance is the target: a step is expensive, and its
  * estimate, which jumps with the nodes at the edge, may be twice as large. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
@@ -124,12 +124,12 @@ static int has_outgrown(const arc_wear *w, arc_status status) {
   return w->kind->growth && w->kind->growth->has_outgrown(w, status);
 }
 
-/* A contact that has grown to the edge of its mesh leaves it after the shortest of steps, too. */
+/* True if the contact has reached the edge of its mesh, so that a shorter step does not help. */
 static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
   return has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
 
-/* Steps that do not converge, or err too much, are cut and tried again. */
+/* Repeats steps that do not converge, or whose error is too large, with a shorter length. */
 static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *watch,
                                     wear_outcome *out, arc_error *error) {
   enum { most_cuts = 20, most_failures = 3, patience = 6 };
@@ -163,7 +163,7 @@ typedef struct wear_targets {
   int reached;
 } wear_targets;
 
-/* How far a record is beyond a target. */
+/* Distance of a record beyond a target. */
 static double beyond(const arc_wear_record *record, const arc_wear_target *t) {
   return arc_wear_record_get(record, t->column) - t->value;
 }
@@ -173,7 +173,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
   return before != 0 && (after == 0 || (before < 0) != (after < 0));
 }
 
-/* Shortens a step that passed a target until it ends on it: false position with Illinois' weights.
+/* Shortens a step that passed a target until it ends on it, by the Illinois method.
  */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
                               wear_watch *watch, wear_outcome *out, arc_error *error) {
@@ -204,7 +204,7 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
   return ARC_OK;
 }
 
-/* Of all targets passed in the step, the one that is met first. */
+/* The first target passed in the step. */
 static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_watch *watch,
                                wear_targets *targets, wear_outcome *out, arc_error *error) {
   wear_plan first = *plan;
@@ -223,7 +223,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
                            wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
-  wear_watch watch = {.callbacks = callbacks}; /* counts what is spent on attempts, too */
+  wear_watch watch = {.callbacks = callbacks}; /* includes failed attempts */
   arc_status status = arc_wear_plan_step(w, limit, callbacks, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &watch, &out, error);
@@ -249,8 +249,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   return status;
 }
 
-/* A step that fails for want of room is tried again on larger meshes. If that fails too, the run is
- * what it was, and so is the error. */
+/* Repeats a step that failed at the edge of the zones on larger meshes. If that fails too, the run
+ * is unchanged and the first error is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };

@@ -1,31 +1,31 @@
-/* How far a step goes: to the end of its jump, its block or its limit, whichever comes first. */
+/* Length of a step: the shortest of its jump, its block and its limit. */
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* What is left of a distance below this share is rounding. */
+/* A remaining distance below this share is rounding. */
 static const double rounding = 1e-12;
-/* A last step that is whole but for rounding stays whole. */
+/* Relative tolerance for a complete last step. */
 static const double whole = 1e-9;
 
 /* --- how far --- */
 
-/* Integral of k over the distance [mm3/N] that takes `depth` [mm] off the deepest node at the
+/* Integral of k over the distance [mm3/N] that wears the deepest node by `depth` [mm] at the
  * present pressure. */
 static double dose_for(const arc_wear *w, double depth) {
   const double p = arc_wear_last(w)->p_center;
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Cycles that a dose takes at these coefficients. */
+/* Cycles of a dose at these coefficients. */
 static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double dose) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
   return per_cycle > 0 ? dose / per_cycle : INFINITY;
 }
 
-/* An update may wear this share of the natural depth, or of what is worn already. */
+/* Largest wear of an update, relative to the natural depth or to the present depth. */
 static const double first_bite = 0.15, later_bite = 0.05;
-/* The first implicit one, whose error nobody knows yet. */
+/* The same for the first implicit update, without an error estimate. */
 static const double first_implicit_bite = 0.06;
 /* Share of the stability limit 2 / eigenvalue that automatic updates use. */
 static const double safe_share = 0.6;
@@ -35,14 +35,14 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
-/* How much automatic updates may wear at least [mm]. */
+/* Smallest wear limit of automatic updates [mm]. */
 static double bite(const arc_wear *w) {
   return fmax(first_bite * w->kind->natural_depth(w), later_bite * total_depth(w));
 }
 
 /* --- what wears evenly --- */
 
-/* The contact does not change by it, but where layers get thinner. */
+/* Even wear changes the contact only by thinner layers. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
@@ -51,7 +51,7 @@ static double layer_dose(const arc_wear *w, int scars) {
   return w->kind->layer_dose ? w->kind->layer_dose(w, scars) : INFINITY;
 }
 
-/* The same where nothing else wears: as the wear goes, whatever the pressure in the contact is. */
+/* The same if nothing else wears, independent of the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_dose(w, bite(w)), layer_dose(w, 0));
 }
@@ -62,7 +62,7 @@ int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
   return now->k * (plan->end - now->distance) * now->p_max < little * bite(w);
 }
 
-/* Updates of a single stage: neither ripples may grow nor too much wear at once. */
+/* Updates of one stage: limited by stability and by the wear of an update. */
 static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                              arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
@@ -76,8 +76,8 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
   return status;
 }
 
-/* Updates in stages: as long as the last one's estimated error allows; history alone decides, so
- * that a stored run goes on alike. */
+/* Updates in stages: length from the estimated error of the last one. It depends on the history
+ * only, so that a stored run continues equally. */
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
@@ -87,7 +87,7 @@ static double most_staged(const arc_wear *w) {
   return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
 
-/* Explicit updates that choose themselves. */
+/* Automatic explicit updates. */
 static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                                  arc_error *error) {
   if (splits_cycles(w) || w->manner.closed) return plan_plain(w, callbacks, plan, error);
@@ -96,8 +96,8 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
-/* The next adaptive step from the last ones' estimated errors; history alone decides, so that a
- * stored run goes on alike. */
+/* Length of the next adaptive step from the estimated errors of the last ones. It depends on the
+ * history only, so that a stored run continues equally. */
 static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
                                 arc_error *error) {
   static const double most_growth = 2, least_growth = 0.2, safety = 0.85;
@@ -136,14 +136,14 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
                       jump, error);
 }
 
-/* The distance a step must not pass: the run's limit or the end of its block. */
+/* Upper limit of the distance: that of the run or the end of the block. */
 static double bound(const arc_wear *w, const wear_block *block, double limit) {
   return block == &w->block[w->blocks - 1] && block->periodic
              ? limit
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Generic histories go by increments: which one, and how much of it is left before the limit. */
+/* Histories that are run once: index of the increment, and its remaining share before the limit. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;
@@ -170,7 +170,7 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
-/* Steps that get shorter and shorter would never end. */
+/* Fails if steps become ever shorter, as the run would not end. */
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };

@@ -1,4 +1,4 @@
-/* The surfaces of a run as arrays: what shows them, and what to go on from. */
+/* The surfaces of a run as arrays, for output and as state. */
 #include "core/pair/model.h"
 #include "core/wear/run.h"
 
@@ -15,7 +15,7 @@ arc_status arc_wear_surfaces(const arc_wear *w, arc_array **surfaces, size_t *co
 
 /* --- checks ----------------------------------------------------------------------------------- */
 
-/* The arrays of one body at one moment, which stand together. */
+/* A sequence of arrays of one body at one moment. */
 typedef struct shown {
   const arc_array *first;
   size_t count;

@@ -1,4 +1,4 @@
-/* One update of the geometry: its coefficients, then its depths, by whichever scheme. */
+/* One update of the geometry: coefficients, then depths by the scheme of the run. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ static int is_explicit(const arc_wear *w, const wear_plan *plan) {
   return w->def.scheme == ARC_EXPLICIT || plan->explicit;
 }
 
-/* What a dose takes over a window. */
+/* Computes the depths of a dose over a window. */
 static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_window *window,
                               const wear_dose *dose, wear_watch *watch, wear_depths *depth,
                               arc_error *error) {
@@ -44,7 +44,7 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
   return status;
 }
 
-/* Every increment of a cycle with an update of its own (Eq. 4 with p_{i-1} of the geometry before).
+/* Updates at every increment of a cycle (Eq. 4 with p_{i-1} of the previous geometry).
  */
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                                arc_error *error) {
@@ -89,7 +89,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
   return ARC_OK;
 }
 
-/* What a whole update consists of. */
+/* Parts of an update. */
 typedef struct whole {
   arc_wear *w;
   wear_plan *plan;
@@ -106,8 +106,8 @@ static arc_status want_tangent(arc_wear *w, arc_error *error) {
   return w->start.tangent ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for an update");
 }
 
-/* Solves a window as the start of an update; the wear of whole cycles is kept, unless factors
- * depend on a state. */
+/* Solves a window at the start of an update; the wear of whole cycles is cached unless factors
+ * depend on the state. */
 static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
                               wear_watch *watch, arc_error *error) {
   wear_start *s = &w->start;
@@ -124,13 +124,13 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   return ARC_OK;
 }
 
-/* The kept one into `rate`; its solutions count once. */
+/* Moves the cached rate to `rate`; its solutions are counted once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
   arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
 }
 
-/* What a cycle with friction tells, into the record of the surfaces it was solved on. */
+/* Writes the friction results of a cycle to the record of its surfaces. */
 static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_record *record) {
   const double thickness = w->manner.thickness;
   record->cycle_energy = rate->energy * thickness;
@@ -159,8 +159,8 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* The rate at the start, where it is asked for: by explicit updates, and by functions of the state
- * to see their way. */
+/* Computes the rate at the start if needed: for explicit updates, and to predict the path for
+ * functions of the state. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
@@ -176,7 +176,7 @@ static arc_status find_start(whole *u, arc_error *error) {
   return status;
 }
 
-/* The dose of the plan, cut to what stages can take; and the eigenvalue there. */
+/* The dose of the plan, limited by the number of stages, and the eigenvalue. */
 static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
@@ -190,8 +190,8 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   return status;
 }
 
-/* What goes by the rate of its start takes the mean coefficient of friction, once its length is
- * known; the others, which ask for it on the way, that behind a jump right at their start. */
+/* Updates by the rate at their start use the mean coefficient of friction over their length;
+ * others, which evaluate it in stages, use the value after a jump at their start. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);

@@ -1,4 +1,4 @@
-/* Whether a run is sound: its history, its volumes, and what its kind checks. */
+/* Checks of a run: history, volumes, and those of its kind. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -40,8 +40,8 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 
 /* --- volumes: k L d of Archard's law --- */
 
-/* Whether volume is k L d, and the records say all of it: under loads that change, laws, factors
- * and elastic slip it is not, and a table is averaged anew at every increment. */
+/* True if the volume must be k L d by the records: not with changing loads, laws, factors or
+ * elastic slip, nor with tables averaged at every increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =

@@ -1,4 +1,4 @@
-/* A wear run as an object: creation, restoring, change of definition, what it tells. */
+/* The wear run: creation, restoring, change of definition, queries. */
 #include "core/base/carve.h"
 #include "core/pair/model.h"
 #include "core/wear/run.h"
@@ -21,7 +21,7 @@ static arc_status allocate(arc_wear *w) {
   return ARC_CARVE(parts) ? ARC_OK : ARC_MEMORY;
 }
 
-/* Takes a copy of a checked definition and what follows from it. */
+/* Copies a checked definition and derives values from it. */
 static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   const arc_model_def *md = arc_model_definition(w->model);
   arc_status status = arc_wear_def_copy(def, &w->def);
@@ -83,7 +83,7 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
   return status;
 }
 
-/* A run takes the place of another. */
+/* Replaces a run by another. */
 static void replace(arc_wear **w, arc_wear *by) {
   arc_wear_destroy(w);
   *w = by;
@@ -134,7 +134,7 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Puts a changed run on more sites where its contact would leave those it has. */
+/* Moves a changed run to more sites if its contact would leave the present ones. */
 static arc_status make_room(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
@@ -207,7 +207,7 @@ double arc_wear_strokes(const arc_wear *w) {
   return w->manner.strokes;
 }
 
-/* Cycles of the whole distance; the last block goes on where the distance does. */
+/* Cycles of the whole distance; the last block continues to its end. */
 double arc_wear_cycles(const arc_wear *w) {
   double cycles = 0, left = w->def.distance - w->block[0].start_distance;
   for (int b = 0; b < w->blocks && left > 0; b++) {
