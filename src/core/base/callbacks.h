@@ -1,4 +1,4 @@
-/* What the engine asks and tells its caller; no callbacks, or none of a kind, is fine. */
+/* Calls of callbacks; missing callbacks are allowed. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 
@@ -12,7 +12,7 @@ static inline int callbacks_progress(const arc_callbacks *c, const struct arc_we
   return c && c->progress && c->progress(c->context, wear);
 }
 
-/* Tells why results may mean little, in a printf-style line. */
+/* Warns about the accuracy of results, with a printf-style line. */
 void arc_warn(const arc_callbacks *callbacks, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

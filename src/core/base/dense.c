@@ -29,7 +29,7 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
-/* to[] -= by four columns at once: they are what such loops wait for. */
+/* to[] -= four columns at once, as memory access limits these loops. */
 static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
   const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
 #pragma omp simd
@@ -37,7 +37,7 @@ static void subtract_columns(int n, const double *l, int ld, const double by[4],
     to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
 }
 
-/* The diagonal block of at most four at b's first row. Divisions do not wait for each other. */
+/* Solves the diagonal block of at most four rows at b's first row, with independent divisions. */
 static inline void forward_block(const double *l, int ld, double *b, int count) {
   double scale[4];
   for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
@@ -56,7 +56,7 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Four sums at once, for the same reason, of even and of odd rows. */
+/* Four sums at once, for even and odd rows, for the same reason. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)
@@ -68,7 +68,7 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* One right-hand side: LAPACK's way by dtrsm costs twice as much at the sizes of contacts. */
+/* One right-hand side: dtrsm takes twice as long at the sizes of contacts. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -103,9 +103,8 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Right-hand sides that go through the band together, side by side: x[sides * i + c]. LAPACK takes
- * them one by one, and waits for each. They fade within a few band widths: what is too small to
- * matter next to the largest is taken for zero. */
+/* Right-hand sides that go through the band together, side by side: x[sides * i + c]. LAPACK solves
+ * them one by one. Solutions decay within a few band widths: negligible values count as zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
 
@@ -113,7 +112,7 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* The largest of rows from .. to - 1. */
+/* Largest absolute value of rows from .. to - 1. */
 ARC_WIDE static double row_peak(int from, int to, const double *x) {
   double most[sides] = {0}, largest = 0;
   for (int j = from; j < to; j++)
@@ -125,7 +124,7 @@ ARC_WIDE static double row_peak(int from, int to, const double *x) {
   return largest;
 }
 
-/* Whether rows from .. to - 1 are negligible next to all seen so far. */
+/* True if rows from .. to - 1 are negligible relative to the largest value so far. */
 static int fades(int from, int to, const double *x, double *peak) {
   const double largest = row_peak(from, to, x);
   *peak = fmax(*peak, largest);
@@ -156,7 +155,7 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Steps of a band's width and one: nothing reaches over a step that has faded. */
+/* Steps of the band width plus one: a negligible step decouples the rest. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {

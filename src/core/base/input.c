@@ -1,5 +1,4 @@
-/* Files that are read: nothing else under a name is, for a pipe would keep us waiting and a device
- * never end. */
+/* Reads regular files only: a pipe could block and a device never end. */
 #include "archard/base.h"
 
 #include <errno.h>
@@ -34,7 +33,7 @@ arc_status arc_file_open(const char *path, FILE **stream, arc_error *error) {
                 error);
 }
 
-/* Reads on until the end; the room doubles. */
+/* Reads to the end, doubling the buffer. */
 static arc_status read_all(const char *path, FILE *stream, char **text, size_t *length,
                            arc_error *error) {
   static const size_t largest = (size_t)1 << 30;

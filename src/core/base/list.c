@@ -1,4 +1,4 @@
-/* Lists that grow; leans on nothing. */
+/* Growing lists. */
 #include "core/base/list.h"
 
 #include <stdlib.h>

@@ -10,7 +10,7 @@ typedef struct item_list {
   int count, capacity;
 } item_list;
 
-/* A new item at the end, all zero; NULL: no memory. */
+/* Appends an item of zeros. NULL: out of memory. */
 void *arc_list_add(item_list *list, size_t size);
 void arc_list_sort(item_list *list, size_t size, int (*compare)(const void *, const void *));
 

@@ -1,4 +1,4 @@
-/* Locks, where a disk may have none, or not answer. Leans on POSIX only. */
+/* Locks of files on disks that may have none, or not respond. */
 #include "archard/lock.h"
 
 #include "core/base/owner.h"
@@ -15,14 +15,13 @@
 
 /* --- what there is ---------------------------------------------------------------------------- */
 
-/* A question to the disk, on a thread of its own: where the lock daemon of a server is gone, the
- * system waits for it without an end. */
+/* A query of the disk on its own thread, as the system waits forever for a dead lock daemon. */
 typedef struct question {
   work_watch progress;
   int file, answer; /* answer: an errno */
 } question;
 
-/* Asks whether anybody has locked a byte that SQLite locks. */
+/* Queries the lock of a byte used by SQLite. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -36,7 +35,7 @@ static void discard(void *job) {
   free(q);
 }
 
-/* A disk that needs longer for one answer will not store a run either [s]. */
+/* Time limit for the answer of the disk [s]. */
 enum { PATIENCE = 10 };
 
 static int has_waited(void *context) {
@@ -62,7 +61,7 @@ static int locks_of(const char *path) {
   return answer;
 }
 
-/* Whether a file can be made beside it. */
+/* True if a file can be created in its folder. */
 static int has_room_beside(const char *path) {
   char folder[PATH_MAX];
   if (arc_file_resolve(path, folder) != 0) return 0;
@@ -99,8 +98,7 @@ static int make(const char *lock) {
   return symlink(owner, lock);
 }
 
-/* Of several that find it left, one looks again and takes it away: what it looks at then is what it
- * removes. */
+/* Of several programs that find an abandoned lock, one checks it again and removes it. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
   if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)

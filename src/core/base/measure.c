@@ -1,4 +1,4 @@
-/* Measures of profiles on plain arrays; leans on nothing. */
+/* Measures of profiles on plain arrays. */
 #include "archard/measure.h"
 
 #include <math.h>

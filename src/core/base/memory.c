@@ -1,4 +1,4 @@
-/* Free memory, as Linux tells it. */
+/* Free memory on Linux. */
 #include "core/base/memory.h"
 
 #include <math.h>
@@ -36,5 +36,5 @@ static double of_limits(void) {
 }
 
 double arc_memory_free(void) {
-  return fmin(fmin(INFINITY, of_machine()), fmin(of_group(), of_limits())); /* NaN says nothing */
+  return fmin(fmin(INFINITY, of_machine()), fmin(of_group(), of_limits())); /* NaN: unknown */
 }

@@ -1,9 +1,9 @@
-/* How much memory there is to take. */
+/* Available memory. */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
-/* Bytes that this process can still have: of the machine, of its control group, of its limits.
- * INFINITY where nothing tells. */
+/* Memory [bytes] available to this process by machine, control group and limits; INFINITY if
+ * unknown. */
 double arc_memory_free(void);
 
 #endif

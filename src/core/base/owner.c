@@ -1,4 +1,4 @@
-/* Who made a file, without a lock. Leans on POSIX, and on Linux for what tells systems apart. */
+/* Identifies the program that made a file, by system and process. */
 #include "core/base/owner.h"
 
 #include <errno.h>
@@ -17,8 +17,8 @@ static unsigned long long add(unsigned long long sum, const void *bytes, size_t 
   return sum;
 }
 
-/* A number of the system that runs, since it was started, and of those of its processes that we
- * see: what names another one is a process that we cannot ask for. */
+/* Identifies the running system since its start, and its process namespace: processes of other ones
+ * cannot be checked. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};
   struct stat processes = {0};

@@ -22,7 +22,7 @@ static const char prefix[] = ".archard-part-";
 
 struct arc_place {
   int descriptor;        /* of the place */
-  char asked[PATH_MAX];  /* as the user wrote it, for messages */
+  char asked[PATH_MAX];  /* name given by the user, for messages */
   char target[PATH_MAX]; /* the file itself, behind symbolic links; "" for scratch */
   char path[PATH_MAX];   /* of the place */
   size_t folder;         /* letters of path that are the folder, with its slash */
@@ -57,8 +57,8 @@ static void remove_part(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Of programs of other systems nobody knows whether they live: after ten days, as long as systemd
- * leaves files in /tmp (tmpfiles.d), it is taken that they do not. */
+/* Files of other systems count as abandoned after ten days, the age at which systemd removes files
+ * in /tmp (tmpfiles.d). */
 static const double longest = 10 * 86400.0;
 
 static int is_left(const char *name, const struct stat *facts) {
@@ -94,7 +94,7 @@ static arc_status check_name(const char *path, arc_error *error) {
              : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
 }
 
-/* An open descriptor takes what it was opened for. Returns an errno. */
+/* Checks that an open descriptor is writable. Returns 0 or an errno. */
 static int look_at_own(arc_place *place) {
   const int flags = fcntl(place->own, F_GETFL);
   place->stream = 1;
@@ -102,7 +102,7 @@ static int look_at_own(arc_place *place) {
   return (flags & O_ACCMODE) == O_RDONLY ? EACCES : 0;
 }
 
-/* What is there already may forbid it, or give its permissions. Returns an errno. */
+/* Checks an existing file and copies its permissions. Returns 0 or an errno. */
 static int look_at(arc_place *place, mode_t *mode) {
   struct stat facts;
   *mode = 0;
@@ -116,8 +116,7 @@ static int look_at(arc_place *place, mode_t *mode) {
   return 0;
 }
 
-/* Sets the folder of a path that is absolute, with its slash, for whoever writes may stand in
- * another one. Returns an errno. */
+/* Sets the folder of an absolute path, with its slash. Returns 0 or an errno. */
 static int set_folder(arc_place *place, const char *path) {
   place->folder = (size_t)(strrchr(path, '/') - path) + 1;
   if (place->folder >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
@@ -127,8 +126,8 @@ static int set_folder(arc_place *place, const char *path) {
 
 /* --- taking ----------------------------------------------------------------------------------- */
 
-/* Makes a file that nobody has in the folder, of a name that this process has never had: whoever
- * sweeps may still be about to take the last one away. Returns an errno. */
+/* Creates a file of a name never used by this process, as another program may still be removing the
+ * last one. Returns 0 or an errno. */
 static int make_part(arc_place *place) {
   char owner[ARC_OWNER];
   arc_owner_name(owner);
@@ -161,7 +160,7 @@ static arc_place *new_place(const char *asked) {
   return place;
 }
 
-/* Hands out the place, or ends it with the reason. */
+/* Returns the place, or drops it and fails. */
 static arc_status given(arc_place *place, int why, arc_place **result, arc_error *error) {
   arc_status status = why ? failed(place->asked, why, error) : ARC_OK;
   if (why) arc_place_drop(&place);
@@ -214,7 +213,8 @@ void arc_place_drop(arc_place **place) {
   *place = NULL;
 }
 
-/* A descriptor to write the target with, -1 with errno; what was printed before comes first. */
+/* Opens the target for writing, after flushing standard output. Returns -1 with errno on failure.
+ */
 static int open_stream(const arc_place *place) {
   if (place->own < 0) return open(place->target, O_WRONLY | O_CLOEXEC | O_NOCTTY);
   fflush(NULL);
@@ -231,7 +231,7 @@ static int write_all(int to, const char *bytes, size_t count) {
   return 0;
 }
 
-/* Writes all that stands in the place to a device, a pipe or what is open. Returns an errno. */
+/* Copies the place to a device, pipe or open descriptor. Returns 0 or an errno. */
 static int pour(const arc_place *place) {
   char block[1 << 16];
   const int from = place->descriptor, to = open_stream(place);
@@ -246,7 +246,7 @@ static int pour(const arc_place *place) {
   return why;
 }
 
-/* The name is on the disk once the folder is; where a folder cannot be brought there, it cannot. */
+/* Flushes the folder, if the disk supports it, so that the name is on the disk. */
 static void sync_folder(const arc_place *place) {
   char folder[PATH_MAX];
   snprintf(folder, sizeof folder, "%.*s", (int)place->folder, place->path);
@@ -256,8 +256,7 @@ static void sync_folder(const arc_place *place) {
   close(descriptor);
 }
 
-/* Gives the name unless somebody has it; where files cannot have two names, it is taken all the
- * same. Returns an errno. */
+/* Renames unless the name exists; on disks without hard links always. Returns 0 or an errno. */
 static int name_first(const char *path, const char *target) {
   if (link(path, target) == 0 || errno == EEXIST) return unlink(path) == 0 ? 0 : errno;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;

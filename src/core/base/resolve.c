@@ -1,4 +1,4 @@
-/* The file that a name means, for whatever opens, makes or confines files. Leans on POSIX. */
+/* Resolves file names, for opening, creating and confining files. */
 #include "core/base/resolve.h"
 #include "archard/base.h"
 
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Appends the last part of a name to its folder, which is there. */
+/* Appends the last part of a name to its existing folder. */
 static int in_folder(const char *name, char whole[PATH_MAX]) {
   char folder[PATH_MAX];
   const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;

@@ -1,9 +1,8 @@
-/* Names of what is open already. */
+/* File names of open descriptors. */
 #ifndef CORE_BASE_RESOLVE_H
 #define CORE_BASE_RESOLVE_H
 
-/* "/proc/PID/fd/1" of this process, absolute and in whatever words before, names a descriptor, not
- * the file that stands behind it; -1 for other paths. */
+/* Descriptor named by a path such as "/proc/PID/fd/1" of this process; -1 for other paths. */
 int arc_file_descriptor(const char *path);
 
 #endif

@@ -1,5 +1,4 @@
-/* Lists of settings: defaults, ranges and their messages, walks. Every definition and every reader
- * of one leans on this file. */
+/* Lists of settings: defaults, range checks with messages, loops. */
 #include "archard/setting.h"
 
 #include <math.h>
@@ -139,7 +138,7 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* Of a number that came nothing but the range is told. */
+/* For a number the message has the range only. */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {
   char expected[160];

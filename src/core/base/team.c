@@ -1,4 +1,4 @@
-/* Threads that wait for loops and share their tasks. */
+/* A team of threads that share the tasks of loops. */
 #include "core/base/team.h"
 
 #include <pthread.h>
@@ -22,7 +22,7 @@ struct work_team {
   atomic_int next;
 };
 
-/* What a thread is started with. */
+/* Argument of a thread. */
 typedef struct member {
   work_team *team;
   int worker;
@@ -52,7 +52,7 @@ static void *work(void *context) {
   return NULL;
 }
 
-/* Signals are for the caller's thread. */
+/* Signals are handled by the caller's thread. */
 static int start(work_team *t) {
   member *m = malloc(sizeof *m);
   if (!m) return 0;

@@ -1,6 +1,5 @@
-/* A team of threads that share the tasks of a loop. Which worker does which task is left to chance,
- * so that tasks must write to memory of their own; results then do not depend on the number of
- * workers. */
+/* A team of threads that share the tasks of a loop. The assignment of tasks to workers is random:
+ * tasks must write to separate memory, so that results do not depend on the number of workers. */
 #ifndef BASE_TEAM_H
 #define BASE_TEAM_H
 
@@ -11,15 +10,15 @@ typedef struct work_team work_team;
 /* One task; `worker` is 0 .. workers - 1, for workspaces that each thread has one of. */
 typedef void (*team_task)(void *context, int task, int worker);
 
-/* A team of `workers` threads, the caller among them. With one worker *team is NULL, which all
- * functions below take. ARC_MEMORY: no memory, or no threads. */
+/* Creates a team of `workers` threads, including the caller. With one worker *team is NULL, which
+ * is valid for all functions below. ARC_MEMORY: no memory, or no threads. */
 arc_status arc_team_create(int workers, work_team **team, arc_error *error);
-/* Ends its threads and nulls the handle. */
+/* Ends the threads and sets the handle to NULL. */
 void arc_team_destroy(work_team **team);
 int arc_team_workers(const work_team *team);
 
-/* Does tasks 0 .. tasks - 1 and returns when all are done. In a forked child, which has no
- * threads but its own, the caller does them all. Not for two callers at once. */
+/* Executes tasks 0 .. tasks - 1 and returns when all are done. In a forked child, which has no
+ * other threads, the caller executes them all. Not for two callers at once. */
 void arc_team_run(work_team *team, int tasks, team_task task, void *context);
 
 #endif

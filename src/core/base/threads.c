@@ -14,7 +14,7 @@ const char *arc_single_threaded(void) {
   return openblas_get_config ? openblas_get_config() : NULL;
 }
 
-/* Any routine that packs blocks does it, on small matrices too. */
+/* Any routine that packs blocks allocates the memory, also for small matrices. */
 void arc_reserve_blas(void) {
   enum { N = 64 };
   double a[N * N] = {0}, b[N * N] = {0}, c[N * N] = {0};

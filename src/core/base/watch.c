@@ -1,4 +1,4 @@
-/* Work on a thread of its own, and the caller that waits for it. */
+/* Runs a computation on its own thread while the caller waits. */
 #include "core/base/watch.h"
 
 #include <omp.h>
@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <time.h>
 
-static const long interval = 50000000; /* [ns] between two questions */
+static const long interval = 50000000; /* [ns] between two calls of callbacks */
 
-/* What both threads know; whoever leaves last frees it. */
+/* Data shared by both threads; the last one frees it. */
 typedef struct meeting {
   pthread_t thread;
   pthread_mutex_t lock;
@@ -50,7 +50,7 @@ static void *run(void *context) {
   return NULL;
 }
 
-/* A thread that hears no signals: they are for the caller. */
+/* Starts a thread with blocked signals: the caller handles them. */
 static int start(meeting *m) {
   sigset_t all, before;
   sigfillset(&all);
@@ -66,7 +66,7 @@ static double clock_now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Waits for the work, or a while; whether it is done. */
+/* Waits for the work or the interval. Returns 1 if it is done. */
 static int wait_a_while(meeting *m) {
   struct timespec until;
   clock_gettime(CLOCK_REALTIME, &until);
@@ -80,7 +80,7 @@ static int wait_a_while(meeting *m) {
   return done;
 }
 
-/* Leaves the work alone; 0: it was done meanwhile. */
+/* Abandons the work. Returns 0 if it has ended meanwhile. */
 static int leave(meeting *m) {
   const pthread_t thread = m->thread;
   pthread_mutex_lock(&m->lock);

@@ -32,7 +32,7 @@ typedef struct contact_pair {
   contact_estimate answer;
 } contact_pair;
 contact_pair arc_model_pair(const arc_model_def *def);
-/* The same load again is answered at once. */
+/* Results for the last load are cached. */
 contact_estimate arc_pair_estimate(contact_pair *pair, double load);
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
 

@@ -34,9 +34,9 @@ static void fill_strains(const element *e, const double *n, double ux[][2], doub
 
 static const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-/* By how much u_y along the edge from corner a to b is linear in r^2 rather than in r: the dip in
- * its middle, four times, over the difference of its ends. Nothing on steep edges, along which u_y
- * follows y as well. */
+/* Correction of u_y along the edge from corner a to b, which is linear in r^2 rather than in r:
+ * four times the sag at its middle / the difference of its ends. 0 on steep edges, where u_y also
+ * depends on y. */
 static double dip_of(const element *e, int a, int b) {
   static const double level = 0.2, steep = 0.4; /* slopes */
   const double dr = e->xy[b][0] - e->xy[a][0], dy = e->xy[b][1] - e->xy[a][1];

@@ -118,7 +118,7 @@ static int sweep(friction_task *k) {
   return 0;
 }
 
-/* For similar bodies sweeps are quick to the end once the sets are right. */
+/* For similar materials sweeps converge quickly once the sets are right. */
 static int is_closing_in(const friction_task *k, double before) {
   static const double quick = 0.02;
   return k->change < quick * before;

@@ -1,4 +1,4 @@
-/* Contacts as handles: a problem, its result, and a kind that knows the rest. */
+/* Contact handles: problem, result, and the functions of the kind. */
 #include "core/pair/surfaces.h"
 #include "core/pair/units.h"
 

@@ -1,4 +1,4 @@
-/* The kinds there are. */
+/* The list of kinds. */
 #include "core/pair/kind.h"
 
 extern const arc_kind arc_plane_kind, arc_space_kind, arc_springs_kind;

@@ -1,4 +1,4 @@
-/* Inside of arc_model: the handle that models of all kinds begin with. */
+/* Members of arc_model: the common first part of models of all kinds. */
 #ifndef PAIR_MODEL_H
 #define PAIR_MODEL_H
 
@@ -11,7 +11,7 @@ struct arc_model {
   double seconds; /* the build took */
 };
 
-/* What the surfaces of all kinds begin with. */
+/* Common first part of the surfaces of all kinds. */
 typedef struct shape_handle {
   arc_model *model;
 } shape_handle;

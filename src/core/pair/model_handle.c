@@ -1,4 +1,4 @@
-/* Models and surfaces as handles: a definition, a kind that makes of it what it needs, references.
+/* Handles of models and surfaces: definition, kind, reference count.
  */
 #include "core/pair/model.h"
 

@@ -1,4 +1,4 @@
-/* What the contacts of all kinds begin with. */
+/* Common first part of contacts of all kinds. */
 #ifndef PAIR_SURFACES_H
 #define PAIR_SURFACES_H
 
@@ -6,7 +6,7 @@
 
 /* An arc_contact of any kind. */
 typedef struct contact_handle {
-  arc_shape *shape; /* own copy: what was solved */
+  arc_shape *shape; /* own copy of the solved surfaces */
   arc_contact_def def;
   arc_contact_result result;
 } contact_handle;

@@ -57,8 +57,8 @@ int arc_newton_is_hopeless(const newton *s, arc_status status);
  * slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
-/* Gaps [active] that open on the set of a solved pose become the changes of its forces; returns
- * what part of the load they shift along the surface at the most. */
+/* Converts gap changes [active] of a solved pose to changes of its forces. Returns the largest part
+ * of the load shifted along the surface. */
 double arc_stage_forces(pose *p, double *gap);
 /* arc_newton_error for a stage solved this way. */
 double arc_stage_rest_error(newton *s, double *defect);

@@ -14,8 +14,8 @@ double arc_cerruti_couple(double x, double z, double a, double b);
  * lower one; 0: like bodies. */
 double arc_cerruti_unlike(const arc_halfspace_def *def);
 
-/* The kernels of a half-space, made when first wanted. ARC_ARGUMENT: layers, bases, or a periodic
- * window, whose shear is not known; ARC_MEMORY. */
+/* Computes the kernels on first use. ARC_ARGUMENT: layers, bases or periodic windows, which are not
+ * supported; ARC_MEMORY. */
 arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **found,
                                arc_error *error);
 void arc_cerruti_destroy(space_shear_kernels **kernels);
@@ -23,7 +23,7 @@ void arc_cerruti_destroy(space_shear_kernels **kernels);
 /* u := C q, the displacement of the lower body's surface over the upper one's against shear q on
  * the upper body, along x and z [window]; u may be q. */
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]);
-/* gap += N q, by shear; where the bodies are alike it stays. */
+/* gap += N q, by shear; unchanged for equal materials. */
 void arc_cerruti_add_gap(const arc_halfspace *h, const double *const q[2], double *gap);
 /* slip += N p, by pressure. */
 void arc_cerruti_add_slip(const arc_halfspace *h, const double *pressure, double *const slip[2]);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A function of cells: where it crosses a level is found by linear interpolation of value^power. */
+/* Values by cell; crossings of a level are computed by linear interpolation of value^power. */
 typedef struct field {
   const double *value;
   int rows, columns, power;
@@ -25,8 +25,8 @@ static double largest_of(const field *f, int along, int i) {
   return most;
 }
 
-/* Where the largest values of rows (columns) leave the level, in steps from the first one: outwards
- * from the last line above it by the slope inside, or the crossing where the next one is not 0. */
+/* Position, in steps from the first line, at which the largest values of rows (columns) fall below
+ * the level: by extrapolation with the slope inside, or interpolation if the next line is not 0. */
 static double edge(const field *f, int along, int from, int step) {
   const double inside = largest_of(f, along, from), before = largest_of(f, along, from - step),
                outside = largest_of(f, along, from + step);
@@ -50,7 +50,7 @@ static void find_extent(const field *f, int along, double size, double *half, do
   *center = ((from + to) / 2 - (n - 1) / 2.0) * size;
 }
 
-/* Value at the middle, between the cells next to it. */
+/* Value at the middle, interpolated between its neighbouring cells. */
 static double middle(const field *f) {
   const int i = (f->rows - 1) / 2, j = (f->columns - 1) / 2, k = f->rows / 2, l = f->columns / 2;
   const double *v = f->value;

@@ -1,4 +1,4 @@
-/* A first guess of the pressures under a load. */
+/* Initial guess of the pressures under a load. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ static double least_of(int n, const double *gap) {
   return least;
 }
 
-/* The load at which an approach is expected: that of a ball whose contact has the area of what lies
- * less than half the approach deep. */
+/* Estimated load for an approach: that of a ball whose contact area equals the area with gaps below
+ * half the approach. */
 static double load_at(const arc_halfspace *h, const double *gap, double least, double approach) {
   const arc_halfspace_def *d = &h->def;
   int inside = 0;

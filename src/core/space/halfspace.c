@@ -1,4 +1,4 @@
-/* Two half-spaces: what follows from their definition once and for all. */
+/* Two half-spaces: data derived from their definition. */
 #include "core/space/cerruti.h"
 
 #include <math.h>
@@ -133,7 +133,7 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
   return status;
 }
 
-/* The inverse of the symbol on a box a quarter wider, where it is positive. */
+/* Inverse of the symbol on a box a quarter wider, where it is positive definite. */
 static arc_status make_inverse(arc_halfspace *h, int rows, int columns, convolution **made,
                                arc_error *error) {
   const int box_x = arc_transform_length(rows + rows / 4),
@@ -165,7 +165,7 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
 /* --- creation
  * ------------------------------------------------------------------------------------- */
 
-/* Sizes of boxes, of which transforms get shorter; of the window's parity, so that they can be
+/* Sizes of boxes for shorter transforms, with the parity of the window, so that they can be
  * symmetric in it. */
 static void find_levels(int n, int periodic, int level[SPACE_LEVELS]) {
   static const double share[SPACE_LEVELS] = {1, 0.75, 0.5, 0.375, 0.25};
@@ -315,8 +315,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Half extent of the scar along an axis of radius r: that of a cap of the volume, or the elastic
- * contact's. */
+/* Half extent of the scar along an axis of radius r: of a cap of this volume, or of the elastic
+ * contact. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

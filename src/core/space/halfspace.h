@@ -1,4 +1,4 @@
-/* Inside the half-spaces: what all of core/space shares. */
+/* Members of half-spaces, and functions shared in core/space. */
 #ifndef SPACE_HALFSPACE_H
 #define SPACE_HALFSPACE_H
 
@@ -15,7 +15,7 @@ enum { SPACE_LEVELS = 5 };
 typedef struct space_shear_kernels {
   double self[2];         /* of a cell on itself along x and z [mm/MPa] */
   convolution *along[3];  /* x by qx, x by qz (and z by qx), z by qz */
-  convolution *couple[2]; /* gap by qx and qz; NULL: like bodies */
+  convolution *couple[2]; /* gap by qx and qz; NULL: equal materials */
   convolution_work *work; /* a second one, for pairs of fields */
 } space_shear_kernels;
 
@@ -27,19 +27,19 @@ struct arc_halfspace {
   double *recess[ARC_BODIES];
   int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* sizes of boxes, largest first */
   convolution *convolution[SPACE_LEVELS][SPACE_LEVELS], *inverse[SPACE_LEVELS][SPACE_LEVELS];
-  space_shear_kernels *shear; /* NULL until a contact with friction is solved */
-  pthread_mutex_t lock;       /* of these, which are made when first wanted */
+  space_shear_kernels *shear; /* NULL before the first contact with friction */
+  pthread_mutex_t lock;       /* convolutions, created on first use */
   convolution_work **work;    /* of each worker */
   double *scratch;            /* [workers][2][window] */
   work_team *team;
 };
 
-/* A part of the window that holds all that is in contact: rows x .. x + nx - 1, and so across. */
+/* A part of the window that contains the contact: rows x .. x + nx - 1, and similarly across. */
 typedef struct space_box {
   int x, z, nx, nz, level_x, level_z;
 } space_box;
 
-/* The convolution of boxes of a size, made when first wanted; its inverse symbol, for
+/* The convolution for boxes of a size, created on first use; its inverse symbol, for
  * preconditioning. */
 arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
@@ -67,7 +67,7 @@ double arc_space_thinnest(const arc_halfspace_def *def);
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 
-/* A first guess of pressures under a load from the gap of a window. */
+/* Initial guess of pressures under a load from the gap of a window. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure);
 
 static inline double space_x(const arc_halfspace_def *d, int rows, int i) {

@@ -11,7 +11,7 @@ static const double pi = 3.14159265358979323846;
 /* --- half-space
  * ----------------------------------------------------------------------------------- */
 
-/* For v < 0 it would lose its digits. */
+/* For v < 0 the formula would cancel. */
 double arc_space_term(double u, double v) {
   const double r = hypot(u, v);
   if (u == 0) return 0;
@@ -57,7 +57,7 @@ double arc_space_surface_compliance(const arc_halfspace_def *def) {
          1 / arc_material_E_star(top_of(&def->body[1]));
 }
 
-/* Below this nothing is of another kind. */
+/* True if the body below is homogeneous. */
 static double top_thickness(const arc_halfspace_body *b) {
   return layers_of(b) > 0 ? b->layer[0].thickness : b->depth;
 }
@@ -85,7 +85,7 @@ static int spline_create(spline *s, int count, double from, double to) {
   return s->value != NULL;
 }
 
-/* Slopes that make it smooth twice; zero at both ends. */
+/* Slopes for continuous second derivatives; zero at both ends. */
 static void spline_finish(spline *s) {
   const int n = s->count;
   double *d = s->slope, *upper = s->slope + n;
@@ -99,7 +99,7 @@ static void spline_finish(spline *s) {
   for (int i = n - 2; i > 0; i--) d[i] -= upper[i] * d[i + 1];
 }
 
-/* Beyond its ends it is level. */
+/* Constant beyond its ends. */
 static double spline_at(const spline *s, double x) {
   const double place = fmin(fmax((x - s->from) / s->step, 0), s->count - 1);
   const int i = (int)fmin(place, s->count - 2);
@@ -108,8 +108,8 @@ static double spline_at(const spline *s, double x) {
          d[1] * t * t * u;
 }
 
-/* What the compliance has beyond the topmost materials: q times its symbol over ln q, and its
- * transform over asinh(r / t). */
+/* Difference of the compliance from that of the topmost materials: q times its symbol over ln q,
+ * and its transform over asinh(r / t). */
 typedef struct rest {
   double t;       /* thinnest top [mm] */
   double lowest;  /* below this q nothing changes any more [1/mm] */
@@ -119,7 +119,7 @@ typedef struct rest {
 
 enum { SYMBOL_POINTS = 1500, RADII = 400, GAUSS = 8 };
 
-/* Depth [1/q] from which exp(-2 depth) lets nothing back to the surface. */
+/* Depth [1/q] from which exp(-2 depth) is negligible. */
 static const double deep = 18;
 
 static int sample_symbol(const arc_halfspace_def *def, rest *r) {

@@ -1,4 +1,4 @@
-/* From positions to a problem of the active set, on a box, and back to the window. */
+/* Sets up the active-set problem of positions on a box, and returns its solution to the window. */
 #include "core/space/positions.h"
 
 #include "core/base/memory.h"
@@ -92,7 +92,7 @@ static arc_status fill_position(positions *p, const arc_halfspace_position *posi
   return status == ARC_OK ? arc_stroke_place(p->s.h, position->x, &p->s.place[j], error) : status;
 }
 
-/* ARC_MEMORY where many positions of many cells do not fit. */
+/* ARC_MEMORY if positions times cells do not fit. */
 static arc_status check_memory(const arc_halfspace *h, int count, arc_error *error) {
   static const double much = 256e6, mega = 1e6;
   const double bytes = arc_halfspace_bytes(&h->def, count);
@@ -156,7 +156,7 @@ static void hold(range *r, int k) {
   if (k > r->high) r->high = k;
 }
 
-/* The smallest size that holds a range with its margin; where it begins. */
+/* The smallest size that contains a range with its margin, and its start. */
 static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
   const int n = level[0];
   if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
@@ -182,7 +182,7 @@ static space_box box_of(const positions *p, range x, range z) {
   return box;
 }
 
-/* What is in contact at any position. */
+/* Range of cells in contact at any position. */
 static void find_ranges(const positions *p, range *x, range *z) {
   const arc_halfspace_def *d = &p->s.h->def;
   *x = *z = (range){0, -1};
@@ -213,7 +213,7 @@ static void copy_box(const positions *p, const space_box *box, int position, dou
 /* --- solution
  * ------------------------------------------------------------------------------------- */
 
-/* Guesses where there is no pressure to start from. */
+/* Initial guesses for positions without pressures. */
 static void start_one(void *context, int position, int worker) {
   positions *p = context;
   const arc_halfspace *h = p->s.h;
@@ -227,7 +227,7 @@ static void start_one(void *context, int position, int worker) {
   arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
 }
 
-/* Whether cells outside the box overlap: they widen the ranges. */
+/* Finds cells outside the box that overlap, which widen the ranges. */
 typedef struct outside {
   positions *p;
   space_box box;
@@ -353,7 +353,7 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
-/* Rounding apart, halves across are mirror images: to the bit then. */
+/* Makes halves that are mirror images to rounding equal to the bit. */
 static void make_even(void *context, int position, int worker) {
   const positions *p = context;
   const int nz = p->s.h->def.nz;
@@ -364,7 +364,7 @@ static void make_even(void *context, int position, int worker) {
   }
 }
 
-/* ARC_ZONE where the contact reaches the window's edge. */
+/* ARC_ZONE if the contact reaches the edge of the window. */
 static arc_status check_edge(const positions *p, arc_error *error) {
   const arc_halfspace_def *d = &p->s.h->def;
   range x, z;
@@ -396,7 +396,7 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
 /* --- one by one
  * ----------------------------------------------------------------------------------- */
 
-/* Positions that do not feel each other. */
+/* Independent positions. */
 typedef struct singles {
   positions *all;
   arc_status *status; /* [count] */
@@ -428,7 +428,7 @@ static void solve_single(void *context, int position, int worker) {
   if (g->status[position] != ARC_OK) g->failed[worker] = position + 1;
 }
 
-/* The status of the first position that failed; what all of them took. */
+/* Status of the first failed position, and the work of all. */
 static arc_status settle(const singles *g, int workers, arc_error *error) {
   const int n = g->all->s.count;
   active_count *sum = &g->all->used;

@@ -4,11 +4,11 @@
 
 #include "core/space/stroke.h"
 
-/* What is solved, and what for. */
+/* The problem and its results. */
 typedef struct positions {
   stroke s;
   double *load;     /* [count] in cells' pressures: load / cell area */
-  double *pressure; /* [count][window] in where warm, out */
+  double *pressure; /* [count][window] input if warm, output */
   double *approach; /* [count] */
   const double *const *depth;
   double tolerance;
@@ -25,9 +25,10 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
                                 positions *made, arc_error *error);
 void arc_positions_free(positions *p);
 
-/* Pressures and approaches, on as small a box as holds the contacts; s.box is that one then. */
+/* Solves for pressures and approaches on the smallest box that contains the contacts, which becomes
+ * s.box. */
 arc_status arc_positions_solve(positions *p, arc_error *error);
-/* The same without wear, each position by itself, so that workers share them. */
+/* The same without wear, with independent positions shared by workers. */
 arc_status arc_positions_solve_each(positions *p, arc_error *error);
 
 /* Sums of weight times pressure of the solution, by site of a body. */
@@ -35,7 +36,7 @@ void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* The sum of one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
-/* The box that is the whole window. */
+/* The box of the whole window. */
 space_box arc_space_window(const arc_halfspace *h);
 
 #endif

@@ -94,7 +94,7 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
   return status;
 }
 
-/* Whether the values of positions are mirror images in x, to the bit. */
+/* True if the values of positions are mirror images in x, to the bit. */
 static int values_are_mirrored(const arc_halfspace *h, int count, const double *value) {
   const size_t rows = (size_t)count * (size_t)h->def.nx, nz = (size_t)h->def.nz;
   for (size_t i = 0; i < rows / 2; i++)
@@ -166,7 +166,7 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
 enum { most_powers = 60 };
 static const double settled = 0.005; /* change of the eigenvalue between iterations */
 
-/* What one iteration works with. */
+/* Data of one iteration. */
 typedef struct tangent {
   positions *p;
   const arc_halfspace_wear *wear;
@@ -200,7 +200,7 @@ static double length_of(const tangent *t, double *const value[ARC_BODIES]) {
   return sqrt(sum);
 }
 
-/* depth := a chessboard, which elasticity resists least. */
+/* depth := a chessboard pattern, with the smallest elastic resistance. */
 static void start(const tangent *t) {
   const arc_halfspace *h = t->p->s.h;
   for (int b = 0; b < ARC_BODIES; b++)

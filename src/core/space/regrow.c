@@ -19,7 +19,7 @@ static axis along_z(const arc_halfspace *h) {
   return (axis){h->def.nz, h->def.size_z};
 }
 
-/* Where cell i of an axis is on another one, in its cells. */
+/* Position of cell i of an axis on another axis, in cells. */
 static double place(const axis *to, int i, const axis *from) {
   const double x = (i - (to->count - 1) / 2.0) * to->size / from->size + (from->count - 1) / 2.0;
   return fabs(x - round(x)) < 1e-9 ? round(x) : x;
@@ -47,7 +47,7 @@ static double total(const double *value, const axis *x, const axis *z) {
   return sum * x->size * z->size;
 }
 
-/* Whether a worn cell lies beyond the new axes. */
+/* True if a worn cell lies outside the new axes. */
 static int loses(const double *value, const axis *x, const axis *z, const axis *to_x,
                  const axis *to_z) {
   const double half_x = to_x->count * to_x->size / 2, half_z = to_z->count * to_z->size / 2;

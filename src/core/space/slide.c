@@ -1,5 +1,5 @@
-/* Increments of a contact with friction: pressures with shear held, shear with pressures held, in
- * turn until both stand (once for like bodies). */
+/* Increments of a contact with friction: solves for pressures at fixed shear and for shear at fixed
+ * pressures alternately until both converge (once for equal materials). */
 #include "core/space/stick_slip.h"
 
 #include <math.h>
@@ -119,7 +119,7 @@ static double largest(const double *value, int n) {
   return most;
 }
 
-/* Pressures with shear held. *change: the largest, as a share of the largest pressure. */
+/* Solves for pressures at fixed shear. *change: largest change relative to the largest pressure. */
 static arc_status press(increment *s, double *change, arc_error *error) {
   const size_t n = (size_t)s->h->cells;
   double p = 0;
@@ -139,7 +139,7 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   return status;
 }
 
-/* Shear with pressures held. */
+/* Solves for shear at fixed pressures. */
 static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   const int n = s->h->cells;
   const double least = carrying * largest(s->pressure, n);
@@ -164,8 +164,7 @@ static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *e
   return status;
 }
 
-/* The shear that pressures are solved with comes closer to the last solution: by a share after many
- * sweeps, against their going to and fro. */
+/* Updates the shear used for pressures; relaxed after many sweeps, to avoid oscillation. */
 static void hold(increment *s, double share) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);

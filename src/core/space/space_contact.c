@@ -1,4 +1,4 @@
-/* One contact of half-spaces as an object, and the reference configuration of a run. */
+/* The contact object of half-spaces, and the reference configuration of a run. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -113,7 +113,7 @@ static arc_status with_room(space_contact *c, const arc_callbacks *callbacks, ar
   return status;
 }
 
-/* Whether nothing has worn, so that the cells may be those for the load. */
+/* True if nothing has worn, so that cells can be chosen for the load. */
 static int is_unworn(const space_shape *s) {
   const int n = space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER);
   for (int i = 0; i < n; i++)
@@ -121,7 +121,7 @@ static int is_unworn(const space_shape *s) {
   return 1;
 }
 
-/* Hands a contact on, or ends it. */
+/* Returns a contact, or destroys it on failure. */
 static arc_status finish(space_contact *c, arc_status status, const arc_callbacks *callbacks,
                          arc_contact **result) {
   if (status == ARC_OK) {

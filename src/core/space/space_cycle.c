@@ -14,7 +14,7 @@ static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
 }
 
-/* The sliding distance that a point stands for [mm]. */
+/* Sliding distance of a point [mm]. */
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;
@@ -49,7 +49,7 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
 /* --- the wear ----------------------------------------------------------------------------------
  */
 
-/* A tangent: where and under which pressures it holds. */
+/* A tangent, with its shape and pressures. */
 typedef struct space_tangent {
   space_grid *grid; /* NULL: none yet */
   space_path path;
@@ -65,7 +65,7 @@ static void empty(space_tangent *t) {
   *t = (space_tangent){.grid = NULL};
 }
 
-/* Depths of a shape with those of a trial on top; the shape's own where there is none. */
+/* Depths of a shape plus those of a trial, if any. */
 static const double *depths_of(const space_shape *s, const double *more, double **owned) {
   const size_t n = (size_t)(space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER));
   *owned = NULL;

@@ -1,4 +1,4 @@
-/* What a definition of a wear run comes to in space, and what goes together. */
+/* Definitions of wear runs in 3-D: derived values, valid combinations. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ static arc_status refuse(arc_error *error, const char *field, const char *why) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" %s", field, why);
 }
 
-/* What is not built. */
+/* Refuses settings that are not implemented in 3-D. */
 static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   if (arc_wear_has_friction(d)) return refuse(error, "friction", "there is none yet: expected 0");
   if (d->tangential > 0) return refuse(error, "tangential", "expected none: there is no friction");

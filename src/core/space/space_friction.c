@@ -1,4 +1,4 @@
-/* Contacts with friction as objects: pressed together, and moved from there. */
+/* Contact objects with friction: pressing and motions. */
 #include "core/base/callbacks.h"
 #include "core/elastic/pair.h"
 #include "core/space/cerruti.h"
@@ -29,7 +29,7 @@ void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* One increment, on a larger window where it needs one. */
+/* Solves one increment, on a larger window if necessary. */
 static arc_status go_to(space_contact *c, const arc_halfspace_increment *to,
                         const arc_callbacks *callbacks, arc_halfspace_effort *effort,
                         arc_error *error) {
@@ -49,7 +49,7 @@ static arc_status go_to(space_contact *c, const arc_halfspace_increment *to,
   return status;
 }
 
-/* What the contact shows of its state. */
+/* Copies the state to the results of the contact. */
 static arc_status read_state(space_contact *c, const arc_halfspace_effort *effort,
                              const arc_callbacks *callbacks, arc_error *error) {
   const arc_halfspace_friction *f = &c->rubbing;

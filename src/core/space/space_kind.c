@@ -1,4 +1,4 @@
-/* Half-spaces as a kind of pair: the table, and what is short. */
+/* Half-spaces as a kind of pair: the table and short functions. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -44,7 +44,7 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
 }
 
-/* A groove has no ends: a stroke of fewer contact widths has. */
+/* Smallest stroke, in contact widths, for a groove, which has no ends. */
 static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 3;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);

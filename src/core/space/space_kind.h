@@ -39,7 +39,7 @@ static inline const space_shape *space_shape_of(const arc_shape *shape) {
   return (const space_shape *)(const void *)shape;
 }
 
-/* Whether the lower body moves along z. */
+/* True if the lower body moves along z. */
 static inline int space_turned(const space_shape *s) {
   return arc_halfspace_definition(s->grid->h)->turned;
 }
@@ -67,7 +67,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def);
  * positions within stroke / 2 [mm], a whole number of cells to an increment [mm] (0: any). */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
-/* Takes off a window what lies beyond the bodies' maps. */
+/* Limits a window to the maps of the bodies. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
 /* A larger window, on each side by 1 / part of its cells or so, as far as maps go; ARC_ZONE: they
  * go no farther. */
@@ -75,7 +75,7 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
                            arc_error *error);
 /* Width of a cell as it is asked for [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
-/* Warns of contacts that are no half-spaces', of a half width [mm] under a load. */
+/* Warns if a contact of this half width [mm] is too large for half-spaces. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks);
 
@@ -87,7 +87,7 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model);
 double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
                        const arc_loading *loading, double *parts);
 double arc_space_reach(const arc_model_def *model, double load);
-/* The cells that a run begins with. */
+/* The initial cells of a run. */
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
 
 /* --- space_shape.c --- */
@@ -100,7 +100,7 @@ arc_status arc_space_copy(const arc_shape *shape, arc_shape **copy, arc_error *e
 void arc_space_discard(arc_shape **shape);
 space_grid *arc_space_hold(space_grid *grid);
 void arc_space_let_go(space_grid **grid);
-/* The surfaces on more cells of the same size. */
+/* Transfers surfaces to more cells of the same size. */
 arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *cells,
                             space_shape **grown, arc_error *error);
 arc_array *arc_space_save(const arc_shape *shape, size_t *count);
@@ -119,7 +119,7 @@ size_t arc_space_tangent_bytes(const arc_wear *w);
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
 /* --- space_law.c --- */
-/* Whether the wear of a window is k p ds: a linear law, and no local factors of a state. */
+/* True if the wear of a window is k p ds: a linear law without local factors. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
 /* Work of pressures [count][window] by site of a body: over the positions, the sum of weight, law,
  * local factor and pressure [MPa mm]. ARC_MEMORY, and errors of the local factor. */
@@ -163,7 +163,7 @@ arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);
-/* Cells that resolve where stick ends. */
+/* Number of cells that resolve the edge of the stick zone. */
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
 /* Sizes of shear [window] [MPa] and slip [window] [mm] of a contact with friction. */
 void arc_space_sizes(const space_contact *c, double *shear, double *slip);

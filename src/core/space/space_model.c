@@ -1,4 +1,4 @@
-/* Models of half-spaces: what a definition may be, its bodies, its cells. */
+/* Models of half-spaces: checks, bodies, cells. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -219,7 +219,7 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
   arc_space_limit(def, cells);
 }
 
-/* The most cells that lie within `half` of 0, odd. */
+/* Largest odd number of cells within `half` of 0. */
 static int cells_within(double half, double size) {
   return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
 }

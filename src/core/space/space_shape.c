@@ -29,7 +29,7 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for surfaces");
 }
 
-/* Windows that would not fit into what is free. */
+/* Fails for windows beyond the free memory. */
 static arc_status check_memory(const arc_halfspace_def *d, arc_error *error) {
   const int positions = d->track > d->nx ? d->track - d->nx + 1 : 1;
   const double needed = 2 * arc_halfspace_bytes(d, positions), left = arc_memory_free();
@@ -133,8 +133,8 @@ arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *ce
   return status;
 }
 
-/* Surfaces that a run begins with: those of another keep their cells, with a longer track where
- * the stroke needs one. */
+/* Initial surfaces of a run: those of another run keep their cells, with a longer track if
+ * necessary. */
 static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                             arc_shape **shape, arc_error *error) {
   const space_shape *worn = space_shape_of(from);
@@ -159,7 +159,8 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
   return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
 }
 
-/* Widens the window until the contact is inside: layers and maps make others than the estimate. */
+/* Widens the window until it contains the contact, which the estimate may miss for layers and maps.
+ */
 static arc_status hold_contact(const arc_model_def *model, double load, arc_shape **shape,
                                arc_error *error) {
   enum { most_tries = 12 };

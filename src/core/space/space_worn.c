@@ -1,4 +1,4 @@
-/* Surfaces whose depths are given, for runs and contacts to start from. */
+/* Initial surfaces with given depths, for runs and contacts. */
 #include "core/space/space_kind.h"
 
 #include <math.h>

@@ -40,13 +40,13 @@ static void scale(stick_slip_work *w, int k, double factor) {
   w->q[1][k] *= factor;
 }
 
-/* q of a slipping cell back to the circle, along which it was changed. */
+/* Scales q of a slipping cell back to the friction circle. */
 static void round_cell(stick_slip_work *w, int k, double bound) {
   const double q = size_of(w->q, k);
   if (q > 0) scale(w, k, bound / q);
 }
 
-/* Where cells start: as they were, while their shear is on the circle. */
+/* Initial state of cells: the previous one if their shear is on the circle. */
 static void start(const stick_slip_problem *p, stick_slip_work *w) {
   static const double nearly = 1 - 1e-9;
   for (int k = 0; k < p->h->cells; k++) {
@@ -76,7 +76,7 @@ static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   return forced && least > 1 && most > 0 ? (least + most) / 2 : 1;
 }
 
-/* Cells that stick with more shear than they carry slip. Returns how many. */
+/* Sets sticking cells above the friction limit to slip. Returns their number. */
 static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fresh) {
   const double limit = limit_of(p, w);
   int changes = 0;
@@ -195,7 +195,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- by the motion ---------------------------------------------------------------------------- */
 
-/* Displacement along an axis under all the shear that friction carries there. */
+/* Displacement along an axis under full friction. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {

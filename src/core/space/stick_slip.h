@@ -26,10 +26,10 @@ typedef struct stick_slip_problem {
 
 typedef struct stick_slip_count {
   int sets, iterations, applications;
-  int flipping; /* increments that ended with a few cells changing between stick and slip */
+  int flipping; /* increments that ended with cells alternating between stick and slip */
 } stick_slip_count;
 
-/* What a solution starts from and comes to, and its workspace. */
+/* Initial values, results and workspace of a solution. */
 typedef struct stick_slip_work {
   double *q[2];                      /* [window] in and out */
   double *slip[2];                   /* [window] out, of cells without shear too */
@@ -57,7 +57,7 @@ arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_wo
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
                           stick_slip_count *count);
 
-/* The largest slip that no cell should have: of stuck ones, and along the tangents [mm]. */
+/* Largest slip error [mm]: of sticking cells, and along the tangents. */
 double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
 
 #endif

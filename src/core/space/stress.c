@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { widening = 4, components = 6 }; /* of the periodic box, against images */
+enum { widening = 4, components = 6 }; /* padding factor of the periodic box, against images */
 
 /* The zero frequency stands for waves about as long as the box: this share of its first one. It is
  * zeta of the square lattice, as the stresses have a kink in |q| there. */

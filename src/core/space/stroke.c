@@ -51,7 +51,7 @@ static void add_row(const stroke *s, int position, int row, double weight, doubl
   arc_cells_add(s->box.nz, weight, pressures(s, position, row), to);
 }
 
-/* What all positions leave on a row of the track. */
+/* Sum of all positions on a row of the track. */
 static void add_track_row(const stroke *s, int row, double *to) {
   for (int j = 0; j < s->count; j++) {
     const stroke_place *p = &s->place[j];
@@ -85,7 +85,7 @@ static void add_mirror(double *sum, int rows, int columns) {
   }
 }
 
-enum { chunk = 8 /* rows a task sums */ };
+enum { chunk = 8 /* rows per task */ };
 
 /* Rows of both bodies' sums, numbered one after the other. */
 static void sum_rows(void *context, int task, int worker) {

@@ -6,8 +6,8 @@
 #include "core/numeric/active_set.h"
 #include "core/space/halfspace.h"
 
-/* Where a position reads and wears the lower body: window row i has 1 - share of row + i, and share
- * of the next one. */
+/* Position on the lower body: window row i interpolates row + i with weight 1 - share and the next
+ * one with weight share. */
 typedef struct stroke_place {
   int row;
   double share;
@@ -27,8 +27,8 @@ typedef struct stroke {
   const double *factor[ARC_BODIES]; /* by site; NULL: 1 */
   space_box box;
   const convolution *kernel, *inverse;
-  double *upper;      /* [box] what the upper body has worn */
-  double *lower;      /* [rows][box.nz] what the lower one has */
+  double *upper;      /* [box] wear of the upper body */
+  double *lower;      /* [rows][box.nz] wear of the lower body */
   const double *from; /* pressures [count][box] the sums are of */
   double *to;
   int both; /* bodies are summed, also one that does not wear */
@@ -43,11 +43,11 @@ arc_status arc_stroke_apply(void *context, const double *p, double *u);
 /* A preconditioner without wear. */
 arc_status arc_stroke_precondition(void *context, const double *r, double *z);
 
-/* weight times pressure, summed by site of a body on the box, into upper and lower; of bodies that
- * wear alone, or of both. */
+/* Sums weight times pressure by site on the box into upper and lower, for the bodies that wear or
+ * for both. */
 void arc_stroke_gather(stroke *s, const double *p, int both);
 
-/* What a position reads of both bodies on the box, summed. */
+/* Sum of both bodies' values on the box at a position. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
 /* Gap of a position without pressure, of the box: unworn shapes and depths (NULL: unworn). */
