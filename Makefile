@@ -301,7 +301,7 @@ install: all
 to     = $(call quoted,$(DESTDIR)$(1))
 man_pages   = man/archard.1 $(made_pages)
 man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
-documents   = README.md CHANGELOG.md SECURITY.md LICENSE man/theory.md man/accuracy.md man/speed.md CITATION.cff
+documents   = README.md CHANGELOG.md SECURITY.md LICENSE man/theory.md man/accuracy.md man/constants.md man/speed.md CITATION.cff
 below       = $(subst $(PREFIX)/,$${prefix}/,$(1))
 install-files:
 	install -d $(call to,$(BINDIR)) $(call to,$(LIBDIR)/pkgconfig) $(call to,$(INCLUDEDIR)/archard) $(call to,$(LUADIR)) \
@@ -318,7 +318,7 @@ install-files:
 	$(foreach m,$(man_pages),install -m 644 $(m) $(call to,$(call man_folder,$(m))/) &&) :
 	install -m 644 scripts/completion/archard.bash $(call to,$(BASHDIR)/archard)
 	install -m 644 scripts/completion/archard.zsh $(call to,$(ZSHDIR)/_archard)
-	install -m 644 examples/*.lua examples/*.csv examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
+	install -m 644 examples/*.lua examples/*.csv examples/*.sdf examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
 	install -m 644 examples/c/*.c $(call to,$(DATADIR)/archard/examples/c/)
 	install -m 644 examples/paper/*.lua $(call to,$(DATADIR)/archard/examples/paper/)
 	install -m 644 $(documents) $(call to,$(DOCDIR)/)

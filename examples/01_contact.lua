@@ -1,4 +1,4 @@
--- A cylinder on a plate, pressed and not yet worn: pressure, width and stresses beside Hertz' formulas.
+-- Contact of a cylinder and a plate, unworn: pressure, width and stresses, compared with Hertz' formulas.
 --   archard examples/01_contact.lua
 
 local c = contact{ model = { radius = 10 }, load = 100 } -- mm, N; all else by default: steel on steel
@@ -6,7 +6,7 @@ local closed = hertz{ radius = 10, load = 100 }
 local field = c:stress()
 
 -- Under a line contact the largest von Mises stress lies 0.7 half widths deep: 0.5575 of the pressure
--- at the centre on half-planes with nu = 0.3, a little more where a body of finite size is held.
+-- at the centre on half-planes with nu = 0.3, slightly more in a body of finite size with supports.
 local deepest = { mises = 0 }
 for i, mises in ipairs(field.plate.mises) do
   if mises > deepest.mises then deepest = { mises = mises, y = field.plate.y[i] } end

@@ -1,11 +1,11 @@
--- The reference case: a cylinder and a plate wear each other over 1320 mm of sliding, seen on the way.
+-- The reference case: wear of a cylinder and a plate over 1320 mm of sliding, with intermediate results.
 --   make demo, or archard examples/02_wear.lua
 
 local w = wear{ stroke = 0.11, alpha = 0.5, k = 1e-8, load = 100, distance = 1320 }
 print(w)
 print()
 
--- A run goes on from where it is; a clone keeps what it was.
+-- step() and run() continue from the present state; a clone keeps an earlier one.
 local states = { w:clone() }
 local start = os.clock()
 for _, distance in ipairs{ 22, 66, 220, 660, 1320 } do

@@ -1,5 +1,5 @@
--- Who wears: the same volume, shared by alpha between cylinder and plate, cuts different scars. The scar
--- of the body that moves is longer by the stroke, so that even at alpha = 0.5 depths differ.
+-- The partition factor: depths and scars of both bodies for several alpha. The volume is the same in all cases. The scar
+-- of the moving body is longer by the stroke, so depths differ even at alpha = 0.5.
 --   archard examples/03_partition.lua
 
 local m = model{}

@@ -1,5 +1,5 @@
--- How many cycles go into one update of the geometry: fixed by you, or chosen by the program. Fixed steps
--- must stay under the limit past which ripples grow; the longer they are, the larger their error.
+-- Cycles per update of the geometry: fixed jumps and automatic ones, with their errors. Fixed jumps must stay below the
+-- stability limit, above which ripples grow; the error increases with the jump.
 --   archard examples/04_steps.lua
 
 local m = model{}

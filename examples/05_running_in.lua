@@ -1,5 +1,5 @@
--- Running-in: fresh surfaces wear five times as fast, and settle within some 100 mm of sliding. The
--- implicit scheme takes short steps while k falls and long ones after.
+-- Running-in: the wear coefficient decays to a fifth, with a decay length of 100 mm of sliding. The implicit scheme uses
+-- short steps while k falls and long ones afterwards.
 --   archard examples/05_running_in.lua
 
 local settled, fresh, length = 1e-8, 5e-8, 100 -- mm2/N, mm2/N, mm

@@ -1,6 +1,6 @@
--- A coated plate: the coating is 0.4 um thick and wears little. When the deepest point is through, the
--- bare plate takes most of the wear. Twice: alpha as a function of the state, which looks at the depth
--- in the middle of every update; and a run that ends exactly there, goes on with what has changed.
+-- A coated plate whose coating of 0.4 um wears through. When the deepest point is through, the bare plate receives most
+-- of the wear. It is computed in two variants: with alpha as a function of the state, evaluated in the middle of every
+-- update; and with a run that ends at this depth and continues with a new alpha.
 --   archard examples/06_coating.lua
 
 local thickness = 0.4e-3 -- mm

@@ -1,6 +1,6 @@
--- Reciprocating under a load that swings with the motion: in phase with the position it wears one side
--- of the plate, in phase with the speed it does not. Both swing between 40 and 160 N over a sine of
--- 0.22 mm, and the plate sees the same volume.
+-- Reciprocating motion under a load that varies in phase with the position or with the speed. In phase with the
+-- position it wears one side of the plate more; in phase with the speed it does not. The load varies between 40 and
+-- 160 N over a sine of 0.22 mm, and the worn volume is the same.
 --   archard examples/07_in_phase_load.lua
 
 local amplitude = 0.11 -- mm
@@ -11,13 +11,13 @@ local function with_speed(t) return 100 + 60 * math.cos(2 * math.pi * t) end
 
 local function run(load)
   return wear{
-    load = 100, -- what pressures are told for
+    load = 100, -- reference load of the reported pressures
     loading = { x = position, load = load, increments = 100, cycles = 3000 },
     jump = 40,
   }:run()
 end
 
--- How far to one side the plate's wear lies: its centre of gravity, in mm.
+-- Position of the centroid of the plate's wear [mm].
 local function centre(profile)
   local sum, moment = 0, 0
   for i, h in ipairs(profile.h) do

@@ -1,17 +1,17 @@
--- Cross-shear: polymers such as UHMWPE wear faster where the direction of sliding turns. Here the
--- counterface swings a little across the plane as well, the more the further from the middle; the
--- share CS of the friction work done across the main direction sets a local factor on k.
+-- Cross-shear as a local factor on k: polymers such as UHMWPE wear faster where the direction of sliding changes. Here
+-- the counterface also moves across the plane, with an amplitude that grows with the distance from the middle; the
+-- share CS of the friction work across the main direction determines the factor.
 --   archard examples/09_cross_shear.lua
 
-local reach = 0.25 -- mm from the middle at which the swing across is fully there
+local reach = 0.25 -- distance from the middle where the motion across reaches its full angle [mm]
 local unidirectional, across = 0.4, 2.4 -- factor on k at CS = 0, and its slope
 
 local function cross_shear(x)
-  local angle = math.rad(35) * math.min(1, math.abs(x) / reach) -- of the swing
+  local angle = math.rad(35) * math.min(1, math.abs(x) / reach) -- of the motion across
   return math.sin(angle) ^ 2
 end
 
--- Only the plate is polymer; the cylinder's k stays as it is.
+-- Only the plate is a polymer; the cylinder's k is not changed.
 local function factor(body, x, p, state)
   if body == "cylinder" then return 1 end
   return unidirectional + across * cross_shear(x)

@@ -1,5 +1,5 @@
--- From a worn pair to the numbers of the model, and to a forecast: volumes measured on three
--- specimens give k and alpha, and those the depths after twice the distance.
+-- Calibration: k and alpha from volumes measured on three specimens, then a prediction of the depths after twice the
+-- distance.
 --   archard examples/11_calibrate.lua
 
 local measured = calibrate{
@@ -13,11 +13,11 @@ local forecast = wear{ k = measured.k, alpha = measured.alpha, stroke = 0.22, ju
 forecast:run()
 print(forecast)
 
--- Depths give both as well, by a few runs.
+-- Measured depths give k and alpha as well, with a few runs.
 print(calibrate{ depth = { cylinder = forecast.depth.cylinder, plate = forecast.depth.plate },
   load = 100, stroke = 0.22, jump = 50, distance = 2640 })
 
--- Volumes on the way show how k and alpha change as the surfaces run in; three tests, six readings.
+-- Volumes at intermediate distances give k and alpha as functions of the distance; three tests, six readings.
 local course = calibrate{
   distance = { 60, 150, 300, 600, 900, 1320 }, load = 100,
   volume = {
@@ -30,7 +30,7 @@ local course = calibrate{
 }
 print(course)
 local band = course.band.k
-local range = { x = {}, y = {}, style = "filled", series = 2, title = "range of its mean" } -- there below, back above
+local range = { x = {}, y = {}, style = "filled", series = 2, title = "range of its mean" } -- lower limits, then upper limits backwards
 for i, d in ipairs(band.distance) do range.x[i], range.y[i] = d, band.low[i] end
 for i = #band.distance, 1, -1 do
   range.x[#range.x + 1], range.y[#range.y + 1] = band.distance[i], band.high[i]

@@ -1,14 +1,14 @@
--- What a run leaves for later and for other programs, and how to read it back.
+-- Export of a run to files of other programs, and reading them back.
 --   archard examples/12_files.lua [folder]
 
 local folder = arg[1] or "."
 local function to(ending) return folder .. "/reference" .. ending end
 
 local w = wear{ distance = 660, jump = 100 }:run{ progress = false }
-w:save(to ".archard")      -- all that it needs to go on, for wear.open and sqlite3
-export.csv(w, to ".csv")   -- its history, each column with its unit
+w:save(to ".archard")      -- the complete state, for wear.open and sqlite3
+export.csv(w, to ".csv")   -- the history, each column with its unit
 export.json(w, to ".json") -- definition, results and versions
-export.inp(w, to ".inp")   -- the worn contact as a whole problem, for CalculiX
+export.inp(w, to ".inp")   -- the worn contact as a complete problem for CalculiX
 local upper, lower = export.vtk(w, to ".vtu") -- a file for each body, for ParaView
 
 for _, path in ipairs{ to ".archard", to ".csv", to ".json", to ".inp", upper, lower } do
@@ -16,13 +16,13 @@ for _, path in ipairs{ to ".archard", to ".csv", to ".json", to ".inp", upper, l
   print(("%-36s %7.0f kB"):format(path, file:seek "end" / 1000))
 end
 
--- A run goes on where its file was written, to the same bits as if it had not stopped.
+-- A run continues from its file with the same bits as an uninterrupted run.
 local again = wear.open(to ".archard"):run{ distance = 1320, progress = false }
 local through = wear{ distance = 1320, jump = 100 }:run{ progress = false }
 print(("\nplate %.9f um by way of the file, %.9f um in one go\n"):format(1e3 * again.depth.plate,
   1e3 * through.depth.plate))
 
--- Measured points go over curves; these come from the file of the first half, every fifth of them.
+-- Measured points are drawn over curves; these are every fifth row of the file of the first half.
 local half = csv.read(to ".csv", { d = "distance [mm]", p = "p_center [MPa]" })
 local d, p = {}, {}
 for i = 1, #half.d, 5 do d[#d + 1], p[#p + 1] = half.d[i], half.p[i] end

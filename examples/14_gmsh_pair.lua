@@ -1,5 +1,5 @@
--- A pair of bodies meshed by Gmsh, beside archard's own mesh of the same shapes: contact and a run in
--- frozen geometry. gmsh_pair.geo describes the bodies and names their parts; Gmsh makes the mesh of it:
+-- Two bodies meshed by Gmsh, compared with archard's own mesh of the same shapes: contact and a run with
+-- frozen geometry. gmsh_pair.geo describes the bodies and names their parts; Gmsh generates the mesh:
 --   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo
 --   archard examples/14_gmsh_pair.lua
 

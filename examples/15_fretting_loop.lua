@@ -1,5 +1,5 @@
--- Fretting loops: a cylinder on a plate with friction 0.6 under 100 N, by strokes from partial to gross slip. In partial
--- slip the loop is a sliver, and the middle of the contact sticks; in gross slip it is a parallelogram of height
+-- Fretting loops of a cylinder on a plate with friction 0.6 under 100 N, for strokes from partial to gross slip. In partial
+-- slip the loop is narrow, and the middle of the contact sticks; in gross slip it is a parallelogram of height
 -- 2 mu L, whose area is the energy of the cycle.
 --   archard examples/15_fretting_loop.lua
 
@@ -7,7 +7,7 @@ local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }
 local loops, titles = {}, {}
 for i, stroke in ipairs{ 0.002, 0.005, 0.010, 0.020 } do -- mm
   local w = wear{ model = bodies, friction = 0.6, load = 100, stroke = stroke, cycles = 100, increments = 80 }
-  w:step() -- what a record tells of a cycle is that of its surfaces
+  w:step() -- a record describes the cycle on its surfaces
   loops[i], titles[i] = w:loop(), ("stroke %g µm"):format(1e3 * stroke)
   print(("stroke %4.0f um: %-12s %.4f mm stick, force up to %5.2f N, %.3e N mm a cycle"):format(1e3 * stroke,
     w.gross == 1 and "gross slip," or "partial slip,", w.stick_width, w.largest_shear, w.cycle_energy))

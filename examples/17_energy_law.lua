@@ -1,5 +1,5 @@
--- Energy wear: k takes the energy q ds that friction dissipates. Three couples of different friction wear the same
--- per N mm dissipated, V = k E, though not per cycle: that is what the energy law is used for.
+-- Energy wear: volume proportional to the energy dissipated by friction. Three pairs of different friction wear the same
+-- per N mm dissipated, V = k E, but not per cycle; the energy law is used for this purpose.
 --   archard examples/17_energy_law.lua
 
 local bodies = model{ mesh = { size = 0.02, height = 0.025 } }
@@ -13,7 +13,7 @@ for i, friction in ipairs{ 0.3, 0.6, 0.9 } do
   print(("%8.1f %14.1f %13.4e %9.3e %12.4f"):format(friction, w.energy, w.volume.total, w.volume.total / w.energy,
     1e3 * w.depth.plate))
   curves[i] = { x = {}, y = {}, style = "points", title = ("friction %g"):format(friction) }
-  for j = i, #w.history.energy, 3 do -- some of each, so that they stand beside each other
+  for j = i, #w.history.energy, 3 do -- every third point, so that the curves do not hide each other
     table.insert(curves[i].x, w.history.energy[j])
     table.insert(curves[i].y, w.history.volume_cylinder[j] + w.history.volume_plate[j])
   end

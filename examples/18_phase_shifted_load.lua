@@ -1,6 +1,6 @@
--- Fretting under a load that swings with the force: 100 +- 40 N, a tangential force of +-30 N, friction 0.6, at several
--- shifts of phase. The same forces, in another order: in quadrature, where the load falls as the force rises, more of the
--- contact slips, and it dissipates several times as much as in phase.
+-- Fretting under a load that varies with a phase shift to the tangential force: 100 +- 40 N, +-30 N, friction 0.6. In
+-- quadrature, where the load falls as the force rises, more of the contact slips than in phase, and the same forces
+-- dissipate several times as much.
 --   archard examples/18_phase_shifted_load.lua
 
 local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }
@@ -22,7 +22,7 @@ for i, degrees in ipairs{ 0, 45, 90 } do
 end
 print()
 
--- Most of the motion is elastic: what is left of it shows the loops, which lie upon each other else.
+-- Most of the motion is elastic; it is subtracted, as the loops would overlap otherwise.
 local top, bottom = 1, 1
 for i, force in ipairs(loops[1].tangential) do
   if force > loops[1].tangential[top] then top = i end
@@ -30,7 +30,7 @@ for i, force in ipairs(loops[1].tangential) do
 end
 local compliance = (loops[1].x[top] - loops[1].x[bottom])
   / (loops[1].tangential[top] - loops[1].tangential[bottom])
-local curves = { xlabel = "tangential force / N", ylabel = "inelastic motion / µm",
+local curves = { xlabel = "tangential force / N", xrange = { -35, 35 }, ylabel = "inelastic motion / µm",
   title = "Fretting loops at three shifts of phase" }
 for i, loop in ipairs(loops) do
   local left = {}

@@ -1,5 +1,5 @@
--- How sure is a forecast? Wear coefficients scatter by 40 % from test to test, alpha is hardly ever
--- measured, loads drift: which of them decides the depth, and how likely is a groove of more than 1.5 um?
+-- Uncertainty of a prediction: quantiles, the inputs that cause the scatter, and the probability of a depth above 1.5 um.
+-- Wear coefficients scatter by 40 % from test to test, alpha is hardly ever measured, and loads drift.
 --   archard examples/19_uncertainty.lua [run file]
 local w = wear{ geometry = "frozen", distance = 660 }
 w:run{ progress = false }

@@ -1,5 +1,5 @@
--- k and alpha from one pair of measured profiles, and how sure they are. The traces lie a little beside,
--- tilted and lifted: that is fitted along.
+-- k and alpha from one pair of measured profiles, with standard errors. Shift, tilt and offset of the traces are fitted
+-- as well.
 --   archard examples/20_fit_profile.lua
 
 local folder = (arg[0]:match("^(.*)/") or ".") .. "/"
@@ -18,6 +18,6 @@ local f = fit{
 print(f)
 plot.fit(f)
 
--- The run with these values goes on: what will it come to?
+-- The run with the fitted values continues to a larger distance.
 f.wear:run{ distance = 2640 }
 print(f.wear)

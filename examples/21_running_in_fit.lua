@@ -1,11 +1,11 @@
--- k and alpha while a couple runs in: curves over the distance, from volumes measured on the way. How
--- smooth they are is what predicts each volume best from the others.
+-- Fit of k and alpha as curves over the distance during running-in, from volumes measured at intervals. The smoothness
+-- of the curves is the one that predicts each volume best from the others (cross-validation).
 --   archard examples/21_running_in_fit.lua
 
 local measured = csv.read((arg[0]:match("^(.*)/") or ".") .. "/running_in_fit.csv",
   { distance = "distance [mm]", cylinder = "cylinder [mm3]", plate = "plate [mm3]" })
 
--- Volumes do not depend on the mesh: a coarse one will do.
+-- Volumes do not depend on the mesh, so a coarse one is sufficient.
 local knots = { 0, 150, 500, 1320 }
 local f = fit{
   base = { stroke = 0.22, jump = 50, increments = 20, geometry = "frozen",
@@ -20,7 +20,7 @@ local f = fit{
 print(f)
 plot.fit(f, { curves = true })
 
--- The curves are what wear{} takes.
+-- wear{} accepts the fitted curves.
 local w = wear{ k = f.curve.k, alpha = f.curve.alpha, stroke = 0.22, jump = "auto" }
 w:run()
 print(w)

@@ -1,5 +1,5 @@
--- Before a test: what must be measured, and when, to tell k and alpha apart? The standard errors that
--- each measurement would leave, and in which order measurements are worth their while.
+-- Design of a test: the measurements that determine k and alpha best, with the standard errors that each of them gives
+-- and the order in which they help most.
 --   archard examples/22_test_design.lua
 
 local d = fit.design{

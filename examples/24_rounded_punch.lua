@@ -1,4 +1,4 @@
--- A punch with rounded edges on a block: pressure rises towards the edges, where a wider radius helps.
+-- A punch with rounded edges on a block: the pressure rises towards the edges, less with a larger radius.
 --   archard examples/24_rounded_punch.lua
 
 local contacts, titles = {}, {}

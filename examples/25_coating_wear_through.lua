@@ -1,5 +1,5 @@
--- A hard coat of 2 um on a block: it is stiffer than the steel under it and wears ten times slower, so
--- that wear hastens where it is through.
+-- A hard coating of 2 um on a block that wears through. It is stiffer than the steel below and wears ten times slower,
+-- so the wear rate rises when it is worn through.
 --   archard examples/25_coating_wear_through.lua
 
 local w = wear{ load = 100, stroke = 0.2, distance = 6000, jump = "auto", model = {

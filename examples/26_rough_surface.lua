@@ -1,4 +1,4 @@
--- A wavy surface pressed flat, and worn flat: crests carry first, then the pressure evens out.
+-- A wavy surface, pressed flat and worn flat: at first the crests carry the load, then the pressure becomes uniform.
 --   archard examples/26_rough_surface.lua
 
 local length, height = 0.1, 0.1e-3 -- mm

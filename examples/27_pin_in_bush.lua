@@ -1,4 +1,4 @@
--- A steel ball joint in a liner of UHMWPE, in section: the liner alone wears, and its contact spreads
+-- A steel pin in a liner of UHMWPE, in section: only the liner wears, and its contact widens
 -- until the pressure follows the cosine of the angle. x is the length along the liner's arc.
 --   archard examples/27_pin_in_bush.lua
 
@@ -11,7 +11,7 @@ local new = contact{ model = joint, load = load }
 print(("new: %.2f MPa, contact over %.1f degrees on either side, %.1f N along the normals"):format(new.p_center,
   math.deg(new.half_width / R), new.normal_force))
 
-local w = wear{ model = joint, load = load, stroke = 0.1, distance = 2e4, jump = "auto" } -- turning to and fro
+local w = wear{ model = joint, load = load, stroke = 0.1, distance = 2e4, jump = "auto" } -- oscillating rotation
 w:run()
 print(("after %g m: %.2f MPa, liner worn by %.1f um and %.3f mm3"):format(w.distance / 1e3, w.p_center, 1e3 * w.depth_plate,
   w.volume_plate))

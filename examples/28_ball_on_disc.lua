@@ -1,4 +1,4 @@
--- A steel ball on a turning disc: the ball wears flat, the disc along its track. Loads are whole forces,
+-- A steel ball on a rotating disc: the ball wears flat, the disc along its track. Loads are total forces,
 -- volumes those of ball and track; the disc's depth is the mean over the track.
 --   archard examples/28_ball_on_disc.lua
 
@@ -15,7 +15,7 @@ local w = wear{ model = pair, load = load, slide = "z", track = track, k_cylinde
 local contacts, titles = { new }, { "new" }
 for _, turns in ipairs{ 2, 20, 200 } do
   w:run{ cycles = turns }
-  local h, wanted = 0, w.volume_cylinder -- of the cap that a ball has lost: V = pi h^2 (3 R - h) / 3
+  local h, wanted = 0, w.volume_cylinder -- height of the worn cap of the ball: V = pi h^2 (3 R - h) / 3
   for _ = 1, 60 do h = math.sqrt(3 * wanted / (math.pi * (3 * radius - h))) end
   print(("%3.0f turns: %6.1f MPa, spot %.3f mm wide, ball worn by %.2f um (cap %.2f), track by %.3f um"):format(w.cycle,
     w.p_center, 2 * w.half_width, 1e3 * w.depth_cylinder, 1e3 * h, 1e3 * w.depth_plate))

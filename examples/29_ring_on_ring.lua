@@ -1,5 +1,5 @@
--- A copper ring of circular section turns on a flat steel ring: 30 mm of radius, 100 mm from the axis,
--- pressed hard enough to be told from its elasticity. Once the copper wears, once both; slip grows with
+-- A copper ring of circular section that rotates on a flat steel ring: section radius 30 mm, 100 mm from the axis. The
+-- load is high enough for elastic effects to be visible. First only the copper wears, then both; slip grows with
 -- the distance from the axis.
 --   archard examples/29_ring_on_ring.lua
 
@@ -9,7 +9,7 @@ local rings = model{ geometry = "axisymmetric", axis = 100,
   upper = body.cylinder{ radius = 30, E = 120e3, nu = 0.34 }, lower = body.block{ width = 100, height = 40 },
   mesh = { size = 0.8, height = 0.8, rows = 7, far = 4, zone = { cylinder = 44, plate = 44 } } }
 
-warn "@off" -- of pressures at which copper would yield
+warn "@off" -- pressures at which copper would yield
 local new = contact{ model = rings, load = load }
 print(("new: %.0f MPa at the mean radius, %.0f MPa at most, %.2f mm wide"):format(new.p_center, new.p_max, 2 * new.half_width))
 

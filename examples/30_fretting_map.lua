@@ -1,5 +1,5 @@
--- The running condition fretting map of a steel cylinder on a plate with friction 0.6: which loads and which amplitudes of
--- motion let it stick, slip at its edges, or slide. Each border is found at its load, the conditions stand between them.
+-- The running condition fretting map of a steel cylinder on a plate with friction 0.6: loads and amplitudes of motion of
+-- stick, partial slip and gross slip. The borders are computed at each load and separate the conditions.
 --   archard examples/30_fretting_map.lua
 
 local began = os.clock()

@@ -1,15 +1,15 @@
--- A ring of steel turns on a block, which alone wears, over 3600 m: the scar becomes 25 times as wide as the first
--- contact. Depths stand beside those published for the same case by level sets, and beside the rigid limit.
+-- A steel ring that rotates on a block over 3600 m; only the block wears, and the scar becomes 25 times as wide as the
+-- first contact. Depths are compared with published ones by level sets, and with the rigid limit.
 --   archard examples/32_block_on_ring.lua
 
 local radius, width, load, k, metres = 20, 6, 65, 2e-9, { 800, 1600, 3600 } -- mm, mm, N, mm2/N, m
-local published = { 16.155, 25.709, 44.280 } -- um; 18.5 hours of computing, 25 with a mesh that moves
+local published = { 16.155, 25.709, 44.280 } -- um; 18.5 hours of computing time, 25 with mesh motion
 
 local began = os.clock()
 local w = wear{ model = { radius = radius, thickness = width }, load = load, k_cylinder = 0, k_plate = k, slide = "z",
   distance = 1000 * metres[#metres], scheme = "implicit", tolerance = 1e-2 }
 
--- A rigid ring leaves its own arc: the area of a circle's segment of that depth.
+-- Rigid limit: a circular segment of the worn area.
 local function rigid(area)
   local low, high = 0, radius
   for _ = 1, 60 do

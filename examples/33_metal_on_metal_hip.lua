@@ -1,8 +1,8 @@
--- A metal-on-metal hip of 28 mm over a million cycles of walking: head and cup both wear. What part of the wear coefficient
--- is the head's (alpha) decides how deep each scar is, but not their shapes: the head's is wider.
+-- A metal-on-metal hip of 28 mm over a million cycles of walking; head and cup both wear. The head's share of the wear
+-- coefficient (alpha) determines the depth of each scar, but not its shape: the head's is wider.
 --   archard examples/33_metal_on_metal_hip.lua
--- The walk has the ranges of the standard's; the shapes between them are approximate. Edge loading, microseparation and
--- lubrication, which cause many clinical failures, are not in it.
+-- The angles and the load of walking have the ranges of the standard; the curves between them are approximate. Edge
+-- loading, microseparation and lubrication, which cause many clinical failures, are not included.
 
 local j = joint{ head = { radius = 14, material = material{ E = 230e3, nu = 0.3 } }, cup = { clearance = 0.06 } }
 local c = contact{ model = j, load = 3000 }

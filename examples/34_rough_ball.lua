@@ -1,24 +1,46 @@
--- A ball with a measured roughness on a flat: where it touches, and how the peaks wear off. The map stands for a file,
--- map.read("ball.sdf"):level("sphere"); here it is a sum of waves of all directions, 0.1 um rms.
---   archard examples/34_rough_ball.lua
+-- A ball with a measured roughness on a flat: its areas of contact, and the wear of its peaks.
+--   archard examples/34_rough_ball.lua [ball.sdf]
+--   archard examples/34_rough_ball.lua make ball.sdf    writes such a map
+-- The map here is generated: a ball of 5 mm with waves of all directions, 0.1 um rms, a tilt, noise and points without
+-- a value from a seeded generator, in the format of an instrument (ISO 25178-71, heights in nm).
 
-local step, reach, waves = 0.005, 0.3, {}
-for k = 1, 60 do
-  local turn, length, start = 2.4 * k, 0.04 + 0.0015 * k, 1.7 * k * k -- directions, wavelengths [mm], phases
-  waves[k] = { math.cos(turn) * 2 * math.pi / length, math.sin(turn) * 2 * math.pi / length, start }
-end
-local function height(x, z)
+local step, count = 0.006, 81 -- mm, points along x and z
+
+local function rough(x, z)
   local sum = 0
-  for _, wave in ipairs(waves) do sum = sum + math.cos(wave[1] * x + wave[2] * z + wave[3]) end
-  return 1e-4 * sum / math.sqrt(#waves / 2)
+  for k = 1, 60 do
+    local turn, length = 2.4 * k, 0.04 + 0.0015 * k -- direction, wavelength [mm]
+    sum = sum + math.cos((math.cos(turn) * x + math.sin(turn) * z) * 2 * math.pi / length + 1.7 * k * k)
+  end
+  return 1e-4 * sum / math.sqrt(30)
 end
-local places = {}
-for i = 0, 2 * reach / step do places[#places + 1] = -reach + i * step end
-local rough = map{ x = places, z = places, y = height }
+
+local function make(path)
+  math.randomseed(34)
+  local lines = { "aISO-1.0", "ManufacID = archard", "CreateDate = 241120261200", "ModDate = 241120261200", "NumPoints = " .. count,
+    "NumProfiles = " .. count, "Xscale = 6e-6", "Yscale = 6e-6", "Zscale = 1e-9", "Zresolution = -1", "Compression = 0",
+    "DataType = 6", "CheckType = 0", "*" }
+  for j = 0, count - 1 do
+    local row = {}
+    for i = 0, count - 1 do
+      local x, z = (i - (count - 1) / 2) * step, (j - (count - 1) / 2) * step
+      local y = rough(x, z) - (x * x + z * z) / 10 + 2e-3 * x - 1e-3 * z + 1e-5 * (math.random() - 0.5)
+      row[#row + 1] = math.random() < 0.002 and "BAD" or ("%.0f"):format(1e6 * y)
+    end
+    lines[#lines + 1] = table.concat(row, " ")
+  end
+  local file <close> = assert(io.open(path, "w"))
+  file:write(table.concat(lines, "\n"), "\n")
+end
+
+if arg[1] == "make" then return make(arg[2]) end
+local measured = map.read(arg[1] or (arg[0]:match "^(.*)/" or ".") .. "/34_rough_ball.sdf", { fill = true, level = "sphere" }):center()
+print(("%d x %d points, %d of them filled; a sphere of %.3f mm was subtracted"):format(#measured.x, #measured.z, measured.missing,
+  measured.radius))
 
 local flat = body.block{}
 local smooth = contact{ load = 5, model = { geometry = "3-D", upper = body.ball{ radius = 5 }, lower = flat } }
-local pair = model{ geometry = "3-D", upper = body.map{ y = rough, radius = 5, name = "rough" }, lower = flat, mesh = { size = step } }
+local pair = model{ geometry = "3-D", upper = body.map{ y = measured, radius = 5, name = "rough" }, lower = flat, mesh = { size = step } }
 local new = contact{ model = pair, load = 5 }
 print(("smooth: %.0f MPa at most on %.4f mm2; rough: %.0f MPa on %.4f mm2"):format(smooth.p_max, smooth.area, new.p_max, new.area))
 

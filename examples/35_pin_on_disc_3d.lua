@@ -1,5 +1,5 @@
--- A ball on a turning disc in three dimensions: both wear, the disc to a track whose section follows. The ball's cap
--- and the track fit each other; on a disc that stays flat the cap would be h = sqrt(V / (pi R)) deep.
+-- A ball on a rotating disc in three dimensions; both wear, the disc to a track. The ball's cap
+-- and the track conform to each other; on a disc that remains flat the cap would be h = sqrt(V / (pi R)) deep.
 --   archard examples/35_pin_on_disc_3d.lua
 
 local radius, load, track = 5, 10, 10 -- mm, N, mm

@@ -13,7 +13,7 @@
 #include "archard/measure.h"
 #include "archard/mesh.h"
 #include "archard/model.h"
-#include "archard/place.h"
+#include "archard/atomic_file.h"
 #include "archard/setting.h"
 #include "archard/space.h"
 #include "archard/store.h"

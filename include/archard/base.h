@@ -50,20 +50,22 @@ const char *arc_status_text(arc_status status);
 /* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Writes the absolute path without links of a file name to path [PATH_MAX]; the file or at least
- * its folder must exist. Descriptors of this process ("/dev/stdout") are kept. Returns 0, or an
- * errno: ENOENT (no such folder), ENOTDIR, ELOOP, ENAMETOOLONG, EACCES. */
-int arc_file_resolve(const char *name, char *path);
-
 /* Use of a file. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
-/* Called before a file is opened, created or replaced. This version allows all files; a program
- * restricted to some folders links its own function of this name. ARC_IO: not allowed. */
-arc_status arc_file_allowed(const char *path, arc_file_use use, arc_error *error);
+/* Writes the absolute path without links of a file name to path [PATH_MAX]; the file or at least
+ * its folder must exist. Descriptors of this process ("/dev/stdout") are kept. All functions that
+ * open, create or replace files start with it. ARC_ARGUMENT: an empty name, a control character in
+ * that of a file to write; ARC_IO: no such folder, or not allowed (arc_file_allowed). */
+arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
-/* Opens a file for reading. ARC_IO: it does not exist, is a folder, pipe or device, or is not
- * allowed (arc_file_allowed). */
+/* Called by arc_file_find: `name` is for messages, `path` is absolute and has no links. This
+ * version allows all files; a program restricted to some folders links its own function of this
+ * name. ARC_IO: not allowed. */
+arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
+
+/* Opens a file for reading. ARC_IO: it does not exist, or is a folder, pipe or device; errors of
+ * arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
 /* Reads a whole file and appends a zero; *text [*length] is released by free(). ARC_IO, ARC_MEMORY,
  * ARC_FORMAT (above 1 GiB). */

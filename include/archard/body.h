@@ -71,7 +71,7 @@ enum { ARC_MOST_LAYERS = 4 };
 
 extern const arc_setting arc_layer_settings[]; /* with the material as a group */
 
-/* What the name of a body must be, for messages. */
+/* Required form of a body's name, for messages. */
 #define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
 
 #define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \

@@ -32,6 +32,14 @@ extern "C" {
 typedef enum arc_geometry { ARC_GEOMETRY_LIST(ARC_CHOICE_ENUM) } arc_geometry;
 extern const char *const arc_geometry_names[];
 
+/* All: terms that correct errors of the elements at short waves (theory.md, "Corrections"). None:
+ * the elements alone, to show the effect of these terms. */
+#define ARC_CORRECTIONS_LIST(X)                                                                    \
+  X(CORRECTIONS_ALL, "all")                                                                        \
+  X(CORRECTIONS_NONE, "none")
+typedef enum arc_corrections { ARC_CORRECTIONS_LIST(ARC_CHOICE_ENUM) } arc_corrections;
+extern const char *const arc_corrections_names[];
+
 /* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
 typedef struct arc_shape arc_shape;
 
@@ -125,7 +133,11 @@ extern const char *const arc_press_names[];
          "only afterwards.")                                                                       \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
         "Load steps with friction, with the base of the plate held. \"auto\": four while the "     \
-        "edge of the contact crosses one element, at least 20.")                                   \
+        "edge of the contact crosses one element, at least 20; in 3-D as many as c:move makes.")   \
+  CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
+         "\"none\": the finite elements alone, without the terms that correct their errors at "    \
+         "short waves (edges of contact, shear from node to node, slip between nodes), to show "   \
+         "their effect. Without effect in 3-D.")                                                   \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
         "The bodies. Default: a model is built.")                                                  \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
@@ -174,8 +186,10 @@ size_t arc_contact_bytes(const arc_contact *contact);
   NUMBER(tangential_z, "N", 0, ANY, ARC_OPTIONAL,                                                  \
          "Final force that drives the lower body along z, in 3-D, in place of z.")                 \
   WHOLE(                                                                                           \
-      increments, "", 1, WITHIN(1, 100000), 0,                                                     \
-      "Steps of equal size. Use more if load and motion change together, or if materials differ.")
+      increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                         \
+      "Steps of equal size. \"auto\": one in the plane, where more are needed if load and motion " \
+      "change together or materials differ; in 3-D they are halved until motion and force change " \
+      "by less than 0.1 % of those of full slip and the energy by less than 1 %.")
 
 typedef struct arc_motion_def {
   ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)
@@ -185,7 +199,7 @@ typedef struct arc_motion_def {
 
 extern const arc_setting arc_motion_settings[];
 
-/* The default motion: to the present x and load, in one step. */
+/* The default motion: to the present x and load. */
 arc_motion_def arc_contact_motion(const arc_contact *contact);
 
 /* Computes the contact after a motion. Points that stick keep their partners; under x the pairing
@@ -213,6 +227,7 @@ typedef struct arc_contact_result {
       energy; /* [N mm] dissipated by friction since first contact, with the slip between nodes */
   double z;   /* [mm] position of the lower body across x; 0 in the plane */
   double tangential_z; /* [N] force on the lower body along z; 0 in the plane */
+  double energy_error; /* [N mm] difference of the energy to that of half as many increments */
   double stick;        /* share of the area that stuck in the last increment [-]; 0 in the plane */
   int iterations;      /* active sets */
 } arc_contact_result;
@@ -238,8 +253,8 @@ typedef struct arc_shear {
 } arc_shear;
 arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
 
-/* Way of the plate's surface over the cylinder's nodes [mm] since the bodies came together, `count`
- * values at the cylinder's x; NULL without friction. */
+/* Accumulated slip of the plate's surface over the cylinder's nodes [mm] since the bodies came
+ * together, `count` values at the cylinder's x; NULL without friction. */
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
 /* Zones that stuck in the last increment, from left to right: writes the edges [mm] of zone `index`
@@ -247,9 +262,9 @@ const double *arc_contact_slip(const arc_contact *contact, int *count);
  * fewer than six stick. */
 int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
 
-/* Whether the solution is one, for tests and builds with checks: forces of both bodies balance the
- * load, nothing is pulled, no gap is negative, no force bridges a gap. ARC_NUMERIC says what failed
- * and by how much. */
+/* Validates the solution, for tests and builds with checks: forces of both bodies balance the load,
+ * no force is tensile, no gap is negative, no force acts across a gap. ARC_NUMERIC: which condition
+ * failed and by how much. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
 /* The columns of a field, in the order of files: positions of the nodes, then values.

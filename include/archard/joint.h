@@ -60,8 +60,7 @@ arc_status arc_joint_check(const arc_joint_def *def, arc_error *error);
  * degree 1 of the head, a rigid motion. NaN if the layers give no solution. */
 double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree);
 
-/* --- gaits --------------------------------------------------------------------------------------
- */
+/* --- gaits ------------------------------------------------------------------------------------ */
 
 /* One of n equal time intervals of a cycle. */
 typedef struct arc_gait_instant {
@@ -91,8 +90,7 @@ arc_status arc_gait_named(const char *name, int n, double angle, double load,
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
-/* --- contact and wear ---------------------------------------------------------------------------
- */
+/* --- contact and wear ------------------------------------------------------------------------- */
 
 /* A joint with the worn maps of both bodies. Opaque; not for two threads at once. */
 typedef struct arc_joint arc_joint;

@@ -18,8 +18,8 @@ typedef enum arc_lock_kind {
   ARC_LOCK_NONE     /* and the folder is read-only: no lock */
 } arc_lock_kind;
 
-/* Finds the kind of lock of a file; `name` is its name in messages. ARC_IO: the disk does not
- * respond. */
+/* Finds the kind of lock of a file at an absolute path; `name` is for messages. ARC_IO: the disk
+ * does not respond. */
 arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind, arc_error *error);
 
 /* Takes and releases a lock file: a symbolic link whose text is the owner. A lock of a killed

@@ -80,7 +80,7 @@ typedef struct arc_mesh {
   arc_body body;
   arc_body_def solid; /* with all dimensions set; its profile is owned by the model */
   double radius;    /* [mm] of the cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def; /* as asked for; in a model, element is what the body has, never auto */
+  arc_mesh_def def; /* as given; in a model, element is the type of the body, never auto */
   arc_space space;  /* of the model; plane strain of a mesh alone */
   double axis;      /* [mm] of revolution, at x = -axis */
   int nodes;        /* number of nodes */

@@ -27,7 +27,13 @@ extern "C" {
          "over x and z.")                                                                          \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
          "Distance of the axis of an axisymmetric model from x = 0, to the left: the mean radius " \
-         "of a thrust ring. 0: the bodies touch on the axis.")
+         "of a thrust ring. 0: the bodies touch on the axis.")                                     \
+  CHOICE(                                                                                          \
+      periodic, switch, ARC_OFF, 0,                                                                \
+      "true: maps of geometry \"3-D\" are one period of rough surfaces that go on without end; "   \
+      "the load is that of one period, cells are the points of the map. In runs the lower body "   \
+      "is "                                                                                        \
+      "a body.block{}, which wears evenly along the motion.")
 
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
@@ -143,8 +149,8 @@ arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
 /* Like arc_model_build, with callbacks: it can be stopped (ARC_STOPPED) and reports its progress.
  */
-arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
-                                   arc_model **model, arc_error *error);
+arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
+                                          arc_model **model, arc_error *error);
 
 /* Like arc_model_build, from two given meshes by arc_body (arc_mesh_read_msh). Takes ownership of
  * them, also on failure, and sets them to NULL. def->radius is that of the pair, for estimates by

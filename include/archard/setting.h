@@ -174,6 +174,13 @@ typedef struct arc_series {
 #define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
 #define ARC_CHOICE_FIRST(text, ...) text
 
+/* true or false in tables of users. */
+#define ARC_SWITCH_LIST(X)                                                                         \
+  X(OFF, "false")                                                                                  \
+  X(ON, "true")
+typedef enum arc_switch { ARC_SWITCH_LIST(ARC_CHOICE_ENUM) } arc_switch;
+extern const char *const arc_switch_names[];
+
 /* --- functions on lists ----------------------------------------------------------------------- */
 
 /* Sets every member that has a default. */

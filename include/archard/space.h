@@ -42,7 +42,7 @@ typedef struct arc_halfspace_def {
                     length over which its wear is spread (long strokes, circles) */
   int turned;    /* the lower body moves along z: size_x, nx and track count along z, size_z
                     and nz along x; radii, recess, sites and extents keep their axes */
-  int periodic;  /* the window repeats in x and z; without a track */
+  int periodic;  /* the window repeats in x and z; the lower body has a groove or no track */
   int workers;   /* threads over positions; 0 and 1: the caller alone */
 } arc_halfspace_def;
 
@@ -69,8 +69,7 @@ void arc_halfspace_site_at(const arc_halfspace *h, arc_body body, int site, doub
 /* The unworn recess of the body's sites [mm]. */
 const double *arc_halfspace_recess(const arc_halfspace *h, arc_body body);
 
-/* --- contact ------------------------------------------------------------------------------------
- */
+/* --- contact ---------------------------------------------------------------------------------- */
 
 /* One position of the lower body. */
 typedef struct arc_halfspace_position {
@@ -82,7 +81,7 @@ typedef struct arc_halfspace_position {
 /* Options of the solver; NULL in calls: the defaults. */
 typedef struct arc_halfspace_options {
   double tolerance;               /* of gaps, relative to the largest displacement; 0: 1e-5 */
-  const double *gap;              /* [window] added to the gap of a single contact [mm]; NULL */
+  const double *gap;              /* [positions][window] added to the gaps [mm]; NULL */
   int warm;                       /* 1: start from the given pressures; 0: from the shapes */
   const arc_callbacks *callbacks; /* may stop the solver; NULL: none */
 } arc_halfspace_options;
@@ -126,7 +125,7 @@ typedef struct arc_halfspace_friction {
   double *pressure; /* [window] [MPa] */
   double *q[2];     /* [window] along x and z [MPa] */
   double *slip[2];  /* [window] E [mm], also of open sites */
-  double *moved[2]; /* [window] slip of the last increment [mm] */
+  double *moved[2]; /* [window] slip of the last increment while in contact [mm] */
   double *stick;    /* [window] 1 if stuck in the last increment, else 0 */
   double xi[2];     /* [mm] */
   double force[2];  /* [N] on the lower body */
@@ -142,14 +141,20 @@ typedef struct arc_halfspace_increment {
   int by_force[2];                 /* along x and z: force instead of xi */
   double xi[2];                    /* [mm] at the end */
   double force[2];                 /* [N] at the end; less than friction times the load */
+  const double *pressure; /* [window] at the end, where it is known, as for equal materials;
+                             NULL: solved for. The approach is kept then */
+  const arc_halfspace_friction *guess; /* shear, motion and stick zone to start from; NULL: those
+                                          of the state */
 } arc_halfspace_increment;
 
 /* Work of increments. */
 typedef struct arc_halfspace_effort {
+  int increments;                     /* of legs */
   int sweeps;                         /* between pressure and shear; 1 for equal materials */
   int sets, iterations, applications; /* of shear: sets, steps of conjugate gradients, of C */
   int flipping;   /* sets in which single cells alternated between stick and slip */
   int unfinished; /* increments of different materials that ended before pressures converged */
+  int unresolved; /* parts of legs that halving still changed when they were not halved further */
 } arc_halfspace_effort;
 
 /* Allocates a state of zeros. ARC_MEMORY. */
@@ -171,6 +176,25 @@ arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_B
                                const arc_halfspace_options *options, arc_halfspace_friction *state,
                                arc_halfspace_effort *effort, arc_error *error);
 
+/* Load and motion or force that change in proportion, from those of a state. */
+typedef struct arc_halfspace_leg {
+  arc_halfspace_increment to;
+  double x, load; /* at the start [mm], [N] */
+  int increments; /* equal ones; 0: halved until motion, force and work change no more */
+} arc_halfspace_leg;
+
+/* Advances a state along a leg. Halving ends where it changes shear by less than 1e-3 and motion by
+ * less than 1e-4 of those of full slip, and the work by less than 1e-3 of the leg's or 1e-2 of
+ * itself. `coarser` (NULL: none) follows
+ * the same history in half as many increments: the difference of the energies is about the error
+ * where it falls with the length of increments, as where the direction of slip turns, and more than
+ * it elsewhere; given increments do not change it. Errors of arc_halfspace_slide: the states are
+ * unchanged. Adds to *effort. */
+arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                                const arc_halfspace_leg *leg, const arc_halfspace_options *options,
+                                arc_halfspace_friction *state, arc_halfspace_friction *coarser,
+                                arc_halfspace_effort *effort, arc_error *error);
+
 /* Extents of a contact or scar. */
 typedef struct arc_halfspace_extent {
   double area;                     /* [mm2] */
@@ -187,8 +211,7 @@ arc_halfspace_extent arc_halfspace_contact_extent(const arc_halfspace *h, const 
 arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, const double *depth,
                                         double share);
 
-/* --- wear
- * ----------------------------------------------------------------------------------------- */
+/* --- wear ------------------------------------------------------------------------------------- */
 
 /* Computes rate [body][sites], the sum over positions of weight times pressure [MPa mm] on the
  * given depths. pressure [count][window] is output, and input if options->warm; NULL: not returned.
@@ -238,8 +261,7 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
 
-/* --- depths to start from -----------------------------------------------------------------------
- */
+/* --- depths to start from --------------------------------------------------------------------- */
 
 /* Creates an unworn shape on a model in 3-D, with the initial cells of a run of this definition and
  * a window of at least |x| <= half_x, |z| <= half_z [mm]. ARC_ARGUMENT, ARC_MEMORY; *shape is NULL
@@ -255,8 +277,7 @@ int arc_space_given_sites(const arc_shape *shape, arc_body body, const double **
 arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double *depth,
                                   arc_error *error);
 
-/* --- below the surface --------------------------------------------------------------------------
- */
+/* --- below the surface ------------------------------------------------------------------------ */
 
 /* Computes the stresses [MPa] at y <= 0 [mm] below the sites of the window, for given pressures and
  * Poisson's ratio nu: [6][window] of xx, yy, zz, xy, yz, xz, tension positive. For homogeneous
@@ -269,8 +290,7 @@ arc_status arc_halfspace_stress(const arc_halfspace *h, const double *pressure, 
 arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
                                     double *stress, arc_error *error);
 
-/* --- closed form ---------------------------------------------------------------------------------
- */
+/* --- closed form ------------------------------------------------------------------------------ */
 
 /* Hertz' contact of surfaces with relative radii along x and z. */
 typedef struct arc_hertz_ellipse {

@@ -13,8 +13,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Fig. 7: SP simulates the sliding plate; NSP does not (alpha = 1, or a stroke over the whole
- * plate). */
+/* Fig. 7: SP simulates the sliding plate; NSP does not (a plate that stays flat). */
 #define ARC_PROCEDURE_LIST(X)                                                                      \
   X(AUTO, "auto")                                                                                  \
   X(SP, "SP")                                                                                      \
@@ -22,8 +21,7 @@ extern "C" {
 #define ARC_SCHEME_LIST(X)                                                                         \
   X(EXPLICIT, "explicit")                                                                          \
   X(IMPLICIT, "implicit")
-/* Sliding distance of an increment: rigid plate motion, or with the elastic part (Abaqus' CSLIP).
- */
+/* Sliding distance of an increment: rigid plate motion, or with the elastic part (CSLIP). */
 #define ARC_SLIP_LIST(X)                                                                           \
   X(SLIP_RIGID, "rigid")                                                                           \
   X(SLIP_TOTAL, "total")
@@ -35,8 +33,7 @@ extern "C" {
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
   X(SIMPLE, "simple")
-/* When the geometry is updated: after `jump` cycles together, or at every increment
- * (quasi-continuous). */
+/* When the geometry is updated: after `jump` cycles, or at every increment. */
 #define ARC_UPDATE_LIST(X)                                                                         \
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
@@ -94,17 +91,13 @@ typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const do
  * strokes. At points with load 0 the bodies are apart and do not wear. */
 typedef struct arc_loading {
   int count;
-  const double *x;    /* [count] [mm] */
-  const double *load; /* [count] [N], >= 0 */
-  const double
-      *tangential; /* [count] [N] force that drives the plate, with x = 0; NULL: x drives it */
-  const double *rotation;   /* [count] [degrees] rotation of the lower body in holes, with x = 0;
-                               NULL: x moves it */
-  const double *load_angle; /* [count] [degrees] direction of the load in holes; NULL: the
-                               definition's */
+  const double *x;          /* [count] [mm] */
+  const double *load;       /* [count] [N], >= 0 */
+  const double *tangential; /* [count] [N] force on the plate, with x = 0; NULL: x is given */
+  const double *rotation;   /* [count] [degrees] of the lower body in holes, x = 0; NULL: none */
+  const double *load_angle; /* [count] [degrees] in holes; NULL: that of the definition */
   double cycles; /* number of cycles > 0; INFINITY in the last block: to the end of the distance */
-  int periodic;  /* 0: a history that is run once (Eq. 4), with an update at every increment; one
-                    increment a step */
+  int periodic;  /* 0: run once (Eq. 4), with a step and an update at every increment */
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
@@ -132,9 +125,9 @@ typedef struct arc_loading {
          "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
          "positive towards +x. With loading, that of the reference configuration.")                \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
-         "Stroke s_t of the plate, from one end to the other. The reference cases are a, 2a, "     \
-         "4a (0.11, 0.22, 0.44) and 2R (20): the last slides over the whole plate, one way only "  \
-         "(r = 1 instead of 2).")                                                                  \
+         "Stroke s_t of the plate, from one end to the other. The reference cases are a, 2a, 4a "  \
+         "(0.11, 0.22, 0.44) and 2R (20); the last covers the whole plate in one direction (r = "  \
+         "1 instead of 2).")                                                                       \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give this or cycles; with loading, the default is "    \
          "the end of its blocks.")                                                                 \
@@ -156,11 +149,14 @@ typedef struct arc_loading {
          "this share of the height of its element, a fifth of this share of the remaining layer, " \
          "or along the surface by a hundredth of this share of an element's width. In between it " \
          "follows to first order (not with layers). 0: recomputed at every update.")               \
+  CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
+         "\"none\": the finite elements alone, without the terms that correct their errors at "    \
+         "short waves (edges of contact, shear from node to node, slip between nodes, stiffness "  \
+         "between two refreshes), to show their effect. Without effect in 3-D.")                   \
   CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
          "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, which is "    \
          "correct if the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). "      \
-         "\"auto\" "                                                                               \
-         "chooses.")                                                                               \
+         "\"auto\" chooses.")                                                                      \
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
          "Sliding distance of an increment: \"rigid\", the motion of the plate; \"total\", with "  \
          "the elastic displacements of touching points added. With \"rigid\" the volume is k L_N " \
@@ -177,25 +173,26 @@ typedef struct arc_loading {
          "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \
          "part of the contact never slips. Between bodies of one material that Hertz' formulas "   \
          "describe, pressing causes no shear, and friction is left out.")                          \
-  NUMBER(tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                               \
-         "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "    \
-         "needs friction, and less than friction times load. A cycle counts as the distance 4 "    \
-         "force / (E* thickness), as slip is not known beforehand: give cycles.")                  \
-  CHOICE(                                                                                          \
-      slide, slide, ARC_SLIDE_X, 0,                                                                \
-      "The way of the plate: along x, or out of the plane along z. Then the contact stays at x "   \
-      "= 0, stroke is the way along z, and alpha-tilde is alpha. Bodies of revolution need "       \
-      "\"z\": "                                                                                    \
-      "the same way for all points, as of a pin on a disc, unless they spin.")                     \
+  NUMBER(                                                                                          \
+      tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
+      "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "       \
+      "needs friction, and less than friction times load. A cycle counts as the distance 4 "       \
+      "force / (E* thickness), in 3-D 4 force / (2 a E*) with the half width a of the contact, "   \
+      "as slip is not known beforehand: give cycles.")                                             \
+  CHOICE(slide, slide, ARC_SLIDE_X, 0,                                                             \
+         "Direction of sliding: along x, or along z out of the plane. With \"z\" the contact "     \
+         "stays at x = 0, stroke is the displacement along z, and alpha-tilde is alpha. Bodies "   \
+         "of revolution need \"z\" (all points move alike, as of a pin on a disc), unless they "   \
+         "spin.")                                                                                  \
   NUMBER(spin, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
-         "Of bodies that spin about their axis of revolution: the radius at which stroke and "     \
-         "distance are told; elsewhere slip goes with the radius. 1: distances are angles in "     \
+         "Of bodies that spin about their axis of revolution: the radius to which stroke and "     \
+         "distance refer; slip is proportional to the radius. 1: distances are angles in "         \
          "radians.")                                                                               \
   NUMBER(track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
-         "Of a pin on a disc: mean radius of its track, beyond the contact's. A cycle is a "       \
-         "revolution then, in place of "                                                           \
-         "stroke. The disc stays flat; its depth is told as the mean over the track, as wide as "  \
-         "the contact is by then. In 3-D it wears to a track the same all round.")                 \
+         "Of a pin on a disc: mean radius of its track, larger than that of the contact. A "       \
+         "cycle is then a revolution, and stroke is not used. The disc stays flat; its depth is "  \
+         "the mean over a track as wide as the present contact. In 3-D it wears to a track that "  \
+         "is the same all round.")                                                                 \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "\"moving\": wear changes the mesh and so the stiffness of the surface layer; "           \
@@ -374,8 +371,7 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
-/* Checks rows against the ranges and rules of the columns. ARC_ARGUMENT: the message has the row
- * and the column. */
+/* Checks rows against the columns' ranges and rules. ARC_ARGUMENT: names the row and the column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
 /* Restores the run after the last of `count` >= 1 records on `shape` (copied). It continues with
@@ -416,9 +412,8 @@ typedef struct arc_wear_target {
   double value;
 } arc_wear_target;
 
-/* Like arc_wear_run, but ends earlier if one of `count` targets is reached (to 1e-9 relative);
- * *reached is its index, or -1. A column that jumps past its target within a step does not end the
- * run. */
+/* Like arc_wear_run, but ends at the first of `count` targets (to 1e-9 relative); *reached is its
+ * index, or -1. A column that jumps past its target within a step does not end the run. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);
@@ -434,8 +429,7 @@ arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
-/* Wear coefficient [mm2/N] of the body in the last update, of the exposed layer at its deepest
- * point. */
+/* Wear coefficient [mm2/N] of the exposed layer at the body's deepest point, in the last update. */
 double arc_wear_open_k(const arc_wear *wear, arc_body body);
 double arc_wear_strokes(const arc_wear *wear); /* r of Eq. (21): 2 or 1 */
 double arc_wear_cycles(const arc_wear *wear);  /* N of Eq. (21), for the whole distance */
@@ -446,8 +440,7 @@ const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);
 const arc_wear_record *arc_wear_last(const arc_wear *wear);
 size_t arc_wear_bytes(const arc_wear *wear);
 
-/* Solves the contact in the reference configuration on the present shape; a new object, to be
- * destroyed. */
+/* Solves the contact in the reference configuration on the present shape, as a new object. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
 /* Names of the arrays that describe a surface after an update, [nodes, 1] each: the unworn position
@@ -461,8 +454,7 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t 
                              arc_error *error);
 
 /* Checks arrays as surfaces of a run: all names for each body and update in sequence, equal numbers
- * of finite values, x increasing, pressures >= 0. ARC_ARGUMENT: the message has the first
- * violation. */
+ * of finite values, x increasing, pressures >= 0. ARC_ARGUMENT: names the first violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
 /* The fretting loop of the steady cycle that an update begins with. */
@@ -476,8 +468,7 @@ typedef struct arc_loop {
 } arc_loop;
 
 /* Computes the loop on the present surfaces; *loop is one block, released by free(). Errors:
- * ARC_ARGUMENT (no friction), those of a step; ARC_STOPPED if a callback (NULL: none) requested it.
- */
+ * ARC_ARGUMENT (no friction), those of a step; ARC_STOPPED at the request of a callback. */
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 

@@ -27,11 +27,17 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
+-- Numbers of a joint that no other body has, and the body that has them.
+local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 180 }
+local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
+local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
+
 -- The setting with this path, or nil.
 function number.setting(path)
   local inside = path:match("^model%.(.+)$")
   if not inside then return named(known.wear, path) end
   local body, rest = inside:match("^(%l+)%.(.+)$")
+  if body == "head" or body == "cup" then return of_joints[rest] or in_body(rest) end
   if field_of[body] then return in_body(rest) end
   if role_of[body] then return named(known.material, rest) end
   return named(known.model, inside)
@@ -75,6 +81,21 @@ local function in_material(flat, prefix, rest)
   return before .. name
 end
 
+local function is_joint(flat)
+  for path in pairs(flat) do
+    if path:match "^model%.cup%." or path:match "^model%.head%." then return true end
+  end
+  return false
+end
+
+-- The path of a number of a joint: "clearance", "cup.layer1.E".
+local function joint_path(flat, inside)
+  local body, rest = inside:match("^(%l+)%.(.+)$")
+  if not rest then return owners[inside] and ("model.%s.%s"):format(owners[inside], inside) or "model." .. inside end
+  local prefix = "model." .. body .. "."
+  return prefix .. in_material(flat, prefix, (rest:gsub("^layer(%d+)%.", "layers.%1.")))
+end
+
 -- The path of a number of a body, as "cylinder.E", or nil if the word is not a body.
 local function body_path(flat, word, rest)
   local which = role(flat, word)
@@ -97,9 +118,10 @@ end
 -- paths(name, flat) -> the paths of the number with this name: one, or two for both bodies. flat: flat settings of its
 -- model, if any. An unknown name is returned unchanged.
 function number.paths(name, flat)
-  if both[name] then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
+  if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
   local inside = name:gsub("^model%.", "")
+  if is_joint(flat) then return { joint_path(flat, inside) } end
   local word, rest = inside:match("^([^.]+)%.(.+)$")
   local path = word and body_path(flat, word, rest)
   if path then return { path } end

@@ -51,9 +51,17 @@ local function check_path(where, name)
   check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
+-- The table to store for a value: an object made in Lua may have other fields than those that make it.
+local function own_fields(value)
+  local class = getmetatable(value)
+  local of = type(class) == "table" and rawget(class, "__settings")
+  return of and of(value) or value
+end
+
 local function flatten(where, into, prefix, given)
   check.depth(where, prefix)
-  for key, value in pairs(given) do
+  for key, value in pairs(own_fields(given)) do
+    value = own_fields(value)
     local name = check_path(where, prefix .. tostring(key))
     local kind = type(value)
     if kind == "number" and (value ~= value or math.abs(value) == math.huge) then

@@ -13,7 +13,7 @@ return {
   csv = lazy("archard.export.maps", "csv"),
   vti = lazy("archard.export.maps", "vti"),
   gsf = lazy("archard.export.maps", "gsf"),
-  vtk = noted("export.vtk", files.vtk),
+  vtk = noted("export.vtk", lazy("archard.export.sphere", "vtk")),
   inp = noted("export.inp", files.inp),
   msh = noted("export.msh", files.msh),
   pvd = lazy "archard.export.series",

@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
 local map = require "archard.map.class"
+local strict = require "archard.strict"
 local written = require "archard.lib.written"
 
 local maps = {}
@@ -64,11 +65,42 @@ local function add_values(lines, t)
   end
 end
 
--- vti(map or list of maps, path) -> the file written: points in the plane y = 0 with one array for each map
+-- The maps of a body of a run: depth, height and pressure; nil for a groove, which has none.
+local function maps_of(run, body)
+  local list = {}
+  for i, what in ipairs{ "depth", "height", "pressure" } do
+    local fine, t = pcall(run.map, run, body, what)
+    if not fine then return nil end
+    list[i] = t
+  end
+  return list
+end
+
+-- Writes a file for each body of a run in three dimensions, STEM-BODY.vti -> the files written.
+function maps.bodies(where, run, stem)
+  local files_written = {}
+  for _, body in ipairs{ run.model.bodies.upper, run.model.bodies.lower } do
+    local list = maps_of(run, body)
+    if list then files_written[#files_written + 1] = maps.write(where, list, ("%s-%s.vti"):format(stem, body)) end
+  end
+  return files_written
+end
+
+-- vti(map or list of maps, path) -> the file written; of a contact in three dimensions its pressure, of a run a file for
+-- each body: the files written
 function maps.vti(given, path)
   local where = "export.vti"
-  local list = list_of(where, given)
   path = checked_path(where, path, ".vti")
+  local shown = check.shown(given)
+  if shown == "a wear object" and given.model.geometry == "3-D" then
+    return written.returned(where, table.unpack(maps.bodies(where, given, (path:gsub("%.vti$", "")))))
+  end
+  if shown == "a contact object" and given.model.geometry == "3-D" then given = given:pressure() end
+  return written.returned(where, maps.write(where, list_of(where, given), path))
+end
+
+-- Points in the plane y = 0 with one array for each map of a list -> the path.
+function maps.write(where, list, path)
   local x, z = list[1].x, list[1].z
   local extent = ("0 %d 0 0 0 %d"):format(#x - 1, #z - 1)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">',
@@ -83,7 +115,7 @@ function maps.vti(given, path)
   end
   lines[#lines + 1] = "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n"
   files.write(where, path, table.concat(lines, "\n"))
-  return written.returned(where, path)
+  return path
 end
 
 -- --- Gwyddion and CSV -------------------------------------------------------------------------------
@@ -108,10 +140,44 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- csv(map, path) -> the file written: x, z and the value of each point; for a study its table. Other objects are
--- written by archard.files.
+local known = require "archard.settings".columns
+local body_names = { cylinder = "head", plate = "cup" }
+
+-- The columns of a joint's history by the names of its bodies, and their units.
+local function history_of(run)
+  local columns, units = {}, {}
+  for _, column in ipairs(known) do
+    local name = column.name:gsub("_(%l+)$", function(body) return "_" .. (body_names[body] or body) end)
+    columns[name] = run.history[column.name]
+    units[name] = columns[name] and column.unit
+  end
+  return columns, units
+end
+
+-- Columns of a map over theta and phi.
+local function lattice_of(map)
+  local theta, phi = {}, {}
+  for _, each in ipairs(map.theta) do
+    for _, other in ipairs(map.phi) do theta[#theta + 1], phi[#phi + 1] = each, other end
+  end
+  return { theta = theta, phi = phi, value = map.values }, { theta = "degrees", phi = "degrees" }
+end
+
+local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") and rawget(t, "phi") and rawget(t, "values") end
+
+-- csv(map, path) -> the file written: x, z and the value of each point; for a study its table; for the run of a joint its
+-- history, for a contact of a joint its pressure, for maps over theta and phi their values. Other objects are written by archard.files.
 function maps.csv(...)
   local t, path = ...
+  if strict.is(t, "joint_wear") then
+    local columns, units = history_of(t)
+    return written.returned("export.csv", files.csv(columns, path, units))
+  end
+  local lattice = strict.is(t, "joint_contact") and t.pressure or is_lattice(t) and t
+  if lattice then
+    local columns, units = lattice_of(lattice)
+    return written.returned("export.csv", files.csv(columns, path, units))
+  end
   local is_study = check.shown(t) == "a study object"
   if not is_study and not map.is(t) then return written.returned("export.csv", files.csv(...)) end
   path = checked_path("export.csv", path, ".csv")

@@ -1,8 +1,11 @@
--- export.pvd: a series of states of a run: a .vtu file for each body and state, and a .pvd file that lists them by
--- sliding distance.
+-- export.pvd: a series of states of a run: a .vtu file (in three dimensions a .vti file of maps) for each body and
+-- state, and a .pvd file that lists them by sliding distance.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
+local joint_file = require "archard.joint.file"
+local maps = require "archard.export.maps"
+local vtk = require "archard.export.sphere".vtk
 
 local where = "export.pvd"
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
@@ -20,7 +23,9 @@ end
 
 -- Writes the files of the present state and adds them to `parts`; state numbers start at 0.
 local function add_state(run, stem, parts, number)
-  for i, file in ipairs{ check.as(where, files.vtk, run, ("%s-%05d.vtu"):format(stem, number)) } do
+  local name = ("%s-%05d"):format(stem, number)
+  local is_map = run.model.geometry == "3-D"
+  for i, file in ipairs(is_map and maps.bodies(where, run, name) or { check.as(where, vtk, run, name .. ".vtu") }) do
     parts[#parts + 1] = { file = file, number = i - 1, distance = run.distance, update = run.update }
   end
 end
@@ -41,7 +46,7 @@ end
 -- (run, path, { every= }) -> a function that adds the present state: always if called without arguments, every `every`
 -- updates if called as the progress function of w:run
 return function(run, path, options)
-  if check.shown(run) ~= "a wear object" then
+  if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))
   end
   local stem = stem_of(path)

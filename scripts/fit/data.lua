@@ -7,7 +7,9 @@ local columns = require "archard.settings".columns
 local keys = require "archard.lib.keys"
 local loops = require "archard.fit.loop"
 local merged = require "archard.lib.merged"
+local maps = require "archard.fit.sphere"
 local observe = require "archard.study.observe"
+local scar = require "archard.profile.scar"
 local statistics = require "archard.lib.statistics"
 
 local data = {}
@@ -26,6 +28,15 @@ end
 for name, one in pairs(made) do quantities[name] = one end
 data.quantities = quantities
 
+-- The quantity with a name; depth_NAME and volume_NAME are those of the body with that name.
+local function quantity(name)
+  return quantities[name] or { { name }, 1, name:match "^depth" and "mm" or "mm3", name:gsub("_", " of the ") }
+end
+
+local of_bodies = check.kind("depth_NAME or volume_NAME", function(v)
+  return type(v) == "string" and v:match "^%l+_%w+$" ~= nil and (v:match "^depth_" or v:match "^volume_") ~= nil
+end)
+
 -- --- kinds of fields -----------------------------------------------------------------------------
 
 local positives = check.list_of(check.positive, "a list of numbers > 0")
@@ -36,7 +47,7 @@ end, check.positive)
 local one_or_more = check.kind("a finite number, or a list of them", function(v)
   return check.number.test(v) or list.test(v)
 end, check.number)
-local body = check.one_of{ "cylinder", "plate" }
+local body = check.one_of{ "cylinder", "plate", "head", "cup" }
 local profile = check.kind("a profile of depths with lists x and h [mm] (for heights use p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
@@ -47,9 +58,9 @@ end)
 
 local fields = {
   section = section,
-  loop = loops.kind, compliance = check.number, cycle = sizes,
+  loop = loops.kind, map = maps.kind, compliance = check.number, cycle = sizes,
   profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
-  level = check.number, of = check.one_of(keys(quantities)), distance = sizes, value = one_or_more,
+  level = check.number, of = check.one_of(keys(quantities), of_bodies), distance = sizes, value = one_or_more,
   error = sizes, relative = check.positive, title = check.text,
 }
 data.fields = fields
@@ -94,6 +105,7 @@ end
 -- Fields for one kind of data only.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
+local of_joints = { head = true, cup = true }
 
 local function refuse_others(where, prefix, given, names, what)
   for _, name in ipairs(names) do
@@ -121,12 +133,23 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- The unknown position of a profile: for each component its start value (default 0; for the shift the middle of the
--- scar, if known) and its typical size.
-local function free_of(x, h, scar)
+-- Shift at which a search starts: the middle of the scar if the profile names it, or if x = 0 is not in the scar found
+-- in the depths.
+local function start_of(x, h, named)
+  if named then return (named.from + named.to) / 2 end
+  local heights = {}
+  for i = 1, #h do heights[i] = -h[i] end
+  local _, from, to = scar.find(x, heights, "line")
+  local side = from and scar.margin * (to - from)
+  return from and (from - side > 0 or to + side < 0) and (from + to) / 2 or 0
+end
+
+-- The unknown position of a profile: for each component its start value and its typical size.
+local function free_of(x, h, named)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
-  return { { kind = "shift", start = scar and (scar.from + scar.to) / 2, span = width / 10, unit = "mm" }, { kind = "tilt", span = deepest / width, unit = "mm/mm" },
+  return { { kind = "shift", start = start_of(x, h, named), span = width / 10, unit = "mm" },
+    { kind = "tilt", span = deepest / width, unit = "mm/mm" },
     { kind = "level", span = deepest, unit = "mm" } }
 end
 
@@ -136,6 +159,12 @@ local function name_of(given)
   return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
 end
 
+-- A shorter name for a panel of a picture.
+local function brief_of(given)
+  local line = given.section
+  return line and ("%s, %s = %g, %g mm"):format(given.body, line.x and "x" or "z", line.x or line.z, given.distance)
+end
+
 local function read_profile(where, prefix, given)
   local from = given.profile or given
   if not (from.x and from.h) then
@@ -143,7 +172,9 @@ local function read_profile(where, prefix, given)
       .. "value=, or loop=, got none of these"):format(prefix))
   end
   refuse_others(where, prefix, given, of_loops, "loops, and this is a profile")
-  if given.body == nil then check.refuse(where, prefix .. ".body", body.expected, nil) end
+  if given.body == nil or of_joints[given.body] then
+    check.refuse(where, prefix .. ".body", '"cylinder" or "plate"; head and cup have maps: map = w:map "cup"', given.body)
+  end
   need_distance(where, prefix, given, "profile")
   local x, h = as_list(from.x), as_list(from.h)
   same_count(where, prefix, "h", h, #x)
@@ -154,8 +185,17 @@ local function read_profile(where, prefix, given)
   local item = { kind = "profile", body = given.body, surface = observe.surface(given.body, given.section),
     distance = given.distance, x = x, value = h, error = err, unit = "mm", free = free_of(x, h, given.profile and from.scar),
     fixed = { shift = given.shift, tilt = given.tilt, level = given.level },
-    title = given.title or name_of(given) }
+    title = given.title or name_of(given), brief = given.title or brief_of(given),
+    along = given.section and given.section.x and "z" or "x" }
   return item
+end
+
+local function read_map(where, prefix, given)
+  refuse_others(where, prefix, given, { "profile", "x", "h", "section", "shift", "tilt", "level", "of", "value", "loop", "compliance" },
+    "other data, and this is a map")
+  if not of_joints[given.body] then check.refuse(where, prefix .. ".body", '"head" or "cup"', given.body) end
+  need_distance(where, prefix, given, "map")
+  return maps.item(given, errors_of(where, prefix, given, nil, given.map.values))
 end
 
 local function read_loop(where, prefix, given, by_force)
@@ -178,7 +218,7 @@ local function read_series(where, prefix, given)
   local err = errors_of(where, prefix, given, nil, value)
   x, value, err = sorted(x, value, err)
   return { kind = "series", of = given.of, x = x, value = value, error = err,
-    unit = quantities[given.of][3], title = given.title or given.of }
+    unit = quantity(given.of)[3], title = given.title or given.of }
 end
 
 -- Replaces the field `cycle` by the distance; path: function that returns the sliding distance of a cycle [mm].
@@ -198,8 +238,13 @@ end
 -- [mm], by_force = true if the runs are driven by a tangential force }.
 function data.item(where, prefix, given, motion)
   if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
+  if check.shown(given.profile) == "a profile object" and given.profile.z then
+    check.fail(where, ("field '%s.profile': expected depths, got heights: p:depth() subtracts a line, p:depth{ level = \"circle\" } a circle")
+      :format(prefix))
+  end
   check.fields(where, given, fields, prefix .. ".")
   given = with_distance(where, prefix, given, motion.path)
+  if given.map then return read_map(where, prefix, given) end
   if given.loop then return read_loop(where, prefix, given, motion.by_force) end
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
@@ -240,13 +285,13 @@ end
 function data.required(items)
   local distances, columns_used, surfaces, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
-    if item.kind == "profile" then
+    if item.surface then
       distances[item.distance], surfaces[item.surface] = true, true
     elseif item.kind == "loop" then
       distances[item.distance], turns[item.distance] = true, true
     else
       for _, distance in ipairs(item.x) do distances[distance] = true end
-      for _, name in ipairs(quantities[item.of][1]) do columns_used[name] = true end
+      for _, name in ipairs(quantity(item.of)[1]) do columns_used[name] = true end
     end
   end
   local what = { distances = keys(distances), columns = keys(columns_used), surfaces = keys(surfaces),
@@ -283,18 +328,18 @@ local function profile_values(item, looks, position)
 end
 
 local function series_values(item, looks)
-  local values, quantity = {}, quantities[item.of]
+  local values, of = {}, quantity(item.of)
   for i = 1, #item.x do
     local sum = 0
-    for _, name in ipairs(quantity[1]) do sum = sum + looks[item.look[i]][name] end
-    values[i] = quantity[2] * sum
+    for _, name in ipairs(of[1]) do sum = sum + looks[item.look[i]][name] end
+    values[i] = of[2] * sum
   end
   return values
 end
 
 -- True if the quantity changes in steps, as the edge of the contact moves from node to node.
 function data.jumps(item)
-  for _, name in ipairs(item.of and quantities[item.of][1] or {}) do
+  for _, name in ipairs(item.of and quantity(item.of)[1] or {}) do
     if name:match("width") or name:match("^p_") then return true end
   end
   return false
@@ -303,6 +348,7 @@ end
 -- position: { shift=, tilt=, level= } of a profile or a loop.
 function data.values(item, looks, position)
   if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, position) end
+  if item.kind == "sphere" then return maps.values(item, looks[item.look[1]][item.surface]) end
   return (item.kind == "profile" and profile_values or series_values)(item, looks, position)
 end
 
@@ -365,7 +411,7 @@ function data.check_sizes(where, items, looks)
     local most = statistics.largest(item.value)
     local expected = statistics.largest(data.values(item, looks, still))
     if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then
-      local name = { profile = "h", loop = item.by_force and "loop.x" or "loop.tangential" }
+      local name = { profile = "h", sphere = "map.values", loop = item.by_force and "loop.x" or "loop.tangential" }
       refuse_size(where, number, name[item.kind] or "value", item, most, expected)
     end
   end

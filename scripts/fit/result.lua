@@ -85,7 +85,7 @@ local function described(self, problem, found, scale, deviation)
       low[i], high[i], err[i] = value - margin, value + margin, (self.told and 1 or scale) * item.error[i]
       residual[i] = (item.value[i] - value) / err[i]
     end
-    list[number] = { title = item.title, unit = item.unit, body = item.body, of = item.of, kind = item.kind,
+    list[number] = { title = item.title, brief = item.brief, along = item.along, unit = item.unit, body = item.body, of = item.of, kind = item.kind,
       distance = item.distance or item.x, x = item.kind ~= "series" and item.x or nil, value = item.value,
       error = err, model = model, low = low, high = high, residual = residual }
     for i, one in ipairs(problem.positions) do
@@ -308,7 +308,7 @@ end
 
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
--- problem, found: of fit/problem.lua and fit/solve.lua; told: true if the user gave the errors of the data.
+-- problem, found: from fit/problem.lua and fit/solve.lua; told: true if the user gave the errors of the data.
 function result.new(problem, found, told, confidence)
   local m, count = #problem.unknowns, #problem.measured
   local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,

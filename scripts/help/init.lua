@@ -291,7 +291,7 @@ function help.text(...)
   local address = help.address_of(value)
   if address and entries[address] then return show.entry(help, entries[address]) end
   if value == nil then return "no help for nil: is the name spelt as you meant it?" end
-  return ("no help for this %s; help() lists what there is"):format(type(value))
+  return ("no help for this %s; help() lists all names"):format(type(value))
 end
 
 -- help.search(text): a list of the texts that contain it.

@@ -121,10 +121,13 @@ function show.entry(help, entry)
 end
 
 local overview = [[
-archard simulates how two rubbing surfaces wear each other away: a half cylinder
-sliding on a plate. Lengths are in mm, forces in N, pressures in MPa.
+archard simulates the wear of two sliding bodies, by default a half cylinder and
+a plate. Lengths are in mm, forces in N, pressures in MPa.
 
 Describe     material{}  hertz{}  model{}
+  bodies     body.punch{ flat=4 }  body.cylinder{ layers={...} }  body.ring{}
+  in 3-D     model{ geometry="3-D", upper=body.ball{} }  w:map("block")  map{}
+  joints     joint{}:wear{ loading=gait "iso" }
 Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
   friction   contact{ friction=0.6 }:move{ tangential=30 }  plot.shear(c)
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
@@ -138,16 +141,17 @@ Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
 Measured     calibrate{ volume={...}, load=100, distance=1320 }
              fit{ unknown={...}, data={...} }  fit.design{}  plot.fit(f)
+             profile.read("trace.csv"):depth()  map.read("scar.sdf")
 Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
              export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
              export.json(w, "w.json")
 Session      who()  session.save("s.archard")  session.open("s.archard")
              examples()  examples.run("wear")  time(f)
 Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"
-             "steps"  "troubleshooting"
+             "steps"  "limits"  "glossary"  "troubleshooting"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name;
-help.search "stability" looks into all texts.
+help.search "stability" searches all texts.
 Tab completes names, also the fields inside wear{ }. The last value is in _ .
 Ctrl-C stops a run after its step, Ctrl-D leaves.]]
 

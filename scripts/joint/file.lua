@@ -1,166 +1,166 @@
--- Converts runs of joints to flat tables of named values, for run files and sessions, and back.
+-- Runs of joints in run files: the fields of wear{} that make the run again, then its state, history and last record
+-- among the results. The functions `save`, `wear`, `history` and `surfaces` also work for runs of the engine.
 
 local check = require "archard.lib.check"
-local made = require "archard.joint.made"
+local merged = require "archard.lib.merged"
 local runs = require "archard.joint.run"
+local settings = require "archard.definition.settings"
 local sphere = require "archard.sphere"
 local store = require "archard.store"
+local strict = require "archard.strict"
 
 local file = {}
 
--- --- definitions --------------------------------------------------------------------------------
-
-local plain = { "radius", "clearance", "inclination", "cover", "size", "foundation" }
-local callable = { "k", "alpha", "creep" } -- settings that may be functions
-
-local function flat_layers(layers)
-  local list = {}
-  for _, layer in ipairs(layers) do
-    list[#list + 1], list[#list + 2], list[#list + 3] = layer.thickness, layer.E, layer.nu
-  end
-  return #list > 0 and list or nil
-end
-
-local function layers_from(list)
-  local layers = {}
-  for i = 1, #(list or {}), 3 do layers[#layers + 1] = { thickness = list[i], E = list[i + 1], nu = list[i + 2] } end
-  return layers
-end
-
--- A definition as flat fields "joint.NAME".
-function file.flat_joint(def)
-  local flat = { ["joint.core"] = { def.core.E, def.core.nu }, ["joint.head_layers"] = flat_layers(def.head_layers),
-    ["joint.cup_layers"] = flat_layers(def.cup_layers) }
-  for _, name in ipairs(plain) do flat["joint." .. name] = def[name] end
-  flat["joint.order"] = def.second_order and 2 or 1
-  return flat
-end
-
-function file.joint_from(flat)
-  local core = flat["joint.core"]
-  local def = { core = { E = core[1], nu = core[2] }, head_layers = layers_from(flat["joint.head_layers"]),
-    cup_layers = layers_from(flat["joint.cup_layers"]), second_order = flat["joint.order"] == 2 }
-  for _, name in ipairs(plain) do def[name] = flat["joint." .. name] end
-  return def
-end
-
-function file.flat_gait(g, prefix)
-  return { [prefix .. "name"] = g.name, [prefix .. "instants"] = g.instants }
-end
-
-function file.gait_from(flat, prefix)
-  local instants = flat[prefix .. "instants"] or {}
-  return made(flat[prefix .. "name"], table.move(instants, 1, #instants, 1, {}))
-end
+local callable = runs.callable
+local counted = { "updates", "solutions" }
 
 -- --- runs ---------------------------------------------------------------------------------------
 
-local settings = { "k", "alpha", "goal", "updates", "scheme", "tolerance", "step" }
-local counted = { "updates", "solutions" }
-
-local function add(to, from)
-  for name, value in pairs(from) do to[name] = value end
-end
-
--- The definition and all results of a run as two flat tables.
-function file.flat_run(run)
-  local definition, results = file.flat_joint(run.def), { state = sphere.state(run.engine) }
-  for _, name in ipairs(settings) do definition[name] = run[name] end
+-- The definition of a run as flat fields, functions as the word "function".
+local function flat_definition(run)
+  local definition = run:definition()
   for _, name in ipairs(callable) do
-    if type(run[name]) == "function" then definition[name] = "function" end
+    if type(definition[name]) == "function" then definition[name] = "function" end
   end
-  for i, block in ipairs(run.blocks) do
-    add(definition, file.flat_gait(block.gait, ("loading.%d."):format(i)))
-    if block.cycles < math.huge then definition[("loading.%d.cycles"):format(i)] = block.cycles end
-  end
-  for name, column in pairs(run.history) do results["history." .. name] = column end
-  for name, value in pairs(run.record) do results["record." .. name] = value end
-  return definition, results
+  return settings.flatten("joint_wear:save", definition)
 end
 
-local function blocks_from(flat)
-  local blocks = {}
-  while flat[("loading.%d.name"):format(#blocks + 1)] do
-    local prefix = ("loading.%d."):format(#blocks + 1)
-    blocks[#blocks + 1] = { gait = file.gait_from(flat, prefix), cycles = flat[prefix .. "cycles"] }
-  end
-  return blocks
+local function add(to, prefix, from, names)
+  for _, name in ipairs(names) do to[prefix .. name] = from[name] end
 end
 
-local function take(results, prefix)
-  local part = {}
+local recorded = { "cycles", "updates", "solutions", "volume_head", "volume_cup", "p_peak", "area", "work", "penetration" }
+
+local function flat_results(run)
+  local results = { state = sphere.state(run.engine), ["record.step"] = run.step }
+  add(results, "history.", run.history, runs.columns)
+  add(results, "record.", run.record, recorded)
+  return results
+end
+
+local function part(results, prefix)
+  local found = {}
   for name, value in pairs(results) do
     local rest = name:match("^" .. prefix .. "%.(.+)$")
-    if rest then part[rest] = type(value) == "table" and table.move(value, 1, #value, 1, {}) or value end
+    if rest then found[rest] = type(value) == "table" and table.move(value, 1, #value, 1, {}) or value end
   end
-  return part
+  return found
 end
 
--- The value of a setting, or the given function if the setting was one.
-local function function_or_value(definition, name, functions)
-  if definition[name] ~= "function" then return definition[name] end
-  local f = type(functions) == "table" and functions[name]
-  if type(f) ~= "function" then
-    check.fail("joint.open", ("field '%s': the run has a function here: give it again, as { %s = f }"):format(name, name))
+-- Puts the user's functions into a definition that had some.
+local function with_functions(definition, functions)
+  for _, name in ipairs(callable) do
+    local f = type(functions) == "table" and functions[name]
+    if definition[name] == "function" and type(f) ~= "function" then
+      check.fail("joint.open", ("field '%s': expected a function, as when the run was saved"):format(name))
+    end
+    if definition[name] == "function" then definition[name] = f end
   end
-  return f
+  return definition
 end
 
-function file.run_from(definition, results, functions)
-  local blocks = blocks_from(definition)
-  local run = runs.new(file.joint_from(definition), { loading = blocks,
-    k = function_or_value(definition, "k", functions), alpha = function_or_value(definition, "alpha", functions),
-    creep = function_or_value(definition, "creep", functions), cycles = definition.goal, scheme = definition.scheme,
-    updates = definition.updates and math.tointeger(definition.updates) })
-  run.tolerance, run.step = definition.tolerance, definition.step
+local function restored(definition, results, functions)
+  for _, name in ipairs{ "updates", "model.order" } do definition[name] = math.tointeger(definition[name]) end
+  local run = wear(settings.nest(with_functions(definition, functions)))
   sphere.set_state(run.engine, results.state)
-  local record = take(results, "record")
+  local record = part(results, "record")
   for _, name in ipairs(counted) do record[name] = math.tointeger(record[name]) end
-  runs.restore(run, record, take(results, "history"))
+  run.step, record.step = record.step, nil
+  runs.restore(run, record, part(results, "history"))
   return run
 end
 
--- --- run files ----------------------------------------------------------------------------------
+-- --- cases of run files, of a joint or of the engine ----------------------------------------------
+
+local function is_joint(value) return strict.is(value, "joint_wear") end
+file.is_joint = is_joint
+
+-- The results of a case if it is a run of a joint, else nil.
+local function results_of(from, id)
+  local results = from:values(id, "results")
+  return results.state and results or nil
+end
+
+-- Saves a run under a number; surfaces: earlier ones of a run of the engine; others: more results, by name.
+function file.save(to, id, run, surfaces, others)
+  if not is_joint(run) then
+    to:save(id, run, surfaces)
+    return others and to:set_values(id, "results", others)
+  end
+  to:set_values(id, "definition", flat_definition(run))
+  to:set_values(id, "results", merged(others or {}, flat_results(run)))
+end
+
+function file.wear(from, id, functions)
+  local results = results_of(from, id)
+  if not results then return from:wear(id, functions) end
+  local fine, run = pcall(restored, from:values(id, "definition"), results, functions)
+  if fine then return run end
+  if type(run) == "table" and run.message then error(run, 0) end
+  check.fail("joint.open", from.path .. ": the file is damaged: " .. tostring(run), "FORMAT")
+end
+
+function file.history(from, id)
+  local results = results_of(from, id)
+  return results and runs.history(part(results, "history")) or from:history(id)
+end
+
+function file.surfaces(from, id) return results_of(from, id) and {} or from:surfaces(id) end
+
+-- The definition of a run as stored, flat.
+function file.definition(run)
+  local path = os.tmpname()
+  os.remove(path)
+  local to <close> = store.open(path, "create")
+  local fine, values = pcall(function()
+    to:add(1, "run")
+    file.save(to, 1, run, {})
+    return to:values(1, "definition")
+  end)
+  to:close()
+  os.remove(path)
+  if not fine then error(values, 0) end
+  return values
+end
+
+-- --- files of one run ---------------------------------------------------------------------------
 
 local function check_path(where, path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
 end
 
 -- Writes the file completely or not at all; replaces a file of a joint, refuses any other file.
-function file.save(run, path)
+function file.write(run, path)
   check_path("joint_wear:save", path)
-  local definition, results = file.flat_run(run)
   check.as("joint_wear:save", function()
     local to <close> = store.replace(path, "joint")
     to:begin()
     to:set_info("program", "archard " .. require "archard".version)
     to:add(1, "wear of a joint")
-    to:set_values(1, "definition", definition)
-    to:set_values(1, "results", results)
+    file.save(to, 1, run)
     to:mark(1, "done")
     to:commit()
     to:publish()
   end)
+  run.saved = run.update
   return run
+end
+
+local function read(path, functions)
+  local from <close> = store.open(path, "read")
+  from:check()
+  local kind = from:info "kind"
+  if kind ~= "joint" then
+    check.fail("joint.open", ("%s: expected a file of w:save of a joint, got a run file of kind %s"):format(path, tostring(kind)),
+      "FORMAT")
+  end
+  if not results_of(from, 1) then check.fail("joint.open", path .. ": the file is damaged: it has no state", "FORMAT") end
+  return file.wear(from, 1, functions)
 end
 
 function file.open(path, functions)
   check_path("joint.open", path)
-  local definition, results
-  check.as("joint.open", function()
-    local from <close> = store.open(path, "read")
-    from:check()
-    local kind = from:info "kind"
-    if kind ~= "joint" then
-      check.fail("joint.open", ("%s: expected a file of w:save of a joint, got a run file of kind %s"):format(path, tostring(kind)),
-        "FORMAT")
-    end
-    definition, results = from:values(1, "definition"), from:values(1, "results")
-  end)
-  local fine, run = pcall(file.run_from, definition, results, functions)
-  if fine then return run end
-  if type(run) == "table" and run.message then error(run, 0) end
-  check.fail("joint.open", path .. ": the file is damaged: " .. tostring(run), "FORMAT")
+  return check.as("joint.open", read, path, functions)
 end
 
 return file

@@ -2,12 +2,13 @@
 -- anterior, z along the axis of flexion, in mm; values are 0 outside the half sphere.
 
 local made = require "archard.map.made"
-local sphere = require "archard.sphere"
 
 local points = 121 -- along each side
 
+local flat = {}
+
 -- The value of a lattice in a direction, linear between cells.
-local function sampled(rows, values, n)
+function flat.sampled(rows, values, n)
   local row = math.acos(math.max(-1, math.min(1, n[1]))) / math.pi * rows + 0.5
   local column = (math.atan(n[2], n[3]) + math.pi) / math.pi * rows + 0.5
   local i = math.max(1, math.min(rows - 1, math.floor(row)))
@@ -16,8 +17,6 @@ local function sampled(rows, values, n)
   local function at(a, b) return values[(a - 1) * 2 * rows + (b - 1) % (2 * rows) + 1] end
   return (1 - s) * ((1 - t) * at(i, k) + t * at(i, k + 1)) + s * ((1 - t) * at(i + 1, k) + t * at(i + 1, k + 1))
 end
-
-local flat = {}
 
 -- Position of a direction in the map, nil outside the half sphere.
 function flat.point(radius, n)
@@ -37,30 +36,42 @@ function flat.curve(radius, n, count)
 end
 
 -- The rim of the cup's opening, `cover` degrees from its axis.
-function flat.rim(def)
-  local tilt, cover = math.rad(def.inclination or 0), math.rad(def.cover or 90)
+function flat.rim(joint)
+  local tilt, cover = math.rad(joint.cup.inclination), math.rad(joint.cup.cover)
   local c, s = math.cos(tilt), math.sin(tilt)
-  return flat.curve(def.radius, function(t)
+  return flat.curve(joint.head.radius, function(t)
     local a = 2 * math.pi * t
     local x, y, z = math.sin(cover) * math.cos(a), math.sin(cover) * math.sin(a), math.cos(cover)
     return { c * x + s * z, y, c * z - s * x + 1e-12 }
   end, 180)
 end
 
--- (engine, radius, "cup", unit) -> map
-function flat.map(engine, radius, what, unit)
-  local rows, values = sphere.map(engine, what)
+-- The direction at a position of the map, nil outside the half sphere.
+function flat.direction(radius, x, z)
+  local r = math.sqrt(x ^ 2 + z ^ 2)
+  if r > math.sqrt(2) * radius then return nil end
+  local angle = 2 * math.asin(math.min(1, r / (2 * radius)))
+  local share = r > 0 and math.sin(angle) / r or 0
+  return { share * z, share * x, math.cos(angle) }
+end
+
+-- Whether the cup covers a direction, as a function of it.
+function flat.cover(cup)
+  local tilt, least = math.rad(cup.inclination), math.cos(math.rad(cup.cover))
+  return function(n) return n[1] * math.sin(tilt) + n[3] * math.cos(tilt) >= least end
+end
+
+-- (rows of the lattice, its values, radius, name, unit) -> map; as in sphere.map
+function flat.map(rows, values, radius, name, unit)
   local reach, x, y = math.sqrt(2) * radius, {}, {}
   for i = 1, points do x[i] = reach * (2 * (i - 1) / (points - 1) - 1) end
   for i = 1, points do
     for k = 1, points do
-      local r = math.sqrt(x[i] ^ 2 + x[k] ^ 2)
-      local angle = 2 * math.asin(math.min(1, r / (2 * radius)))
-      local share = r > 0 and math.sin(angle) / r or 0
-      y[#y + 1] = r <= reach and sampled(rows, values, { share * x[k], share * x[i], math.cos(angle) }) or 0
+      local n = flat.direction(radius, x[i], x[k])
+      y[#y + 1] = n and flat.sampled(rows, values, n) or 0
     end
   end
-  return made.new{ x = x, z = table.move(x, 1, points, 1, {}), y = y, unit = unit, name = what }
+  return made.new{ x = x, z = table.move(x, 1, points, 1, {}), y = y, unit = unit, name = name }
 end
 
 return flat

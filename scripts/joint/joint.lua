@@ -1,15 +1,19 @@
 -- joint{ head=, cup=, foundation=, mesh= }: a ball in a socket; j:contact{}, j:wear{}. Lengths in mm, angles in
 -- degrees.
 
+local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
-local lattice = require "archard.joint.lattice"
+local measure = require "archard.measure"
 local sphere = require "archard.sphere"
 local strict = require "archard.strict"
+local text = require "archard.joint.text"
 
 local joint = {}
 
 local methods = {}
-local class = { __name = "joint", __index = methods, __methods = methods, __fields = {} }
+local class = { __name = "joint", __methods = methods,
+  __fields = { "head", "cup", "foundation", "order", "mesh", "bodies" } }
+
 -- --- definitions --------------------------------------------------------------------------------
 
 local material_kind = check.kind("a material", function(v)
@@ -25,7 +29,8 @@ local joint_fields = { head = check.table, cup = check.table, mesh = check.table
 local head_fields = { radius = check.positive, material = material_kind, layers = layers_kind }
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
-local function plain(m) return { E = m.E, nu = m.nu } end
+-- Fields of a material as a plain table, as in run files.
+local function plain(m) return { E = m.E, nu = m.nu or 0.3 } end
 
 local function plain_layers(given, prefix)
   local result = {}
@@ -34,8 +39,7 @@ local function plain_layers(given, prefix)
     if not layer.thickness or not layer.material then
       check.fail("joint", ("field '%s[%d]': expected thickness and material"):format(prefix, i))
     end
-    result[i] = plain(layer.material)
-    result[i].thickness = layer.thickness
+    result[i] = { thickness = layer.thickness, material = plain(layer.material) }
   end
   return result
 end
@@ -48,58 +52,36 @@ local function new(given)
   local cocr = { E = 230e3, nu = 0.3 }
   local usual = { { thickness = 3, material = cocr }, { thickness = 6, material = { E = 1000, nu = 0.4 } },
     { thickness = 2, material = { E = 110e3, nu = 0.3 } } }
-  local def = { radius = head.radius or 14, core = plain(head.material or cocr),
-    head_layers = plain_layers(head.layers, "head.layers"), cup_layers = plain_layers(cup.layers or usual, "cup.layers"),
-    clearance = cup.clearance, inclination = cup.inclination, cover = cup.cover, size = mesh.size,
-    foundation = given.foundation, second_order = given.order == 2 }
-  local made = setmetatable({ radius = def.radius, clearance = def.clearance or 0.06, foundation = def.foundation or "elastic" },
-    class)
-  made.def, made.engine = def, sphere.create(def)
-  return made
+  local made = { foundation = given.foundation or "elastic", order = given.order or 1, mesh = { size = mesh.size or 2 },
+    head = { radius = head.radius or 14, material = plain(head.material or cocr), layers = plain_layers(head.layers, "head.layers") },
+    cup = { clearance = cup.clearance or 0.06, inclination = cup.inclination or 0, cover = cup.cover or 90,
+      layers = plain_layers(cup.layers or usual, "cup.layers") } }
+  made.engine = sphere.create(made)
+  made.upper, made.lower = bodies.upper, bodies.lower -- names of results by body
+  made.bodies = measure.bodies(bodies)
+  return strict.object(made, class)
+end
+
+-- The fields of joint{} that make the same joint.
+function class.__settings(j)
+  return { head = j.head, cup = j.cup, foundation = j.foundation, order = j.order, mesh = j.mesh }
 end
 
 function class:__tostring()
-  return ("joint: head of %g mm, radial clearance %g mm, %s, %d layers in the cup\n"
-    .. "  not in this model: edge loading, microseparation, lubrication, the rim"):format(2 * self.radius, self.clearance,
-    self.foundation, #self.def.cup_layers)
+  return ("joint: %s\n  not in this model: edge loading, microseparation, lubrication, the rim"):format(text(self))
 end
 
--- --- contact ------------------------------------------------------------------------------------
-
-local direction_kind = check.kind("{ x, y, z }, three numbers", function(v)
-  return type(v) == "table" and check.number.test(v[1]) and check.number.test(v[2]) and check.number.test(v[3])
-end)
-
-local function show_contact(c)
-  return ("contact of a joint: load %.6g N\n  pressure  largest %.4g MPa, centre %.4g MPa\n"
-    .. "  area      %.4g mm2, half angle %.3g degrees, %.3g degrees to the rim\n"
-    .. "  approach  %.4g, %.4g, %.4g mm (%d iterations)"):format(c.load, c.p_max, c.p_center, c.area, c.half_angle, c.rim_margin,
-    c.approach[1], c.approach[2], c.approach[3], c.iterations)
-end
+-- --- contact, wear and files ---------------------------------------------------------------------
 
 -- j:contact{ load=, direction= }
-function methods:contact(given)
-  given = check.definition("joint:contact", given or {}, { load = check.positive, direction = direction_kind })
-  local load, n = given.load or 3000, given.direction or { 0, 0, 1 }
-  local length = math.sqrt(n[1] ^ 2 + n[2] ^ 2 + n[3] ^ 2)
-  local result = check.as("joint:contact", sphere.press, self.engine, load * n[1] / length, load * n[2] / length,
-    load * n[3] / length)
-  result.load = load
-  result.pressure = lattice.map(self.engine, "pressure")
-  lattice.warn_of_rim("contact", self.def, result.rim_margin)
-  lattice.check_cells("joint:contact", self.engine, result.half_angle)
-  strict.table(result, "joint:contact")
-  local shown = getmetatable(result)
-  shown.__tostring, shown.__plain = show_contact, nil
-  return result
-end
-
--- --- wear and files -----------------------------------------------------------------------------
+function methods:contact(given) return require "archard.joint.contact"(self, given) end
 
 -- j:wear{ loading=, k=, alpha=, cycles=, ... }: a run on its own copy of the joint.
-function methods:wear(given) return require "archard.joint.run".new(self.def, given) end
+function methods:wear(given) return require "archard.joint.run".new(self, given) end
 
 -- joint.open(path [, { k = f }]): opens a run saved by w:save(path).
 function joint.open(path, functions) return require "archard.joint.file".open(path, functions) end
+
+strict.class(class)
 
 return setmetatable(joint, { __call = function(_, given) return new(given) end })

@@ -23,12 +23,17 @@ function lattice.deepest(engine, body)
   return most
 end
 
--- Warns if the contact is so near the rim that the error of the complete spheres exceeds about 1 %.
-function lattice.warn_of_rim(where, def, margin)
-  local liner = def.cup_layers[1]
-  local is_soft = liner.E < 1e4
-  local least = is_soft and math.deg(liner.thickness / def.radius) or 25
-  if (is_soft or #def.cup_layers > 1) and margin < least then
+-- Warns if the contact reaches the rim, within a cell, or is so near the rim that the error of the complete spheres exceeds about 1 %.
+function lattice.warn_of_rim(where, joint, margin)
+  if margin < joint.mesh.size then
+    warn(("%s: the contact reaches the cup's rim (from its outermost cell %.2g degrees, less than a cell of %.2g): edge loading is outside this model"):format(
+      where, margin, joint.mesh.size))
+    return
+  end
+  local layers = joint.cup.layers
+  local is_soft = layers[1].material.E < 1e4
+  local least = is_soft and math.deg(layers[1].thickness / joint.head.radius) or 25
+  if (is_soft or #layers > 1) and margin < least then
     warn(("%s: the contact is %.3g degrees from the cup's rim; the model has complete spheres, with errors of some percent below %.3g degrees"):format(
       where, margin, least))
   end

@@ -2,19 +2,39 @@
 
 local check = require "archard.lib.check"
 local sphere = require "archard.sphere"
+local strict = require "archard.strict"
 
-local class = { __name = "gait", __methods = {}, __fields = { "increments", "track", "work", "name" } }
+local class = { __name = "gait", __fields = { "increments", "instants", "track", "work", "name" } }
 
 function class:__tostring()
   return ("gait: %s, %d increments\n  for a head of 28 mm: track of the load %.4g mm, work %.4g N m per cycle"):format(self.name,
     self.increments, self.track, self.work / 1000)
 end
 
--- (name, list of numbers) -> gait
-return function(name, instants)
+-- The fields that make the same gait, for run files.
+function class.__settings(g) return { name = g.name, instants = g.instants } end
+
+strict.class(class)
+
+local most_lost = 0.01 -- share of path or work that increments may lose without a warning
+
+-- Warns if the increments lose more than this: chords approach the path with the square of their number, so the error is
+-- 4/3 of the difference to twice as many.
+local function warn_of_few(name, count, track, work, finer)
+  local fine_track, fine_work = sphere.path(finer, 14)
+  local lost = 4 / 3 * math.max(1 - track / fine_track, math.abs(1 - work / fine_work))
+  if lost > most_lost then
+    warn(("gait %s: %d increments change its path or work by about %.2g %%: use more, %d or so"):format(name, count, 100 * lost,
+      math.ceil(count * math.sqrt(2 * lost / most_lost))))
+  end
+end
+
+-- (name, list of numbers [, the list of twice as many increments]) -> gait
+return function(name, instants, finer)
   if type(name) ~= "string" or type(instants) ~= "table" or #instants < 15 or #instants % 15 ~= 0 then
     check.fail("gait", "expected a name and fifteen numbers for each instant")
   end
   local track, work = sphere.path(instants, 14)
-  return setmetatable({ name = name, increments = #instants // 15, instants = instants, track = track, work = work }, class)
+  if finer then warn_of_few(name, #instants // 15, track, work, finer) end
+  return strict.object({ name = name, increments = #instants // 15, instants = instants, track = track, work = work }, class)
 end

@@ -1,47 +1,50 @@
 -- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories, maps. A step that fails
 -- leaves the run unchanged. Lengths in mm.
 
+local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
+local flat = require "archard.joint.flat"
 local gait = require "archard.joint.gait"
-local progress = require "archard.lib.progress"
+local given_gait = require "archard.joint.given_gait"
 local lattice = require "archard.joint.lattice"
+local measure = require "archard.measure"
+local process = require "archard.process"
+local progress = require "archard.lib.progress"
 local sphere = require "archard.sphere"
+local strict = require "archard.strict"
+local text = require "archard.joint.text"
 
 local runs = {}
 
 local methods = {}
-local class = { __name = "joint_wear", __index = methods, __methods = methods,
-  __fields = { "alpha", "area", "creep", "cycles", "depth", "depth_partition", "goal", "history", "k", "limit", "loading", "p_peak",
-    "record", "scheme", "tolerance", "updates", "volume" } }
+local class = { __name = "joint_wear", __methods = methods,
+  __fields = { "alpha", "area", "creep", "cycle", "cycles", "depth", "depth_partition", "distance", "done", "functions", "history", "jump", "k",
+    "limit", "loading", "model", "p_peak", "record", "saved", "scheme", "tolerance", "total_distance", "update", "updates", "volume" } }
 
 -- --- definitions --------------------------------------------------------------------------------
-
-local function is_gait(value)
-  local of = type(value) == "table" and getmetatable(value)
-  return type(of) == "table" and rawget(of, "__name") == "gait"
-end
 
 local number_or_function = check.kind("a number >= 0 or a function", function(v)
   return type(v) == "function" or check.number.test(v) and v >= 0
 end)
-local loading_kind = check.kind("a gait, or a list of blocks { gait=, cycles= }", function(v)
-  return is_gait(v) or type(v) == "table" and #v > 0
-end)
+local loading_kind = check.kind('a gait such as gait "iso", its fields, or a list of blocks { gait=, cycles= }', given_gait.kind.test)
 local fields = { loading = loading_kind, k = number_or_function,
   alpha = check.kind("a number in [0, 1] or a function", function(v)
     return type(v) == "function" or check.number.test(v) and v >= 0 and v <= 1
   end),
   creep = check.kind("a function", function(v) return type(v) == "function" end),
-  cycles = check.positive, updates = check.count, scheme = check.one_of{ "sweep", "explicit" }, tolerance = check.share,
+  cycles = check.positive, distance = check.positive, updates = check.count,
+  jump = check.kind("a number > 0 or a function", function(v) return type(v) == "function" or check.positive.test(v) end), scheme = check.one_of{ "sweep", "explicit" }, tolerance = check.share,
   worn = check.table }
-local block_fields = { gait = check.kind("a gait", is_gait), cycles = check.positive }
+runs.fields = fields
+runs.callable = { "k", "alpha", "creep", "jump" } -- settings that may be functions
+local block_fields = { gait = given_gait.kind, cycles = check.positive }
 local shape_kind = check.kind("a function of theta and phi in degrees, a map of a run, or a list of its values", function(v)
   return type(v) == "function" or type(v) == "table"
 end)
 
 -- A list of { gait=, cycles= }; the last block has no end.
 local function blocks_of(given)
-  if is_gait(given) then return { { gait = given, cycles = math.huge } } end
+  if given_gait.is(given) or #given == 0 then return { { gait = given_gait.of(given), cycles = math.huge } } end
   local blocks = {}
   for i, block in ipairs(given) do
     if type(block) ~= "table" then check.refuse("joint:wear", ("loading[%d]"):format(i), "{ gait=, cycles= }", block) end
@@ -49,7 +52,7 @@ local function blocks_of(given)
     if not block.gait or not (block.cycles or i == #given) then
       check.fail("joint:wear", ("field 'loading[%d]': expected a gait and cycles"):format(i))
     end
-    blocks[i] = { gait = block.gait, cycles = block.cycles or math.huge }
+    blocks[i] = { gait = given_gait.of(block.gait), cycles = block.cycles or math.huge }
   end
   return blocks
 end
@@ -86,39 +89,114 @@ local function put_shapes(engine, worn)
   end
 end
 
-local columns = { "cycles", "volume_head", "volume_cup", "depth_head", "depth_cup", "p_peak", "area" }
+-- Columns of the history.
+local columns = { "update", "cycle", "distance", "jump", "load", "p_peak", "area", "depth_cylinder", "depth_plate", "volume_cylinder",
+  "volume_plate", "depth_partition", "solutions" }
 runs.columns = columns
+
+-- A history from its columns, an empty one without; its bodies are named head and cup.
+function runs.history(given)
+  local history = {}
+  for _, name in ipairs(columns) do history[name] = strict.table(given[name] or {}, "list of numbers") end
+  return measure.columns(bodies, history)
+end
 
 local usual = { k = 3e-11, alpha = 0.5, cycles = 1e6, tolerance = 0.02, updates = 20 }
 
--- (definition of the joint, fields of the user) -> run
-function runs.new(def, given)
+local function refuse_two(given, one, other)
+  if given[one] and given[other] then
+    check.fail("joint:wear", ("field '%s': expected %s or %s, got both"):format(one, one, other))
+  end
+end
+
+-- Sliding distance of the load over the head [mm] after a number of cycles.
+local function distance_of(run, cycles)
+  local sum, first = 0, 0
+  for _, block in ipairs(run.blocks) do
+    sum = sum + math.max(0, math.min(block.cycles, cycles - first)) * block.gait.track * run.model.head.radius / 14
+    first = first + block.cycles
+  end
+  return sum
+end
+
+-- The cycles after which this distance is reached.
+local function cycles_of(run, distance)
+  local first = 0
+  for i, block in ipairs(run.blocks) do
+    local path = block.gait.track * run.model.head.radius / 14
+    if i == #run.blocks or distance <= block.cycles * path then return first + distance / path end
+    first, distance = first + block.cycles, distance - block.cycles * path
+  end
+end
+
+-- Sets the fields of a run from a record and its maps.
+local function read(run, record)
+  run.record, run.cycle, run.p_peak, run.area = record, record.cycles, record.p_peak, record.area
+  run.update, run.distance, run.done = math.tointeger(record.updates), distance_of(run, record.cycles), record.cycles >= run.cycles * (1 - 1e-12)
+  local head, cup = record.volume_head or 0, record.volume_cup or 0
+  run.volume = rawset(measure.by_body(run.model, head, cup, "wear.volume"), "total", head + cup)
+  run.depth = measure.by_body(run.model, lattice.deepest(run.engine, "head"), lattice.deepest(run.engine, "cup"), "wear.depth")
+  run.depth_partition = run.depth.head / (run.depth.head + run.depth.cup)
+end
+
+local function largest_load(instants)
+  local most, load, instant = 0, nil, nil
+  for i = 13, #instants, 15 do
+    local x, y, z = instants[i], instants[i + 1], instants[i + 2]
+    local size = math.sqrt(x * x + y * y + z * z)
+    if size > most then most, load, instant = size, { x, y, z }, (i + 2) // 15 end
+  end
+  return load, most, instant
+end
+
+-- Reads a record and appends its row to the history.
+local function note(run, record)
+  local h, n, before = run.history, #run.history.cycle + 1, run.cycle or 0
+  read(run, record)
+  local _, load = largest_load(run.loading.instants)
+  local row = { update = run.update, cycle = run.cycle, distance = run.distance, jump = run.cycle - before, load = load,
+    p_peak = run.p_peak, area = run.area, depth_cylinder = run.depth.head, depth_plate = run.depth.cup,
+    volume_cylinder = run.volume.head, volume_plate = run.volume.cup, depth_partition = run.depth_partition,
+    solutions = record.solutions }
+  for _, name in ipairs(columns) do h[name][n] = row[name] or 0 / 0 end
+end
+
+-- (joint, fields of the user) -> run
+function runs.new(model, given)
   given = check.definition("joint:wear", given or {}, fields)
-  local run = { def = def, engine = sphere.create(def), blocks = blocks_of(given.loading or gait "iso"),
-    k = given.k or usual.k, alpha = given.alpha or usual.alpha,
-    creep = given.creep, goal = given.cycles or usual.cycles,
-    updates = given.updates, scheme = given.scheme or "sweep", tolerance = given.tolerance or usual.tolerance,
-    history = {}, record = { cycles = 0, updates = 0 }, cycles = 0, volume = { head = 0, cup = 0, total = 0 },
-    depth = { head = 0, cup = 0 } }
+  local run = { model = model, engine = sphere.create(model), blocks = blocks_of(given.loading or gait "iso"),
+    k = given.k or usual.k, alpha = given.alpha or usual.alpha, creep = given.creep, cycles = given.cycles or usual.cycles,
+    updates = given.updates, jump = given.jump, scheme = given.scheme or "sweep", tolerance = given.tolerance or usual.tolerance,
+    history = runs.history{}, functions = {} }
+  for _, name in ipairs(runs.callable) do
+    if type(run[name]) == "function" then table.insert(run.functions, name) end
+  end
   run.loading = run.blocks[1].gait
-  run.step = run.goal * usual.updates ^ -1.5 -- first step
-  for _, name in ipairs(columns) do run.history[name] = { name:find "^[pa]" and 0 / 0 or 0.0 } end
+  if given.distance then run.cycles = cycles_of(run, given.distance) end
+  run.step = run.cycles * usual.updates ^ -1.5 -- first step
+  run.total_distance = distance_of(run, run.cycles)
   if run.scheme == "explicit" and type(run.k) == "function" then
     check.fail("joint:wear", "field 'scheme': expected \"sweep\" if k is a function, as its stability limit is unknown")
   end
-  if run.updates and given.tolerance then
-    check.fail("joint:wear", "field 'updates': expected updates or a tolerance, got both")
-  end
+  refuse_two(given, "cycles", "distance")
+  refuse_two(given, "updates", "tolerance")
+  refuse_two(given, "jump", "updates")
+  refuse_two(given, "jump", "tolerance")
   if run.scheme == "explicit" and run.k > 0 then run.limit = sphere.limit(run.engine, run.loading.instants, run.k) end
-  setmetatable(run, class)
-  if given.worn then
-    put_shapes(run.engine, given.worn)
-    for _, body in ipairs{ "head", "cup" } do
-      run.depth[body] = lattice.deepest(run.engine, body)
-      run.history["depth_" .. body][1] = run.depth[body]
-    end
+  if given.worn then put_shapes(run.engine, given.worn) end
+  note(run, { cycles = 0, updates = 0, solutions = 0 })
+  return strict.object(run, class)
+end
+
+-- The fields of wear{} that make the same run, but for start shapes.
+function methods:definition()
+  local blocks = {}
+  for i, block in ipairs(self.blocks) do
+    blocks[i] = { gait = block.gait, cycles = block.cycles < math.huge and block.cycles or nil }
   end
-  return run
+  local goal = not (self.updates or self.jump) and self.tolerance or nil
+  return { model = self.model, loading = blocks, k = self.k, alpha = self.alpha, creep = self.creep, cycles = self.cycles,
+    scheme = self.scheme, updates = self.updates, jump = self.jump, tolerance = goal }
 end
 
 -- --- steps --------------------------------------------------------------------------------------
@@ -128,39 +206,40 @@ local function block_at(run)
   local last = 0
   for _, block in ipairs(run.blocks) do
     last = last + block.cycles
-    if run.cycles < last * (1 - 1e-12) then return block, last end
+    if run.cycle < last * (1 - 1e-12) then return block, last end
   end
   return run.blocks[#run.blocks], math.huge
 end
 
-local function largest_load(instants)
-  local most, load = 0, nil
-  for i = 13, #instants, 15 do
-    local x, y, z = instants[i], instants[i + 1], instants[i + 2]
-    local size = math.sqrt(x * x + y * y + z * z)
-    if size > most then most, load = size, { x, y, z } end
-  end
-  return load
-end
-
--- Checks the unworn contact under the largest load: refuses cells that are too large, warns if the rim is near.
+-- Computes the first contact under the largest load: refuses cells that are too large, warns if the rim is near. Its
+-- pressure and area become those of the history's first row.
 local function check_contact(run)
   local load = largest_load(run.blocks[1].gait.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
   local contact = check.as("joint_wear:run", sphere.press, run.engine, load[1], load[2], load[3])
-  lattice.warn_of_rim("joint_wear:run", run.def, contact.rim_margin)
+  lattice.warn_of_rim("joint_wear:run", run.model, contact.rim_margin)
   lattice.check_cells("joint_wear:run", run.engine, contact.half_angle)
+  run.history.p_peak[1], run.history.area[1] = contact.p_max, contact.area
 end
 
 -- Cycles up to the next of the given number of updates, which end at goal (j/m)^1.5.
 local function next_of_updates(run)
-  local j = math.floor(run.updates * (run.cycles / run.goal) ^ (2 / 3) + 1e-6) + 1
-  return run.goal * (j / run.updates) ^ 1.5 - run.cycles
+  local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
+  return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
+end
+
+-- Cycles of the next update as given, if the user gave updates or jump.
+local function given_cycles(run)
+  if run.updates then return next_of_updates(run) end
+  if type(run.jump) ~= "function" then return run.jump end
+  local cycles = run.jump{ cycle = run.cycle, distance = run.distance, update = run.update }
+  if not check.positive.test(cycles) then check.refuse("joint_wear:run", "jump", "a number of cycles > 0 from the function", cycles) end
+  return cycles
 end
 
 -- Cycles of an explicit update: the stability limit, at most a fixed part of the goal.
 local function explicit_cycles(run, instants)
-  local most = run.goal / (run.updates or usual.updates)
+  local most = run.jump and given_cycles(run) or run.cycles / (run.updates or usual.updates)
   if run.k == 0 then return most end
   run.limit = sphere.limit(run.engine, instants, run.k)
   return math.min(most, run.limit)
@@ -173,35 +252,17 @@ local function advance(run, instants, most)
       run.scheme == "explicit", run.creep)
   end
   if run.scheme == "explicit" then return update(explicit_cycles(run, instants)) end
-  if run.updates then return update(next_of_updates(run)) end
+  local cycles = given_cycles(run)
+  if cycles then return update(cycles) end
   local record, step = check.as("joint_wear:run", sphere.advance, run.engine, instants, run.k, run.alpha, most, run.record,
     run.tolerance, run.step, run.creep)
   run.step = step
   return record
 end
 
--- Sets the fields of a run from a record and its maps.
-local function read(run, record)
-  run.record, run.cycles, run.p_peak, run.area = record, record.cycles, record.p_peak, record.area
-  local head, cup = record.volume_head or 0, record.volume_cup or 0
-  run.volume = { head = head, cup = cup, total = head + cup }
-  for _, body in ipairs{ "head", "cup" } do run.depth[body] = lattice.deepest(run.engine, body) end
-  run.depth_partition = run.depth.head / (run.depth.head + run.depth.cup)
-end
-
-local function note(run, record)
-  local h, n = run.history, #run.history.cycles + 1
-  read(run, record)
-  for _, body in ipairs{ "head", "cup" } do
-    h["depth_" .. body][n] = run.depth[body]
-    h["volume_" .. body][n] = run.volume[body]
-  end
-  h.p_peak[n], h.area[n], h.cycles[n] = run.p_peak, run.area, run.cycles
-end
-
 -- Restores a saved run whose maps are already set.
 function runs.restore(run, record, history)
-  run.history = history
+  run.history = runs.history(history)
   read(run, record)
   run.loading = block_at(run).gait
 end
@@ -210,32 +271,65 @@ end
 local function watcher(run, given, goal)
   if given == false then return function() end, nil end
   if type(given) == "function" then return given, nil end
-  local bar = progress.new{ total = goal, done = run.cycles, label = "wear", unit = "cycles" }
-  return function() bar:update(run.cycles, ("update %d"):format(#run.history.cycles - 1)) end, bar
+  local bar = progress.new{ total = goal, done = run.cycle, label = "wear", unit = "cycles" }
+  return function() bar:update(run.cycle, ("update %d"):format(run.update)) end, bar
 end
 
--- w:run{ cycles=, progress= }: runs up to a number of cycles. An error or Ctrl-C leaves the run after its last complete
+local ended = setmetatable({}, { __close = function() process.report "" end })
+
+-- Sets the progress in the error of Ctrl-C, until the value returned is closed.
+local function report(run, goal)
+  process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
+  return ended
+end
+
+-- w:run{ cycles=, distance=, progress= }: runs up to a number of cycles or a sliding distance of the load. An error or Ctrl-C leaves the run after its last complete
 -- step, from which it can be continued with identical results.
 function methods:run(given)
-  given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, progress = check.progress })
-  local goal = given.cycles or self.goal
+  given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, distance = check.positive,
+    progress = check.progress })
+  local goal = given.cycles or given.distance and cycles_of(self, given.distance) or self.cycles
   local watch, shown <close> = watcher(self, given.progress, goal)
-  if self.cycles == 0 then check_contact(self) end
-  while self.cycles < goal * (1 - 1e-12) do
+  local reported <close> = report(self, goal)
+  if self.cycle == 0 then check_contact(self) end
+  while self.cycle < goal * (1 - 1e-12) do
     local block, last = block_at(self)
     self.loading = block.gait
-    note(self, advance(self, block.gait.instants, math.min(goal, last) - self.cycles))
-    watch(self)
+    note(self, advance(self, block.gait.instants, math.min(goal, last) - self.cycle))
+    report(self, goal)
+    if watch(self) then break end
   end
   return self
 end
 
+-- Releases the memory of the run.
+function methods:close() self.engine = nil end
+
+class.__close = methods.close
+
+function methods:sensitivity(given) return sphere.sensitivity(self, given) end
+
 -- --- results ------------------------------------------------------------------------------------
 
--- w:map "cup" | "head" | "cross shear" | "creep" | "pressure"
-function methods:map(what)
-  local known = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
-  if not known.test(what) then check.refuse("joint_wear:map", "what", known.expected, what) end
+-- The instant of the cycle with the largest load, from 1.
+function methods:heaviest() return (select(3, largest_load(self.loading.instants))) end
+
+-- Solves the contact of the present surfaces at an instant of the cycle.
+local function press_at(run, instant)
+  local list, first = run.loading.instants, 15 * (instant - 1)
+  check.as("joint_wear:map", sphere.press, run.engine, list[first + 13], list[first + 14], list[first + 15],
+    table.move(list, first + 1, first + 9, 1, {}))
+end
+
+local map_kind = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
+
+-- w:map "cup" | "head" | "cross shear" | "creep" | "pressure", { instant= }; the pressure at an instant of the cycle, by
+-- default that of the largest load, on the present surfaces
+function methods:map(what, given)
+  if not map_kind.test(what) then check.refuse("joint_wear:map", "what", map_kind.expected, what) end
+  local instants = self.loading.increments
+  given = check.definition("joint_wear:map", given or {}, { instant = check.whole(1, instants) })
+  if what == "pressure" then press_at(self, given.instant or self:heaviest()) end
   return lattice.map(self.engine, what)
 end
 
@@ -243,36 +337,41 @@ local units = { ["cross shear"] = "-", pressure = "MPa" }
 
 -- w:flat "cup": the same map in mm, in an azimuthal equal-area projection about the load.
 function methods:flat(what)
-  self:map(what)
-  return require "archard.joint.flat".map(self.engine, self.def.radius, what, units[what] or "mm")
+  local map = self:map(what)
+  return flat.map(#map.theta, map.values, self.model.head.radius, what, units[what] or "mm")
 end
 
 -- w:penetration(): the head's displacement into the cup under the largest load [mm].
 function methods:penetration() return self.record.penetration end
 
 -- w:save(path): saves the run so that it can be continued with identical results.
-function methods:save(path) return require "archard.joint.file".save(self, path) end
+function methods:save(path) return require "archard.joint.file".write(self, path) end
 
 local function step_words(run)
   if run.scheme == "explicit" then
     return run.limit and ("explicit updates, stable up to %.4g cycles each"):format(run.limit) or "explicit updates"
   end
   if run.updates then return ("%d updates"):format(run.updates) end
+  if run.jump then return type(run.jump) == "number" and ("updates of %g cycles"):format(run.jump) or "updates by a function" end
   return ("steps within %g"):format(run.tolerance)
 end
 
 function class:__tostring()
+  if not self.engine then return "wear of a joint (closed)" end
   local coefficient = type(self.k) == "number" and ("k %.4g mm2/N = %.4g mm3/(N m)"):format(self.k, 1000 * self.k) or "k a function"
   local share = type(self.alpha) == "number" and ("alpha %g"):format(self.alpha) or "alpha a function"
-  local lines = { ("wear of a joint: %.6g cycles, %s (the head's share), %s, %s"):format(self.cycles, share, coefficient,
-    step_words(self)) }
-  if self.cycles > 0 then
-    lines[2] = ("  depth head %.4g, cup %.4g um; volume head %.5g, cup %.5g mm3: %.4g mm3 per million cycles"):format(
-      1000 * self.depth.head, 1000 * self.depth.cup, self.volume.head, self.volume.cup, self.volume.total / self.cycles * 1e6)
-    lines[3] = ("  largest pressure of the last cycle %.4g MPa, contact up to %.4g mm2"):format(self.p_peak, self.area)
+  local lines = { "wear of a joint: " .. text(self.model),
+    ("  wears by  %s, %s (the head's share)"):format(coefficient, share),
+    ("  loading   %s%s"):format(self.loading.name, #self.blocks > 1 and (" of %d blocks"):format(#self.blocks) or ""),
+    ("  done      %.6g of %.6g cycles, %s"):format(self.cycle, self.cycles, step_words(self)) }
+  if self.cycle > 0 then
+    lines[#lines + 1] = ("  depth     head %.4g, cup %.4g um\n  volume    head %.5g, cup %.5g mm3: %.4g mm3 per million cycles"):format(
+      1000 * self.depth.head, 1000 * self.depth.cup, self.volume.head, self.volume.cup, self.volume.total / self.cycle * 1e6)
+    lines[#lines + 1] = ("  pressure  in a cycle %.4g MPa, contact up to %.4g mm2"):format(self.p_peak, self.area)
   end
   return table.concat(lines, "\n")
 end
 
-runs.class = class
+strict.class(class)
+
 return runs

@@ -1,9 +1,13 @@
 -- at(history, column, distance): the value of a history's column at a distance, by cubic
--- interpolation between four rows (or fewer, if the history is shorter).
+-- interpolation between four rows (or fewer, if the history is shorter). Rows of a column before its first
+-- number, as the unworn state has no partition of depths, are omitted; before it this number applies.
 return function(history, column, distance)
-  local x, y, low = history.distance, history[column], 1
+  local x, y, start = history.distance, history[column], 1
+  while start < #x and y[start] ~= y[start] do start = start + 1 end
+  if start > 1 and distance <= x[start] then return y[start] end
+  local low = start
   while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end
-  local first, sum = math.max(1, math.min(low - 1, #x - 3)), 0
+  local first, sum = math.max(start, math.min(low - 1, #x - 3)), 0
   local last = math.min(first + 3, #x)
   for i = first, last do
     local share = 1

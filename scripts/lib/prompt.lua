@@ -78,6 +78,15 @@ local function short_command(text)
   end
 end
 
+-- Suggestion for a text that is not Lua, or "".
+local function hint_for(text)
+  local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
+  if word then return ('; did you mean help "%s"?'):format(word) end
+  local object, field = text:match "([%a_][%w_.:]*)%s*[%(%[]%s*([%a_][%w_]*)%s*=[^=]"
+  if object then return ("; fields are given in braces: %s{ %s = ... }"):format(object, field) end
+  return ""
+end
+
 -- compile(text, name, line) -> function; or nil, message; or nil, nil if more lines are needed.
 function prompt.compile(text, name, line)
   local short = short_command(text)
@@ -97,7 +106,7 @@ function prompt.compile(text, name, line)
     return chunk
   end
   if is_open(as_statement, text) or is_open(as_expression, text) then return nil, nil end
-  return nil, text:find("^%s*=") and as_expression or as_statement
+  return nil, (text:find("^%s*=") and as_expression or as_statement) .. hint_for(text)
 end
 
 -- Shows the values of a chunk, a long text page by page, and stores the first value in the global `_`.

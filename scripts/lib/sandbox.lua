@@ -10,15 +10,15 @@ local globals, open, remove = _G, io.open, os.remove
 
 function io.open(path, mode)
   local use = (mode or "r"):find "^r" and not (mode or ""):find("+", 1, true) and "read" or "write"
-  local fine, why = files.allowed(path, use)
-  if not fine then return nil, why end
-  return open(path, mode)
+  local found, why = files.find(path, use)
+  if not found then return nil, why end
+  return open(found, mode)
 end
 
 function os.remove(path)
-  local fine, why = files.allowed(path, "write")
-  if not fine then return nil, why end
-  return remove(path)
+  local found, why = files.find(path, "write")
+  if not found then return nil, why end
+  return remove(found)
 end
 
 os.rename = nil
@@ -41,8 +41,8 @@ end
 -- Errors have the position of the caller.
 local function read_chunk(path, ...)
   if type(path) ~= "string" then error("expected a file name, got " .. type(path), 3) end
-  local fine, why = files.allowed(path, "read")
-  if not fine then return nil, why end
+  local found, why = files.find(path, "read")
+  if not found then return nil, why end
   return loadfile(path, "t", ...)
 end
 

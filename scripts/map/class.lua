@@ -145,6 +145,18 @@ function methods:crop(given)
   return part(self, i0, i1, range_of(where, self, "z", given.z))
 end
 
+local function centered(list)
+  local middle, result = (list[1] + list[#list]) / 2, {}
+  for i, value in ipairs(list) do result[i] = value - middle end
+  return result
+end
+
+-- t:center(): the same points with x = z = 0 in their middle
+function methods:center()
+  map.self("map:center", self)
+  return map.derived(self, centered(self.x), centered(self.z), self.y)
+end
+
 -- Resamples with weighted sums along x, then along z.
 local function weighted(t, wx, wz)
   local n, rows, y = #t.z, {}, {}

@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
+local map = require "archard.plot.map"
 local process = require "archard.process"
 local naming = require "archard.plot.naming"
 local term = require "archard.term"
@@ -11,7 +12,7 @@ local term = require "archard.term"
 local own = {
   file = draw.fields.file, size = draw.fields.size, term = draw.fields.term,
   colour = draw.fields.colour, frames = check.count, every = check.count, delay = check.positive,
-  what = check.one_of { "profile", "pressure", "both" },
+  what = check.one_of { "profile", "pressure", "both", "stroke" },
 }
 
 -- --- one frame ----------------------------------------------------------------------------------
@@ -98,6 +99,33 @@ local function film(frames, limits, delay, given)
   draw.film("plot.animate", list, delay, given)
 end
 
+-- --- a stroke in three dimensions ---------------------------------------------------------------
+
+-- The pressures on the present surfaces, at positions from one end of the stroke to the other.
+local function stroke_film(w, count, delay, given)
+  local where = "plot.animate"
+  if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"stroke" only with geometry = "3-D"', "stroke") end
+  local list, contact, most, half_x, half_z = {}, w:contact(), 0, 0, 0
+  for i = 1, count do
+    local x = w.stroke * (count > 1 and (i - 1) / (count - 1) - 0.5 or 0)
+    local t = contact:move{ x = x }:pressure()
+    list[i] = map.panel(t)
+    list[i].title = ("x = %+.4f mm, %.6g mm of sliding"):format(x, w.distance)
+    half_x, half_z = math.max(half_x, t.x[#t.x]), math.max(half_z, t.z[#t.z])
+    for _, p in ipairs(t.y) do most = math.max(most, p) end
+  end
+  for _, panel in ipairs(list) do
+    panel.vrange, panel.xrange, panel.yrange = { 0, most }, { -half_x, half_x }, { -half_z, half_z }
+  end
+  if given.file then return draw.film(where, list, delay, given) end
+  for i, panel in ipairs(term.movable() and list or { list[#list] }) do
+    panel.term, panel.size, panel.colour = given.term, given.size, given.colour
+    if not term.movable() then return draw.draw(where, panel) end
+    show(panel, i == 1)
+    process.pause(delay)
+  end
+end
+
 -- Number of updates between frames, so that about `frames` frames show the rest of the run.
 local function updates_between(w, frames)
   local cycles, cycle, jump = curves.get(w, "cycles"), curves.get(w, "cycle"),
@@ -125,6 +153,7 @@ return function(w, given)
   end
   given = check.fields(where, given or {}, own)
   local what, delay, limits, kept = given.what or "profile", given.delay or 0.1, {}, {}
+  if what == "stroke" then return stroke_film(w, given.frames or 30, delay, given) end
   local every = given.every or updates_between(w, given.frames or 30)
   local in_place = not given.file and term.movable()
   each_frame(w, every, given.frames or math.huge, function()

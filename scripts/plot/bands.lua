@@ -15,7 +15,7 @@ local function panel_of(uncertainty, name)
   local result = uncertainty[name]
   local quantiles, distance = result.quantiles, uncertainty.distance
   local label, factor = curves.quantity_of(name)
-  local panel = { xlabel = "distance / mm", ylabel = label, title = name:gsub("_", " ") }
+  local panel = { xlabel = "distance / mm", ylabel = label, title = naming.word_of(name) }
   for i = 1, #quantiles // 2 do
     local low, high = quantiles[i], quantiles[#quantiles + 1 - i]
     panel[i] = shapes.area(distance, low.value, high.value, factor)

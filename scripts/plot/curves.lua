@@ -33,7 +33,7 @@ local function split(where, mark, own, ...)
       options = value
     else
       check.fail(where, ("argument %d: expected an object with .%s, a string, or at the end a table "
-        .. "of options, got %s"):format(i, mark, check.shown(value)))
+        .. "of options, got %s%s"):format(i, mark, check.shown(value), naming.get(value, "flat") and " (plot.map draws its maps)" or ""))
     end
   end
   if #objects == 0 then
@@ -303,7 +303,7 @@ function curves.history(...)
   local where = "plot.history"
   local objects, columns, options = split(where, "history", { titles = check.table,
     against = check.one_of { "distance", "cycle", "update" } }, ...)
-  if not columns[1] then columns = { "p_center" } end
+  if not columns[1] then columns = { get(objects[1].history, "p_center") and "p_center" or "p_peak" } end
   local names, scale = naming.names_of(where, objects, options.titles)
   local abscissa = options.against or "distance"
   local panels = history_panels(columns)

@@ -50,7 +50,8 @@ end
 
 -- Values and label of the horizontal axis.
 local function across(item)
-  if item.kind ~= "loop" then return item.x or item.distance, item.x and "x / mm" or naming.axis_of("distance") end
+  if item.kind == "sphere" then return item.x, "angle from the load / degree" end
+  if item.kind ~= "loop" then return item.x or item.distance, item.x and (item.along or "x") .. " / mm" or naming.axis_of("distance") end
   if item.unit == "N" then return scaled(item.x, 1e3), "motion / µm" end
   return item.x, "tangential force / N"
 end
@@ -64,7 +65,7 @@ local function loop_panel(item)
     { x = round(x), y = scaled(round(item.model), factor), series = 1, title = "model", style = "lines" },
     { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
       colour = "black", title = "data" },
-    title = naming.word_of(item.title), ylabel = label, xlabel = name, xrange = range_of(x),
+    title = item.brief or naming.word_of(item.title), ylabel = label, xlabel = name, xrange = range_of(x),
   }
 end
 
@@ -83,7 +84,7 @@ local function main_panel(item)
   return {
     band_of(x, item.low, item.high, factor),
     first, second,
-    title = naming.word_of(item.title), ylabel = label, xlabel = name,
+    title = item.brief or naming.word_of(item.title), ylabel = label, xlabel = name,
     ydown = item.x and true or nil, xrange = range_of(x),
     yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
       scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor)),
@@ -116,17 +117,24 @@ local function share_ranges(panels)
   for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
--- One column for each set of data, with its residuals in the row below.
+-- The sets of data to draw: those of one value are in print(f), and are left out beside others.
+local function drawn(list)
+  local chosen = {}
+  for _, item in ipairs(list) do if #item.value > 1 then chosen[#chosen + 1] = item end end
+  return #chosen > 0 and chosen or list
+end
+
+-- One column for each set of data, with its residuals in the row below; those of a single set are beside it.
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
-  for _, item in ipairs(fit.data) do
+  for _, item in ipairs(drawn(fit.data)) do
     above[#above + 1], below[#below + 1] = main_panel(item), residual_panel(item)
   end
   share_ranges(above)
   share_ranges(below)
   for _, panel in ipairs(above) do figure.panels[#figure.panels + 1] = panel end
   for _, panel in ipairs(below) do figure.panels[#figure.panels + 1] = panel end
-  figure.layout = { 2, #above }
+  figure.layout = #above == 1 and { 1, 2 } or { 2, #above }
   return figure
 end
 

@@ -66,8 +66,8 @@ end
 local function add_borders(given, map, partial, gross)
   local style = #map.load > 1 and "lines" or "points"
   given[#given + 1] = { x = partial, y = map.load, style = style, series = 7, dash = 1,
-    title = ("slip on %g %% of the width"):format(100 * map.annulus) }
-  given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "gross slip begins" }
+    title = ("%g %% slips"):format(100 * map.annulus) }
+  given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "all slips" }
 end
 
 -- plot.fretting_map(map, { ... })

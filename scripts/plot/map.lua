@@ -2,8 +2,10 @@
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local flat = require "archard.joint.flat"
 local merged = require "archard.lib.merged"
 local naming = require "archard.plot.naming"
+local strict = require "archard.strict"
 
 local pictures = {}
 
@@ -35,10 +37,16 @@ local function unit_of(t)
   return t.unit, 1
 end
 
+local function has_values(t)
+  for _, y in ipairs(t.y) do if y ~= 0 then return true end end
+  return false
+end
+
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Quadrilaterals between the points of rows j and j + 1, from the last row to the first; position(i, j) -> x, y.
-local function field_of(t, position)
+-- Quadrilaterals between the points of rows j and j + 1, from the last row to the first; position(i, j) -> x, y;
+-- covers(x, z): whether one with this middle is drawn, or nil.
+local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
   local function add(i, j)
@@ -48,10 +56,12 @@ local function field_of(t, position)
   end
   for j = nz - 1, 1, -1 do
     for i = 1, #t.x - 1 do
-      add(i, j)
-      add(i + 1, j)
-      add(i + 1, j + 1)
-      add(i, j + 1)
+      if not covers or covers(0.5 * (t.x[i] + t.x[i + 1]), 0.5 * (t.z[j] + t.z[j + 1])) then
+        add(i, j)
+        add(i + 1, j)
+        add(i + 1, j + 1)
+        add(i, j + 1)
+      end
     end
   end
   return field
@@ -60,26 +70,58 @@ end
 local map_options = { body = check.text, what = check.text }
 local map_words = check.one_of{ "depth", "height", "pressure" }
 
-local function is_joint_run(object)
-  local class = type(object) == "table" and getmetatable(object)
-  return type(class) == "table" and rawget(class, "__name") == "joint_wear"
+local function is_joint_run(object) return strict.is(object, "joint_wear") end
+local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
+
+-- Whether a position of a joint's map is on the half sphere about the load and, unless it is one of the head, on the cup.
+local function cover_of(joint, of_head)
+  local covers = of_head and function() return true end or flat.cover(joint.cup)
+  return function(x, z)
+    local n = flat.direction(joint.head.radius, x, z)
+    return n ~= nil and covers(n)
+  end
 end
 
--- The map itself, the map of a run, or the pressure map of a contact in three dimensions.
+-- The map itself, the map of a run and its body, or the pressure map of a contact in three dimensions.
 local function map_of(where, object, options)
-  if is_joint_run(object) then
-    return check.as(where, object.flat, object, options.what or options.body or "cup")
+  if is_of_joint(object) then
+    return check.as(where, object.flat, object, options.what or options.body or is_joint_run(object) and "cup" or "pressure")
   end
   if options.what and not map_words.test(options.what) then check.refuse(where, "what", map_words.expected, options.what) end
   if type(object) ~= "userdata" then return check_map(where, object) end
   local of_run = naming.get(object, "map")
   if of_run then
     local body = naming.body(where, object, options.body or naming.bodies(object)[1])
-    return check.as(where, of_run, object, body, options.what or "depth")
+    return check.as(where, of_run, object, body, options.what or "depth"), body
   end
   local pressure = naming.get(object, "pressure")
   local fine, t = pcall(pressure or error, object)
   return check_map(where, fine and is_map(t) and t or object)
+end
+
+-- The picture of a map from above: a table for plot{}.
+function pictures.panel(t, covers)
+  local shown = thinned(t, most)
+  local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end, covers) }
+  given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
+  given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
+  if not has_values(t) then given.vrange = { 0, 1 } end
+  given.equal, given.levels = true, 8 -- no contour at zero, which a levelled surface crosses everywhere
+  return given
+end
+
+-- The picture of a stress in a section or plane of a contact in three dimensions, { x= | y= | z= } (default z = 0).
+function pictures.stress(where, contact, options, label)
+  local cut = merged(options.section or { z = 0 }, { body = options.body })
+  local t = check.as(where, contact.stress, contact, cut)[options.component or "mises"]
+  if not t then check.refuse(where, "component", '"mises", "sxx", "syy", "szz" or "sxy" with geometry = "3-D"', options.component) end
+  local given = pictures.panel(t)
+  local axis = cut.x and "x" or cut.y and "y" or "z"
+  if axis == "x" then given.xlabel = "z / mm" end
+  if axis ~= "y" then given.ylabel = "y / mm" end
+  given.vlabel, given.levels = label, 9
+  given.title = ("%s of the %s, %s = %.4g mm"):format(label:match "^(.-) /", options.body or naming.bodies(contact)[2], axis, cut[axis])
+  return given
 end
 
 -- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height", { ... })
@@ -94,20 +136,21 @@ function pictures.map(object, options, more)
     check.fail(where, "expected a string before the table of options, got " .. check.shown(options))
   end
   options = draw.options(where, options, map_options)
-  local t = map_of(where, object, options)
-  local shown = thinned(t, most)
-  local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end) }
-  given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
+  local t, body = map_of(where, object, options)
+  local joint = is_of_joint(object) and object.model
+  local given = pictures.panel(t, joint and cover_of(joint, t.name == "head"))
+  if body then given.title = naming.title_of(("%s of the %s"):format(t.name, body), { object }, options) end
   if is_joint_run(object) and (t.name == "cup" or t.name == "head") then
     given.vlabel, given.title = "wear depth / " .. unit_of(t), "wear of the " .. t.name
   end
-  given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
-  if is_joint_run(object) and t.name ~= "head" then
-    local rim = require "archard.joint.flat".rim(object.def)
+  if joint then
+    given.xlabel, given.ylabel = "x, anterior / mm", "z, along the axis of flexion / mm"
+  end
+  if joint and t.name ~= "head" then
+    local rim = flat.rim(joint)
     rim.title, rim.colour, rim.width = "rim", "black", 1
     given[2] = rim
   end
-  given.equal, given.levels = true, 8 -- no contour at zero, which a levelled surface crosses everywhere
   draw.draw(where, draw.over(given, options))
 end
 

@@ -2,6 +2,7 @@
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local map = require "archard.plot.map"
 local naming = require "archard.plot.naming"
 
 local mesh = {}
@@ -184,7 +185,8 @@ local labels = { mises = "von Mises stress / MPa", principal = "largest principa
   shear = "largest shear stress / MPa", sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
 
 local stress_options = { component = check.one_of(mesh.components), body = check.text, unrolled = check.flag,
-  zoom = check.one_of({ "all" }, check.box), deformed = check.number }
+  zoom = check.one_of({ "all" }, check.box), deformed = check.number,
+  section = check.kind("a table { z= }, { x= } or { y= }", function(v) return type(v) == "table" end) }
 
 -- Node positions with `factor` times their displacements.
 local function displaced(body, factor)
@@ -194,6 +196,19 @@ local function displaced(body, factor)
     x[i], y[i] = body.x[i] + factor * body.ux[i], body.y[i] + factor * body.uy[i]
   end
   return x, y
+end
+
+-- How far the upper body is drawn below its own coordinates [mm], so that worn bodies touch: their approach. 0 where the
+-- user chooses the displacements, surfaces are unrolled, or the load is not along y.
+local function lowered(contact, options)
+  if options.deformed or options.unrolled or not contact or naming.get(contact, "load_angle") ~= 0 then return 0 end
+  return naming.get(contact, "approach") or 0
+end
+
+local function moved(y, by)
+  local result = {}
+  for i = 1, #y do result[i] = y[i] + by end
+  return result
 end
 
 -- Appends the elements that overlap the box as polygons with four corners.
@@ -239,6 +254,14 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
+-- The contact in three dimensions of an object, else nil.
+local function in_space(object)
+  local model = type(object) == "userdata" and naming.get(object, "model")
+  if not model or naming.get(model, "geometry") ~= "3-D" then return nil end
+  local contact = naming.get(object, "contact")
+  return contact and contact(object) or object
+end
+
 -- Largest value of a component of a body within the view.
 local function largest_of(body, component, box)
   local most = 0
@@ -264,14 +287,23 @@ end
 -- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
 function mesh.stress(object, options)
   local where = "plot.stress"
+  local spatial = in_space(object)
+  if spatial then
+    options = draw.options(where, options, stress_options)
+    local given = map.stress(where, spatial, options, labels[options.component or "mises"])
+    return draw.draw(where, draw.over(given, options))
+  end
   local stress, contact = field_of(where, object)
   options = draw.options(where, options, stress_options)
+  if options.section then check.refuse(where, "section", 'none but with geometry = "3-D"', options.section) end
   local shown, names = {}, (shown_bodies(where, stress, options))
   for i, name in ipairs(names) do shown[i] = stress[name] end
   local component, box = options.component or "mises", stress_view(contact, options.zoom, shown)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
-  for _, body in ipairs(shown) do
-    local x, y = displaced(body, options.deformed or 0)
+  local down = lowered(contact, options)
+  for i, body in ipairs(shown) do
+    local x, y = displaced(body, options.deformed or (down ~= 0 and 1 or 0))
+    if i == 1 and #shown == 2 then y = moved(y, -down) end
     local elements, radius = body.elements, nil
     if options.unrolled then
       x, y, radius = unrolled(where, stress, x, y)

@@ -97,8 +97,16 @@ for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
 -- Axis label of a setting; names of a study's settings may have a path ("model.radius").
 function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
 
--- A setting or a column as words for a title: "α", "depth plate".
-function naming.word_of(name) return name == "alpha" and "α" or name == "friction" and "μ" or (name:gsub("_", " ")) end
+local words = { alpha = "α", friction = "μ", p_center = "pressure at the centre", p_max = "largest pressure",
+  p_peak = "largest pressure of a cycle" }
+
+-- A setting or a column as words for a title: "α", "wear depth of the plate".
+function naming.word_of(name)
+  local what, body = name:match "^(%l+)_([%w_]+)$"
+  if words[name] then return words[name] end
+  if (what == "depth" or what == "volume") and body ~= "partition" then return ("wear %s of the %s"):format(what, body) end
+  return (name:gsub("_", " "))
+end
 
 -- A setting with its value: "α = 0.5".
 function naming.value_of(name, value)

@@ -91,9 +91,11 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Rows and columns of the panels; up to three stacked panels are drawn side by side if the style has pages.
+-- Rows and columns of the panels of a file: two stacked panels are drawn side by side, as they would be flat, and three
+-- if the style has pages.
 function style.grid(rows, columns)
-  if current.page and columns == 1 and rows <= 3 and current.width ~= "column" then return 1, rows end
+  local most = current.page and 3 or 2
+  if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end
   return rows, columns
 end
 

@@ -101,6 +101,6 @@ return function(object, options)
   end)
   local given = curves_of(bars)
   given.xlabel, given.yplaces, given.yrange = label, places_of(bars), { 0.5, #bars + 0.5 }
-  given.title = ("%s at %g mm"):format(of:gsub("_", " "), object.distance[index])
+  given.title = ("%s at %g mm"):format(naming.word_of(of), object.distance[index])
   draw.draw(where, draw.over(given, options))
 end

@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local flat = require "archard.joint.flat"
+local given_gait = require "archard.joint.given_gait"
 
 -- Points of the head: the pole, and six at 30 degrees from it.
 local function points()
@@ -26,10 +27,7 @@ end
 -- plot.track(g, { radius=14, ... })
 return function(g, options)
   local where = "plot.track"
-  local class = type(g) == "table" and getmetatable(g)
-  if type(class) ~= "table" or rawget(class, "__name") ~= "gait" then
-    check.fail(where, "expected a gait as the first argument, got " .. check.shown(g))
-  end
+  if not given_gait.is(g) then check.fail(where, "expected a gait as the first argument, got " .. check.shown(g)) end
   options = draw.options(where, options, { radius = check.positive })
   local radius, count, given = options.radius or 14, g.increments, {}
   for number, m in ipairs(points()) do

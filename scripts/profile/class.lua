@@ -262,6 +262,8 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
+local uneven = 30 -- scatter about a line in multiples of the noise beyond which the surface may be round
+
 local function um(value) return ("%.4g um"):format(1000 * value) end
 
 function class.__tostring(p)
@@ -271,8 +273,10 @@ function class.__tostring(p)
     ("  %s %.4g to %s, noise %s%s"):format(p.z and "heights" or "depths", 1000 * low, um(high), um(p.error),
       p.correlation > 1.5 * profile.step(p) and (" over %.4g mm"):format(p.correlation) or "") }
   if p.form then
-    lines[#lines + 1] = ("  minus a %s%s, scatter about it %s"):format(p.form,
-      p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation))
+    local is_round = p.form == "line" and p.error > 0 and p.scatter.deviation > uneven * p.error
+    lines[#lines + 1] = ("  minus a %s%s, scatter about it %s%s"):format(p.form,
+      p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation),
+      is_round and ': of a round surface? level = "circle" subtracts one' or "")
   end
   if p.scar then lines[#lines + 1] = ("  worn from x %.4g to %.4g mm"):format(p.scar.from, p.scar.to) end
   if p.cutoff then lines[#lines + 1] = ("  Gaussian filter, cut-off %.4g mm"):format(p.cutoff) end

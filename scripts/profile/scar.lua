@@ -6,7 +6,7 @@ local noise = require "archard.profile.noise"
 local scar = {}
 
 local ends = 0.15   -- share of the trace at both ends assumed unworn at first
-local margin = 0.2  -- share of the scar's width excluded beside it, where material may be piled up
+scar.margin = 0.2   -- share of the scar's width excluded beside it, where material may be piled up
 local least = 0.05  -- share of the trace at both ends always used as unworn
 local clear = 5     -- least depth of a scar in multiples of the scatter
 local blocks = 500  -- number of means in the search for a scar
@@ -30,7 +30,7 @@ end
 -- Returns a function is_used(x) that is true for the unworn part: outside the scar and a margin, but always at the ends
 -- of the trace.
 local function beside(x, from, to)
-  local side, end_part = margin * (to - from), least * (x[#x] - x[1])
+  local side, end_part = scar.margin * (to - from), least * (x[#x] - x[1])
   return outside(math.min(from, math.max(from - side, x[1] + end_part)),
     math.max(to, math.min(to + side, x[#x] - end_part)))
 end

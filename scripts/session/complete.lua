@@ -1,7 +1,6 @@
--- What may follow the text before the cursor: globals, fields, methods, the named fields inside a
--- constructor call, the values such a field can have, file names. It reads raw tables and
--- metatables only and runs nothing of the user's. Leans on archard.help, the source of names that
--- no table holds.
+-- Completions of the text before the cursor: globals, fields, methods, the named fields inside a constructor call, the
+-- values of such a field, file names. It reads raw tables and metatables only and runs no code of the user.
+-- archard.help supplies names that no table contains.
 
 local debug, next, pcall, rawget, type = debug, next, pcall, rawget, type
 local table = table
@@ -46,7 +45,7 @@ local function token_at(text, at)
   return "other", at
 end
 
--- All tokens of the text, and the one it ends in the middle of: { kind=, text= }.
+-- All tokens of the text, and the unfinished token at its end: { kind=, text= }.
 local function tokenise(text)
   local tokens, at = {}, 1
   while true do
@@ -61,10 +60,10 @@ local function tokenise(text)
   end
 end
 
--- --- where the cursor is -----------------------------------------------------------------------
+-- --- position of the cursor ---------------------------------------------------------------------
 
--- The chain a.b["c"]:d that ends at token `i`, as a list of names; nil where it is something else,
--- the result of a call for instance.
+-- The chain a.b["c"]:d that ends at token `i`, as a list of names; nil if it is something else, for instance the result
+-- of a call.
 local function chain_before(tokens, i)
   local names = {}
   while true do
@@ -156,8 +155,8 @@ local function raw_member(value, key)
   end
 end
 
--- What a chain leads to: a value, and the address of its help entry; either may be nil. A field
--- that is computed is followed through the help entries, which know its class.
+-- The value of a chain and the address of its help entry; either may be nil. For computed fields the help entries give
+-- the class.
 local function resolve(chain)
   local value = rawget(globals, chain[1])
   local address = value == nil and nil or class_of(value) or help.address_of(value)
@@ -232,7 +231,7 @@ local function global_words(prefix)
   if prefix ~= "" then
     for _, word in next, spelling.keywords do set[word] = true end
   end
-  -- Names that begin with "_" only when asked for.
+  -- Names that begin with "_" only after a typed "_".
   local words = {}
   for _, word in next, sorted(set, prefix) do
     if prefix ~= "" or sub(word, 1, 1) ~= "_" then words[#words + 1] = word end
@@ -245,7 +244,7 @@ local function member_words(tokens, prefix)
   local chain = chain_before(tokens, #tokens - 1)
   if not chain then return {} end
   local value, address = resolve(chain)
-  -- Names that only functions of the user's see, as their argument: state.
+  -- Names that exist only as arguments of user functions: state.
   if value == nil and not address then address = table.concat(chain, ".") end
   local set = {}
   add_members(set, value, separator == ":")
@@ -287,7 +286,7 @@ local function string_words(tokens, frame, prefix)
   return entry and entry.values or "files"
 end
 
--- words(text) -> list of words, or "files"; and what to append to a word that is the only one.
+-- words(text) -> list of words, or "files"; and the text to append to a word that is the only one.
 function complete.words(text)
   local tokens, open = tokenise(text)
   if open and open.kind == "comment" then return {}, "" end

@@ -1,4 +1,4 @@
--- examples(): the course of programs that came with this one, to read and to run.
+-- examples(): shows and runs the programs of the course.
 
 local check = require "archard.lib.check"
 local examples_folder = require "archard.lib.examples_folder"
@@ -7,10 +7,10 @@ local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
--- examples.names(): as the files are called, in the order of the course: "01_contact", ...
+-- examples.names(): names of the files, in the order of the course: "01_contact", ...
 examples.names = examples_folder.names
 
--- Each goes by its number, by its name, or by both.
+-- An example is selected by its number, its name, or both.
 local function path_of(where, wanted)
   local plain = {}
   for i, name in ipairs(examples.names()) do
@@ -30,7 +30,7 @@ local function overview()
     .. '\n\nexamples "wear" or examples(2) shows one, examples.run "wear" runs it'
 end
 
--- examples.run(name, ...): as a script of that name with these arguments, whose globals stay.
+-- examples.run(name, ...): runs the example with these arguments; its globals are kept.
 function examples.run(name, ...)
   local path = path_of("examples.run", name)
   local before = rawget(_G, "arg")

@@ -1,12 +1,11 @@
--- What session.save and session.open do: what the session has made, by name, in one run file: runs
--- with all they need to go on, models, studies, and plain values. Leans on archard.store; who made
--- what is the business of session/own.lua.
---
--- Every value is a case of the file; its settings tell what it is (kind), where it belongs (key.1,
--- key.2, ... as in runs[1].first) and what it takes to make it again.
+-- session.save and session.open: all values made in the session, by name, in one run file: complete states of runs,
+-- models, studies, and plain values. session/own.lua determines which values belong to the session. Every value is a
+-- case of the file; its settings contain its kind, its path (key.1, key.2, ... as in runs[1].first) and the data to
+-- create it again.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
+local joint_file = require "archard.joint.file"
 local kept = require "archard.session.kept"
 local lists = require "archard.settings"
 local own = require "archard.session.own"
@@ -24,23 +23,27 @@ local last
 
 local writers, readers = {}, {}
 
--- A case is in the file by then: the run goes under its number.
-function writers.wear(value, _, file, id) file:save(id, value) end
+-- The case exists in the file: the run is stored under its number.
+function writers.wear(value, _, file, id) joint_file.save(file, id, value) end
 
-function readers.wear(_, file, id, functions) return file:wear(id, functions) end
+function readers.wear(_, file, id, functions) return joint_file.wear(file, id, functions) end
 
--- What is wrong, and how to give a run its functions where they are what is missing.
+writers.joint_wear, readers.joint_wear = writers.wear, readers.wear
+
+-- The error, and how to give a run its functions if they are missing.
 local function cure(message, name)
   if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
   return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, spelling.field(name), field)
 end
 
-function writers.model(value, given)
+local function write_fields(value, given)
   for name, one in pairs(settings.flatten("session.save", { is = value })) do given[name] = one end
 end
 
--- The model of a run is the run's: settings alone may make another one of the same mesh.
+writers.model, writers.joint, writers.gait = write_fields, write_fields, write_fields
+
+-- The model of a run is stored with the run: from its settings a different model may result.
 function readers.model(given, _, _, _, values)
   if given.of then return values[math.tointeger(given.of)].model end
   return model(settings.nest(given).is)
@@ -52,7 +55,11 @@ end
 
 function readers.material(given) return material(settings.nest(given).is) end
 
--- A study that has run is in a file of its own; of another its cases are kept.
+function readers.joint(given) return joint(settings.nest(given).is) end
+
+function readers.gait(given) return require "archard.joint.given_gait".of(settings.nest(given).is) end
+
+-- A study that has run is in its own file; for other studies the cases are stored.
 function writers.study(value, given)
   given.file, given.name, given.looks, given.task = value.file, value.name, value.looks, value.task
   local carried = settings.carrier("session.save")
@@ -77,7 +84,7 @@ for _, class in ipairs{ "string", "boolean" } do
   writers[class], readers[class] = write_plain, read_plain
 end
 
--- Files hold doubles; whole numbers of more digits than those have go as text.
+-- Files contain doubles; integers with more digits are stored as text.
 function writers.number(value, given)
   given.is, given.whole = value, math.type(value) == "integer"
   if given.whole and math.tointeger(value + 0.0) ~= value then given.is = tostring(value) end
@@ -98,7 +105,7 @@ function readers.list(given)
   return list
 end
 
--- Of a table, a result and a contact the path alone: their parts are cases of their own.
+-- For a table, a result and a contact only the path: their parts are separate cases.
 local function writer_of(class) return writers[class] or (kept.is_class(class) and writers.table) end
 local function reader_of(class) return readers[class] or (kept.is_class(class) and readers.table) end
 
@@ -108,10 +115,10 @@ function readers.table() return {} end
 
 -- --- paths ---------------------------------------------------------------------------------------
 
--- Names of globals as people can read them.
+-- Printable names of globals.
 local function is_global(key) return type(key) == "string" and not key:find "%c" and check.plain(key) == key end
 
--- Keys as a file can hold them: texts and whole numbers.
+-- Keys that a file can contain: texts and integers.
 local function write_path(given, path)
   if not is_global(path[1]) then return false end
   for i, key in ipairs(path) do
@@ -138,7 +145,7 @@ end
 
 -- --- saving --------------------------------------------------------------------------------------
 
--- Says of a model the number of the first run that has it.
+-- Stores for a model the number of the first run with this model.
 local function note_owners(cases)
   for _, each in ipairs(cases) do
     for id, other in ipairs(each.class == "model" and cases or {}) do
@@ -148,15 +155,15 @@ local function note_owners(cases)
   end
 end
 
--- "closed", "function", or why a contact cannot be made again.
+-- "closed", "function", or the reason why a contact cannot be created again.
 local function reason(value, class)
-  if type(value) == "userdata" and tostring(value):find "%(closed%)$" then return "closed" end
+  if (type(value) == "userdata" or class == "joint_wear") and tostring(value):find "%(closed%)$" then return "closed" end
   local kind, parts, why = kept.parts(value, class)
   return kind and not parts and ("%s %s"):format(class, why) or class
 end
 
--- The cases to write, in order: a table before its values; an object with several names once, then by the number
--- of its case. And a list of what cannot be kept; functions that are parts of results are left out of it.
+-- The cases to write, in order: a table before its values; an object with several names once, then as the number of its
+-- case. Also returns a list of values that cannot be saved, without functions that are parts of results.
 local function gather()
   local cases, left, number = {}, {}, {}
   own.visit(function(path, value, class, owner)
@@ -177,8 +184,7 @@ local function gather()
   return cases, left
 end
 
--- Runs a function of the store; what it raises is told of as the call that the user made, `name` being
--- the global it is about.
+-- Runs a function of the store; its errors are reported as errors of the user's call about the global `name`.
 local function as(where, name, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
@@ -201,22 +207,23 @@ local function write(file, cases)
   file:commit()
 end
 
-local words = { wear = "run", model = "model", study = "study", contact = "contact", result = "result" }
-local order = { "wear", "model", "study", "contact", "result" }
+local words = { wear = "run", joint_wear = "run", model = "model", joint = "model", study = "study", contact = "contact", joint_contact = "contact",
+  result = "result" }
+local order = { "run", "model", "study", "contact", "result" }
 
 -- "2 runs, 1 model, 3 other values"; parts of results are not counted.
 local function summary(cases)
   local count, others, parts = {}, 0, {}
   for _, each in ipairs(cases) do
-    local class = words[each.class] and each.class or kept.is_class(each.class) and "result"
-    if class and not each.owner then
-      count[class] = (count[class] or 0) + 1
+    local word = words[each.class] or kept.is_class(each.class) and "result"
+    if word and not each.owner then
+      count[word] = (count[word] or 0) + 1
     elseif not each.owner then
       others = others + 1
     end
   end
-  for _, class in ipairs(order) do
-    local n, word = count[class], words[class]
+  for _, word in ipairs(order) do
+    local n = count[word]
     local many = word == "study" and "studies" or word .. "s"
     if n then parts[#parts + 1] = ("%d %s"):format(n, n == 1 and word or many) end
   end
@@ -227,7 +234,7 @@ end
 local function notes(cases, left)
   local lines = {}
   for _, each in ipairs(cases) do
-    if each.class == "wear" and #each.value.functions > 0 then
+    if words[each.class] == "run" and #each.value.functions > 0 then
       lines[#lines + 1] = ("  %s: give its functions again when you open it (%s)"):format(each.name,
         table.concat(each.value.functions, ", "))
     elseif each.class == "study" and each.value.file then
@@ -243,8 +250,8 @@ local function check_path(where, path)
   check.fail(where, "expected the name of a file, got " .. check.shown(path))
 end
 
--- save(path) -> what was saved, in words. A session that was saved there before is replaced, anything
--- else is refused; the file is there whole or not at all.
+-- save(path) -> a text that lists the saved values. A session saved at this path is replaced, other files are refused;
+-- the file is written completely or not at all.
 function session.save(path)
   if path == nil then path = last end
   check_path("session.save", path)
@@ -257,6 +264,7 @@ function session.save(path)
   last = path
   for _, each in ipairs(cases) do
     if each.class == "wear" then store.note_saved(each.value) end
+    if each.class == "joint_wear" then each.value.saved = each.value.update end
     if kept.is_class(each.class) then kept.note_saved(each.value) end
   end
   return ("saved in %s: %s%s"):format(path, summary(cases), notes(cases, left))
@@ -272,7 +280,7 @@ local function check_kind(file, path)
   end
 end
 
--- The functions of runs, by the names the runs have: { w = { k = f } }.
+-- The functions of runs, by the names of the runs: { w = { k = f } }.
 local function functions_of(given, name)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -281,7 +289,7 @@ local function functions_of(given, name)
   return given[name]
 end
 
--- What a case of a file is, without its value.
+-- Description of a case of a file, without its value.
 local function described(file, id)
   local given = file:values(id, "settings")
   local path = read_path(given)
@@ -300,7 +308,7 @@ local function in_order(file)
   return table.move(later, 1, #later, #first + 1, first)
 end
 
--- Whether what a value is made of is of its type.
+-- True if the parts of a value have the types of its class.
 local sound = {
   string = function(given) return type(given.is) == "string" end,
   boolean = function(given) return type(given.is) == "boolean" end,
@@ -317,8 +325,7 @@ local function is_sound(given)
     and (not sound[given.kind] or sound[given.kind](given))
 end
 
--- The file may be a stranger's: what it makes has a name that is free for it, in a table that it has
--- made before, and is of a class that there is.
+-- The file is untrusted: a value must have a free name, in a table that the file has created before, and a known class.
 local function check_place(file, each, values, tables)
   local given, path = each.given, each.path
   local inside = table.move(path, 1, #path - 1, 1, {})
@@ -330,7 +337,7 @@ local function check_place(file, each, values, tables)
     each.id, each.name), "FORMAT")
 end
 
--- Makes all values of a file; nothing of the session has changed yet.
+-- Creates all values of a file, without changing the session.
 local function read(file, functions)
   local values, cases, missing, tables, owners = {}, {}, {}, {}, {} -- tables, owners: by path
   for _, each in ipairs(in_order(file)) do
@@ -354,7 +361,8 @@ local function read(file, functions)
   return cases, missing
 end
 
--- The globals of the cases of a file: tables filled, results and contacts made of their parts, the inner ones first.
+-- Creates the globals from the cases of a file: fills tables, and creates results and contacts from their parts, the
+-- inner ones first.
 local function assemble(cases)
   local globals, made = {}, {}
   for _, each in ipairs(cases) do put(globals, each.path, each.value) end
@@ -372,7 +380,7 @@ local function assemble(cases)
   return globals
 end
 
--- What has not been saved is not overwritten.
+-- Unsaved values are not overwritten.
 local function refuse_loss(cases)
   local new = {}
   for _, each in ipairs(cases) do new[each.path[1]] = true end
@@ -385,8 +393,8 @@ local function refuse_loss(cases)
   end
 end
 
--- open(path [, functions]) -> what was opened, in words: all of it as globals, or nothing. Functions
--- of the runs cannot be stored: session.open(path, { w = { k = f } }) gives them again.
+-- open(path [, functions]) -> a text that lists the opened values: all of them as globals, or none after an error.
+-- Functions of the runs are not stored: session.open(path, { w = { k = f } }) sets them again.
 function session.open(path, functions)
   check_path("session.open", path)
   local cases, missing = as("session.open", nil, function()
@@ -405,7 +413,7 @@ end
 
 -- --- leaving -------------------------------------------------------------------------------------
 
--- A name that is this session's own, or free.
+-- True if the name is free or belongs to this session.
 function session.suggested()
   if last then return last end
   for i = 1, math.huge do

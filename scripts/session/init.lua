@@ -1,4 +1,4 @@
--- The table session as users see it; the work is in session/file.lua.
+-- The global table `session`; session/file.lua has the functions.
 
 local lazy = require "archard.lib.lazy"
 

@@ -1,5 +1,5 @@
--- Objects that a session keeps by their parts: results are tables of plain values and of objects that a
--- session keeps; a contact is made again by the calls that made it.
+-- Objects that a session saves by their parts: results are tables of plain values and of other saved objects; a contact
+-- is created again by its original calls.
 
 local check = require "archard.lib.check"
 local quiet = require "archard.lib.quiet"
@@ -11,7 +11,7 @@ local debug, rawget, setmetatable, tostring, type = debug, rawget, setmetatable,
 
 local kept = {}
 
--- The module that has the metatable of each class of results.
+-- The module with the metatable of each class of results.
 local modules = { calibration = "archard.study.calibrate", convergence = "archard.study.converge",
   failure = "archard.uncertainty.failure", fitted = "archard.fit.result", form = "archard.profile.form",
   fretting_map = "archard.study.fretting_map", map = "archard.map.made", profile = "archard.profile.made",
@@ -62,11 +62,17 @@ local function made_contact(parts)
   return made
 end
 
+-- A contact of a joint is one call.
+local function joint_contact_parts(contact)
+  return { model = contact.model, given = { load = contact.load, direction = contact.direction } }
+end
+
 -- --- both -----------------------------------------------------------------------------------------
 
--- parts(value) -> class, table of its parts; class, nil, reason of a contact that cannot be made again;
--- nil of anything else.
+-- parts(value) -> class, table of its parts; class, nil, reason for a contact that cannot be created again; nil for
+-- other values.
 function kept.parts(value, class)
+  if class == "joint_contact" then return class, joint_contact_parts(value) end
   if class == "contact" and type(value) == "userdata" and not tostring(value):find "%(closed%)$" then
     return class, contact_parts(value)
   end
@@ -74,10 +80,11 @@ function kept.parts(value, class)
   return class, class and value
 end
 
-function kept.is_class(name) return name == "contact" or modules[name] ~= nil end
+function kept.is_class(name) return name == "contact" or name == "joint_contact" or modules[name] ~= nil end
 
--- The object of a class from its parts, whose table becomes the object where that is one.
+-- Creates the object of a class from its parts; for tables, the table of parts becomes the object.
 function kept.made(class, parts)
+  if class == "joint_contact" then return quiet(function() return parts.model:contact(parts.given) end) end
   if class ~= "contact" then return made_result(class, parts) end
   if type(parts.given) ~= "table" or type(parts.moves) ~= "table" then
     check.fail("contact", "expected the calls that made it", "FORMAT")
@@ -91,7 +98,7 @@ local saved = setmetatable({}, { __mode = "k" })
 
 function kept.note_saved(value) saved[value] = true end
 
--- True if a file has it: that of the session, or that of a measured trace or map.
+-- True if a file contains it: the session's, or the file of a measured trace or map.
 function kept.is_saved(value) return saved[value] or (type(value) == "table" and rawget(value, "path") ~= nil) end
 
 return kept

@@ -1,4 +1,4 @@
--- The globals that the session has made: all but those that were there at its start.
+-- The globals of the session: all except those that existed at its start.
 
 local debug, math, next, rawequal, rawget, table, tostring, type =
   debug, math, next, rawequal, rawget, table, tostring, type
@@ -14,18 +14,18 @@ local own = {}
 local there = { _ = true, arg = true }
 for name in next, globals do there[name] = true end
 
--- Some globals of the program may have come after this file was read.
+-- Some globals of the program may be created after this file was loaded.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
--- Whether a global of that name is not the session's to make.
+-- True if the name is reserved for a global of the program.
 own.is_taken = is_ours
 
--- "wear", "study", ...: the class of an object of ours, or else the type; "program" where it is a part of that.
+-- "wear", "study", ...: the class of an object of archard, else the type; "program" for parts of the program.
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)
   if not address or address:find("[.{]") or type(value) == "function" then
-    local name = type(value) == "table" and type(metatable) == "table" and not metatable.__plain and rawget(metatable, "__name")
+    local name = type(metatable) == "table" and not metatable.__plain and rawget(metatable, "__name")
     return type(name) == "string" and name or type(value)
   end
   return rawequal((require "archard")[address], value) and "program" or address
@@ -48,7 +48,7 @@ local function is_plain(value)
   return type(value) == "table" and (metatable == nil or (type(metatable) == "table" and metatable.__plain))
 end
 
--- A list of numbers that doubles hold: one value, however long.
+-- A list of numbers that are exact as doubles: one value of any length.
 local function is_list(value)
   local count = #value
   for i = 1, count do
@@ -91,7 +91,7 @@ function own.visit(visit)
     if visit(path, value, kind or "table", owner) == false or again then return end
     if parts or not kind then look_inside(path, parts or value, kind and value or owner) end
   end
-  local rank = { {}, {}, {} } -- an object with several names goes by that of a global, then by that in a table
+  local rank = { {}, {}, {} } -- an object with several names has that of a global, else the one in a table
   for _, each in ipairs(own.list()) do
     local list = kept.parts(each.value, each.class) and rank[3] or is_plain(each.value) and rank[2] or rank[1]
     list[#list + 1] = each
@@ -101,7 +101,7 @@ function own.visit(visit)
   end
 end
 
--- "runs[1].first" of a path, for people.
+-- Printable form of a path: "runs[1].first".
 function own.spoken(path)
   local parts = { path[1] }
   for i = 2, #path do parts[i] = spelling.index(path[i]) end
@@ -110,11 +110,12 @@ end
 
 local function is_unsaved(value, class)
   if class == "wear" then return not tostring(value):find "%(closed%)$" and value.update > 0 and not value.saved end
+  if class == "joint_wear" then return not tostring(value):find "%(closed%)$" and value.update > 0 and value.saved ~= value.update end
   return kept.is_class(class) and not kept.is_saved(value)
 end
 
--- Runs that have worn, results and contacts that no file has in their present state: a list of
--- { path=, value=, class= }.
+-- Runs after the first update, results and contacts that no file contains in their present state: a list of { path=,
+-- value=, class= }.
 function own.unsaved()
   local list, seen = {}, {}
   own.visit(function(path, value, class)

@@ -1,11 +1,11 @@
--- who(): what the session has made, a line for each global.
+-- who(): lists the globals of the session, one line each.
 
 local names = require "archard.names"
 local own = require "archard.session.own"
 local pretty = require "archard.lib.pretty"
 local term = require "archard.term"
 
--- What tells objects of a class apart, in a few words; others by the first line they print as.
+-- Short descriptions that distinguish objects of a class; other values have the first line of their printed form.
 local tell = {}
 
 function tell.wear(w)

@@ -2,6 +2,8 @@
 -- methods of a wear object that plots use.
 
 local check = require "archard.lib.check"
+local joint_bodies = require "archard.joint.bodies"
+local joint_file = require "archard.joint.file"
 local hertz_of = require "archard.lib.hertz_of"
 local keys = require "archard.lib.keys"
 local measure = require "archard.measure"
@@ -17,9 +19,9 @@ local case = {}
 
 local computed = {}
 
-function computed.history(self) return self.study:store():history(self.id) end
+function computed.history(self) return joint_file.history(self.study:store(), self.id) end
 
-function computed.surfaces(self) return self.study:store():surfaces(self.id) end
+function computed.surfaces(self) return joint_file.surfaces(self.study:store(), self.id) end
 
 function computed.definition(self)
   return settings.nest(self.study:store():values(self.id, "definition"))
@@ -35,36 +37,43 @@ function computed.warning(self)
   return text and check.plain(tostring(text))
 end
 
+-- The definition of a case's model, from which archard.measure reads the names of its bodies; a joint is not built.
+function case.named(self)
+  local model = self.definition.model
+  return model and model.cup and joint_bodies or model
+end
+
 -- The last row of the history, or nil.
 function computed.last(self)
   local history = self.history
   if not history then return nil end
   local row = {}
   for name, column in pairs(history) do row[name] = column[#column] end
-  return strict.table(row, "case.last")
+  return measure.columns(case.named(self), row, "case.last")
 end
 
 function computed.depth(self)
   local last = self.last
-  return last and measure.by_body(self.model, last.depth_cylinder, last.depth_plate, "case.depth")
+  return last and measure.by_body(case.named(self), last.depth_cylinder, last.depth_plate, "case.depth")
 end
 
 function computed.volume(self)
   local last = self.last
   if not last then return nil end
-  local volume = measure.by_body(self.model, last.volume_cylinder, last.volume_plate, "case.volume")
+  local volume = measure.by_body(case.named(self), last.volume_cylinder, last.volume_plate, "case.volume")
   return rawset(volume, "total", last.volume_cylinder + last.volume_plate)
 end
 
 function computed.model(self)
   local model = next(self.definition) and self.definition.model
+  if model and model.cup then return joint(model) end
   if model then model.bodies = measure.bodies(model) end
   return model
 end
 
 function computed.hertz(self)
   local definition = self.definition
-  if not next(definition) then return nil end
+  if not next(definition) or definition.model.cup then return nil end
   return hertz_of(definition.model, definition.load)
 end
 
@@ -134,7 +143,7 @@ function methods:local_partition(distance)
 end
 
 -- Restores the run as a wear object, which can be continued.
-function methods:wear() return self.study:store():wear(self.id) end
+function methods:wear() return joint_file.wear(self.study:store(), self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
@@ -173,8 +182,9 @@ function case.__tostring(self)
   if self.warning then head = head .. "\n  warning: " .. self.warning end
   local last = self.status == "done" and self.last
   if not last then return head end
-  return ("%s\n  %.6g mm, p centre %.2f MPa, depth %.4f and %.4f um, volume %.4e mm3"):format(head,
-    last.distance, last.p_center, 1e3 * last.depth_cylinder, 1e3 * last.depth_plate,
+  local pressure = last.p_center and ("p centre %.2f"):format(last.p_center) or ("p peak %.2f"):format(last.p_peak)
+  return ("%s\n  %.6g mm, %s MPa, depth %.4f and %.4f um, volume %.4e mm3"):format(head,
+    last.distance, pressure, 1e3 * last.depth_cylinder, 1e3 * last.depth_plate,
     last.volume_cylinder + last.volume_plate)
 end
 

@@ -63,6 +63,10 @@ end
 -- --- the mesh ------------------------------------------------------------------------------------
 
 local function find_mesh(flat, options)
+  local model = settings.nest(flat).model
+  if model and (model.cup or model.head) then
+    check.fail(where, 'expected a model of the plane, got a joint; use study{ vary = { ["mesh.size"] = { 4, 3, 2 } } }')
+  end
   local limit = options.pressure or search.limits.pressure
   local steps, good = search.mesh(settings.nest(flat), limit)
   if not good then

@@ -4,6 +4,8 @@
 local archard = require "archard"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
+local measure = require "archard.measure"
+local named = require "archard.study.case".named
 local naming = require "archard.plot.naming"
 local panels = require "archard.study.panels"
 local style = require "archard.plot.style"
@@ -52,9 +54,10 @@ local function reach_of(curves, widen)
   return 1.3 * reach
 end
 
+-- The figure of profiles, which joints do not have.
 local function final_state(cases)
   local curves = finished(cases)
-  if #curves == 0 then return nil end
+  if #curves == 0 or not curves[1].case.hertz then return nil end
   local reach, share = reach_of(curves), share_of(curves, cases)
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
     panels.panel("cylinder", curves, { title = "cylinder", reach = reach, mm = true }),
@@ -65,11 +68,13 @@ end
 local function histories(cases)
   local curves = finished(cases)
   if #curves == 0 then return nil end
-  local share = share_of(curves, cases)
+  local share, bodies = share_of(curves, cases), measure.bodies(named(curves[1].case))
+  local pressure, of = "p_center", "pressure at the centre / MPa"
+  if not curves[1].case.last.p_center then pressure, of = "p_peak", "largest pressure of a cycle / MPa" end
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
-    panels.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, {}),
-    panels.course("depth_plate", 1e3, "depth of plate / µm", curves, {}),
-    panels.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
+    panels.course("depth_cylinder", 1e3, ("depth of %s / µm"):format(bodies.upper), curves, {}),
+    panels.course("depth_plate", 1e3, ("depth of %s / µm"):format(bodies.lower), curves, {}),
+    panels.course(pressure, 1, of, curves, { yrange = { 0 } }) } }, share
 end
 
 -- draw(cases) -> the figure, or nil; and the text "8 of 9 cases" if some cases are not drawn.

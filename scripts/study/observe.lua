@@ -1,6 +1,8 @@
 -- Results that a fit compares with measurements: columns of the history and profiles at given distances. Used by the
 -- fit and, with the same list as text in the run file, by its workers.
 
+local check = require "archard.lib.check"
+
 local observe = {}
 
 local function text_of(numbers)
@@ -17,6 +19,8 @@ function observe.surface(body, section)
 end
 
 local function profile_of(run, surface)
+  local of_map = surface:match("^map_(%l+)$")
+  if of_map then return { x = { 0 }, h = run:map(of_map).values } end
   local body, axis, at = surface:match("^(%l+)_([xz])_(.+)$")
   if not body then return run:profile(surface) end
   return run:profile(body, { [axis] = tonumber((at:gsub(",", "."))) })
@@ -48,7 +52,11 @@ end
 
 local function look(run, what, distance)
   local found, history = { distance = run.distance }, run.history
-  for _, name in ipairs(what.columns) do found[name] = history[name][#history[name]] end
+  for _, name in ipairs(what.columns) do
+    local column = history[name]
+    if not column then check.fail("fit", ("field 'of': no column '%s' in the history"):format(name)) end
+    found[name] = column[#column]
+  end
   for _, surface in ipairs(what.surfaces) do
     local profile = profile_of(run, surface)
     found[surface] = { x = profile.x, h = profile.h }

@@ -101,8 +101,9 @@ return function(store, options)
   local queue, finished = waiting(store, options.chosen)
   local count, failed, warned = #queue, {}, {}
   if count == 0 then return failed, warned, 0 end
-  local pool <close> = process.pool(math.min(options.workers, count), { "-e", itself.chunk("study.worker", store.path, files.confined() or "",
-    options.keep or usual_keep) })
+  local folder, least = files.confined()
+  local pool <close> = process.pool(math.min(options.workers, count), { "-e", itself.chunk("study.worker", store.path,
+    options.keep or usual_keep, folder or "", least) })
   local workers = pool:count()
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
   local self = setmetatable({ store = store, pool = pool, queue = queue, next = 1, busy = {}, computed = {},

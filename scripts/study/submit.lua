@@ -240,7 +240,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- Those of the cases `asked` that have warnings.
+-- The cases in `asked` that have warnings.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do

@@ -4,6 +4,8 @@ local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
+local measure = require "archard.measure"
+local named = require "archard.study.case".named
 local settings = require "archard.definition.settings"
 local term = require "archard.term"
 local written = require "archard.lib.written"
@@ -18,7 +20,7 @@ local function last_of(case) return case.status == "done" and case.last or nil e
 local function of_last(name, factor)
   return function(case)
     local last = last_of(case)
-    return last and last[name] * (factor or 1)
+    return last and last[name] and last[name] * (factor or 1)
   end
 end
 
@@ -39,6 +41,37 @@ local measured = {
   { "seconds", "s", "%.2f", function(case) return case.seconds end },
 }
 
+-- Names of the bodies of a study's finished cases; the usual ones if they differ between cases.
+local function bodies_of(study)
+  local names
+  for _, case in ipairs(study:cases()) do
+    local its = last_of(case) and measure.bodies(named(case)) or names
+    if names and (its.upper ~= names.upper or its.lower ~= names.lower) then return measure.bodies() end
+    names = its
+  end
+  return names or measure.bodies()
+end
+
+-- Whether some finished case has a value, which may be NaN; true if no case is finished.
+local function is_measured(study, value_of)
+  local finished = false
+  for _, case in ipairs(study:cases()) do
+    if last_of(case) and value_of(case) then return true end
+    finished = finished or last_of(case) ~= nil
+  end
+  return not finished
+end
+
+-- The measured columns that the cases have, with the names of the bodies.
+local function measured_of(study)
+  local list, bodies = {}, bodies_of(study)
+  local named = { depth_cylinder = "depth_" .. bodies.upper, depth_plate = "depth_" .. bodies.lower }
+  for _, each in ipairs(measured) do
+    if is_measured(study, each[4]) then list[#list + 1] = { named[each[1]] or each[1], each[2], each[3], each[4] } end
+  end
+  return list
+end
+
 local function columns_of(study)
   local columns = { { "case", "", "%d", function(case) return case.id end } }
   for _, name in ipairs(study.varied) do
@@ -47,7 +80,7 @@ local function columns_of(study)
       return value ~= nil and settings.shown(value) or nil
     end }
   end
-  for _, column in ipairs(measured) do columns[#columns + 1] = column end
+  for _, column in ipairs(measured_of(study)) do columns[#columns + 1] = column end
   columns[#columns + 1] = { "status", "", "%s", function(case)
     return case.status .. (case.message and ": " .. case.message or "")
       .. (case.warning and ", warned: " .. case.warning:match("^[^:]*") or "")
@@ -81,7 +114,7 @@ local function heads(columns, with_unit)
 end
 
 -- Short column titles for the terminal; the units are in a separate row.
-local short = { depth_cylinder = "h_cyl", depth_plate = "h_plate", half_width = "half_w",
+local short = { depth_cylinder = "h_cyl", half_width = "half_w",
   alpha_tilde = "a~", seconds = "time", updates = "upd." }
 
 local forms = {}
@@ -103,7 +136,7 @@ local widest_status = 20
 local function text_of(study, columns)
   local head, units = {}, {}
   for c, column in ipairs(columns) do
-    head[c] = short[column[1]] or column[1]
+    head[c] = short[column[1]] or column[1]:gsub("^depth_", "h_")
     units[c] = column[2] ~= "" and "[" .. column[2] .. "]" or ""
   end
   local rows = rows_of(study, columns, shown)

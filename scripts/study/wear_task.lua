@@ -1,6 +1,7 @@
 -- Computes a wear run of a study: records its surfaces at given distances and saves the run to the run file at
 -- intervals; a run whose process was killed is continued from there.
 
+local joint_file = require "archard.joint.file"
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 
@@ -38,8 +39,8 @@ end
 
 -- The saved run and its surfaces, or nil if the run was not saved.
 local function saved_run(store, id)
-  local fine, run = pcall(store.wear, store, id)
-  if fine and run.update > 0 and not run.done then return run, store:surfaces(id) end
+  local fine, run = pcall(joint_file.wear, store, id)
+  if fine and run.update > 0 and not run.done then return run, joint_file.surfaces(store, id) end
 end
 
 -- (store, id, given = fields of wear{}, looks = number of records, every = seconds between saves, on_progress) -> the
@@ -48,14 +49,14 @@ return function(store, id, given, looks, every, on_progress)
   local run, surfaces = saved_run(store, id)
   run = run or wear(given)
   local total, last = run.total_distance, term.clock()
-  local is_due = recorder(looks, total)
+  local is_due = recorder(joint_file.is_joint(run) and 0 or looks, total) -- the maps of joints are recorded at the end
   local list = surfaces and recorded(run, surfaces, is_due) or {}
   if not surfaces and is_due(run.distance) then record(run, list) end
   run:run{ progress = function()
     if not run.done and is_due(run.distance) then record(run, list) end
     on_progress(run.distance / total)
     if term.clock() - last < every or run.done then return end
-    transaction(store, store.save, store, id, run, list)
+    transaction(store, joint_file.save, store, id, run, list)
     last = term.clock()
   end }
   return run, list

@@ -4,8 +4,8 @@
 -- written. The line "store" requests to store all computed cases.
 
 local stores = require "archard.store"
-local columns = require "archard.settings".columns
 local files = require "archard.files"
+local joint_file = require "archard.joint.file"
 local settings = require "archard.definition.settings"
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
@@ -32,11 +32,8 @@ local tasks = {}
 
 -- The last values of the history's columns, by name.
 local function last_record(run)
-  local values, history = {}, run.history
-  for _, column in ipairs(columns) do
-    local list = history[column.name]
-    values[column.name] = list[#list]
-  end
+  local values = {}
+  for name, list in pairs(run.history) do values[name] = list[#list] end
   return values
 end
 
@@ -44,8 +41,7 @@ function tasks.wear(store, id, on_progress, every)
   local looks = tonumber(store:info("looks")) or 0
   local run, list = wear_task(store, id, settings.nest(store:values(id, "settings")), looks, every, on_progress)
   return function()
-    store:save(id, run, list)
-    store:set_values(id, "results", last_record(run))
+    joint_file.save(store, id, run, list, last_record(run))
   end, run
 end
 
@@ -163,10 +159,10 @@ local function handle_line(results, line)
   results:add(case)
 end
 
--- folder: folder of the sandboxed script, which also applies to the worker; "" without a sandbox. every: seconds
--- between saves of a long case.
-return function(path, folder, every)
-  if folder ~= "" then files.confine(folder) end
+-- every: seconds between saves of a long case. folder, least: folder of the sandboxed script and free bytes of the disk,
+-- which also apply to the worker; "" without a sandbox.
+return function(path, every, folder, least)
+  if folder ~= "" then files.confine(folder, least) end
   local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
     commit = 0, every = tonumber(every) }, result_queue)
   warnings.keep()

@@ -9,6 +9,12 @@ local function peak_memory()
   return kb and tonumber(kb) / 1024
 end
 
+-- Processor seconds of the thread that calls.
+local function own_seconds()
+  local file <close> = assert(io.open "/proc/thread-self/schedstat")
+  return tonumber(file:read("a"):match "^%d+") / 1e9
+end
+
 local function timed(f)
   collectgarbage()
   local start = os.clock()
@@ -20,7 +26,7 @@ local function line(what, value, unit, goal, note)
   io.write(string.format("  %-52s %9s %-4s %s\n", what, value, unit, goal and ("goal " .. goal) or note or ""))
 end
 
--- Microseconds a solution costs in a long run at frozen geometry, everything around it included.
+-- Microseconds per solution in a long run at frozen geometry, including all overhead.
 local function solution_cost(model, finer)
   local w = wear{ model = model, geometry = "frozen", jump = 100 / finer }
   w:run{ distance = 132, progress = false }
@@ -29,7 +35,7 @@ local function solution_cost(model, finer)
   return 1e6 * seconds / (w.solutions - before)
 end
 
--- Microseconds an increment costs in a wear run at frozen geometry, cycles of 40 increments: the best of five.
+-- Microseconds per increment in a wear run at frozen geometry, cycles of 40 increments: the best of five.
 local function cycle_cost(model, fields)
   local best = math.huge
   for _ = 1, 5 do
@@ -41,7 +47,7 @@ local function cycle_cost(model, fields)
   return best
 end
 
--- The same of one motion under a force, in so many increments.
+-- The same for one motion under a force in a given number of increments.
 local function motion_cost(model, increments)
   local c = contact{ model = model, friction = 0.6 }:move{ tangential = 48 }
   local best, repeats = math.huge, math.ceil(400 / increments)
@@ -54,7 +60,8 @@ local function motion_cost(model, increments)
   return best
 end
 
--- Increments with friction, similar bodies, and how many without it each is worth. No half is the other's mirror image.
+-- Cost of increments with friction, similar bodies, and its ratio to increments without friction. No half is the
+-- other's mirror image.
 local function friction_costs(model)
   local to_and_fro = { x = { -0.025, 0.0251, -0.025 }, increments = 40 }
   local plain = cycle_cost(model, { loading = to_and_fro })
@@ -103,7 +110,7 @@ local function measure(size, finer, goals)
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
 end
 
--- What the same run costs on ever finer meshes: one row of the table of sizes.
+-- Cost of the same run on finer meshes: one row of the table of sizes.
 local function cost_at(size)
   local finer = 0.02 / size
   local building, m = timed(function() return model_of(size) end)
@@ -148,7 +155,7 @@ local function sizes()
   plot(curves)
 end
 
--- Small cases, as in studies of thousands: by the clock, with as many workers as processors.
+-- Small cases, as in studies of thousands: elapsed time, with as many workers as processors.
 local function studies()
   local term, workers = require "archard.term", require "archard.process".processors()
   local file, loads = os.tmpname(), {}
@@ -167,7 +174,7 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
--- Samples of the reference case, drawn, run and stored; and what is then asked of them.
+-- Samples of the reference case, drawn, run and stored, and their statistics.
 local function samples(count, geometry)
   local term, workers = require "archard.term", require "archard.process".processors()
   local file = os.tmpname()
@@ -185,7 +192,7 @@ local function samples(count, geometry)
   line("bands and quantiles from them", string.format("%.2f", asked), "s")
 end
 
--- What answers to what, from one run and its repetitions with small changes.
+-- Sensitivities from one run and its repetitions with small changes.
 local function sensitivities()
   for _, jump in ipairs{ 100, "auto" } do
     local w = wear{ jump = jump }
@@ -196,7 +203,7 @@ local function sensitivities()
   end
 end
 
--- A fit to one pair of profiles, and the one that its runs make up.
+-- A fit to one pair of profiles, and one to generated data.
 local function fitting()
   local truth, data = wear{ k = 1.3e-8, alpha = 0.4, stroke = 0.22, jump = 50 }, {}
   truth:run{ progress = false }
@@ -219,11 +226,11 @@ local function fretting()
   line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
 end
 
--- The paper's pair as anybody's: by bodies of one's own, and by a Gmsh file of its mesh, which has no wear box, so that the
--- unknowns are eliminated in another order, and no half strokes that mirror images spare.
+-- The paper's pair defined by body.cylinder{} and body.block{}, and by a Gmsh file of its mesh, which has no wear box,
+-- so that unknowns are eliminated in another order and mirror images save no half strokes.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
-  model{ radius = 9 } -- the model asked for last is kept
+  model{ radius = 9 } -- the last model is cached
   local paths = {
     { name = "model{ radius=10 }", make = function() return model{ radius = 10 } end },
     { name = "body.cylinder on body.block", make = function()
@@ -231,13 +238,13 @@ local function general_paths()
     end },
     { name = "the same mesh from Gmsh", make = function() return model{ radius = 10, mesh = text } end },
   }
-  local function best(f) -- of several, in turns: what else the machine does counts least so
+  local function best(f) -- the best of several alternating runs, which reduces the effect of other load
     for _ = 1, 7 do
       for _, path in ipairs(paths) do f(path) end
     end
   end
   best(function(path)
-    path.model = nil -- or it would be found, not built
+    path.model = nil -- otherwise a cached model would be returned
     collectgarbage()
     local seconds, m = timed(path.make)
     path.model, path.building = m, math.min(path.building or math.huge, seconds)
@@ -290,15 +297,22 @@ local function half_spaces(quick)
   for _, fineness in ipairs(quick and { 1 } or { 1, 2 }) do
     local m = model{ geometry = "3-D", upper = body.ball{ radius = 5 }, lower = body.block{}, mesh = { fineness = fineness } }
     local width = hertz{ geometry = "3-D", radius = 5, load = 20 }.half_width
-    local w = wear{ model = m, load = 20, stroke = 2 * width, distance = 6000 }
-    local seconds = timed(function() w:run{ progress = false } end)
+    local function run(workers)
+      local w, began = wear{ model = m, load = 20, stroke = 2 * width, distance = 6000, workers = workers }, own_seconds()
+      local seconds = timed(function() w:run{ progress = false } end)
+      return w, seconds, own_seconds() - began
+    end
+    local w, seconds = run(1)
     line(("R 5, 20 N, stroke 2a, 6000 mm at a/%d, %d updates"):format(8 * fineness, w.update), string.format("%.2f", seconds),
       "s", fineness == 1 and "2.5" or "30")
+    local shared, _, mine = run(2)
+    assert(shared.depth.ball == w.depth.ball and shared.depth.block == w.depth.block, "two threads: other bits")
+    line("  with two threads, times less of the busier one's", ("%.2f"):format(seconds / mine), "", "1.7")
     line("  peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB")
   end
 end
 
--- Milliseconds from the program's start to its end, by the clock: the best of ten.
+-- Elapsed milliseconds from the program's start to its end: the best of ten.
 local function starting()
   local term, best = require "archard.term", math.huge
   for _ = 1, 10 do

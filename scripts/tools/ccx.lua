@@ -1,11 +1,11 @@
--- Runs a deck through CalculiX and reads back what it wrote; for make peer and the tests. Lengths in mm, MPa, N.
+-- Runs a deck in CalculiX and reads its results; for make peer and the tests. Lengths in mm, MPa, N.
 
 local ccx = {}
 
--- Whether the program is there.
+-- True if the program is installed.
 function ccx.there() return os.execute("command -v ccx >/dev/null 2>&1") == true end
 
--- Runs NAME.inp in a folder, on one thread. Returns whether that went well, what it printed, and the CPU seconds it took.
+-- Runs NAME.inp in a folder, on one thread. Returns true on success, the output, and the CPU seconds.
 local function run(folder, name)
   local pipe = assert(io.popen(("cd '%s' && OMP_NUM_THREADS=1 ccx %s 2>&1; times"):format(folder, name)))
   local said = pipe:read("a")
@@ -22,7 +22,7 @@ local function numbers_in(line)
   return tonumber(line:sub(4, 13)), values
 end
 
--- Results by block (DISP, STRESS, CONTACT) and node, those of the last step; NODES has the positions.
+-- Results of the last step by block (DISP, STRESS, CONTACT) and node; NODES has the positions.
 local function read_frd(path)
   local blocks, block = {}, nil
   for line in io.lines(path) do
@@ -42,7 +42,7 @@ local function read_frd(path)
   return blocks
 end
 
--- The last force on the cylinder and way of the base in the file of prints, along y.
+-- The last force on the cylinder and displacement of the base in the printed file, along y.
 local function prints_in(path)
   local file = assert(io.open(path))
   local text = file:read("a")
@@ -58,7 +58,7 @@ local function mises(s)
   return math.sqrt(((x - y) ^ 2 + (y - z) ^ 2 + (z - x) ^ 2) / 2 + 3 * (xy * xy + yz * yz + zx * zx))
 end
 
--- The largest von Mises stress of each body, whose nodes are known by `owner`.
+-- The largest von Mises stress of each body; `owner` gives the body of a node.
 local function largest_mises(stress, owner)
   local largest = {}
   for node, s in pairs(stress) do
@@ -68,7 +68,7 @@ local function largest_mises(stress, owner)
   return largest
 end
 
--- p_center is the pressure at x = 0, where the surface that is pressed has a node.
+-- p_center is the pressure at x = 0, where the loaded surface has a node.
 local function pressures(blocks)
   local center, largest = 0 / 0, 0
   for node, c in pairs(blocks.CONTACT) do
@@ -79,8 +79,19 @@ local function pressures(blocks)
   return center, largest
 end
 
+-- Stresses normal to the surface at the nodes of the lower body below x = z = 0, { y=, syy= } each, the deepest first.
+local function below_axis(blocks, cylinder)
+  local list = {}
+  for node, s in pairs(blocks.STRESS) do
+    local at = blocks.NODES[node]
+    if node > cylinder and at[1] == 0 and at[3] == 0 then list[#list + 1] = { y = at[2], syy = s[2] } end
+  end
+  table.sort(list, function(a, b) return a.y < b.y end)
+  return list
+end
+
 -- (folder, name, nodes of the cylinder, nodes of both bodies) -> { p_center=, p_max=, mises={ cylinder=, plate= }, force=,
--- approach=, seconds=, increments= }, or nil and what CalculiX said
+-- approach=, seconds=, increments=, axis= }, or nil and what CalculiX said
 function ccx.solve(folder, name, cylinder, both)
   local done, said, seconds = run(folder, name)
   if not done then return nil, said end
@@ -88,7 +99,7 @@ function ccx.solve(folder, name, cylinder, both)
   local center, largest = pressures(blocks)
   local force, approach = prints_in(("%s/%s.dat"):format(folder, name))
   local _, increments = said:gsub("increment %d+ attempt", "")
-  return { p_center = center, p_max = largest, seconds = seconds, increments = increments,
+  return { axis = below_axis(blocks, cylinder), p_center = center, p_max = largest, seconds = seconds, increments = increments,
     force = force, approach = approach, mises = largest_mises(blocks.STRESS, function(node)
       return (node - 1) % both < cylinder and "cylinder" or "plate"
     end) }

@@ -11,5 +11,5 @@ for _, name in ipairs(wanted) do
   examples.run(name)
   local picture = folder .. "/" .. name
   plot.save(picture .. ".png", { size = { 900, 600 } })
-  os.remove(picture .. ".csv") -- the data beside it, which the example computes
+  os.remove(picture .. ".csv") -- the data file of the example
 end

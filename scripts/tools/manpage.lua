@@ -7,7 +7,7 @@ local show = require "archard.help.show"
 local out = {}
 local function put(...) out[#out + 1] = table.concat({ ... }) end
 
--- Text for roff: no line may look like a request, no backslash is roff's.
+-- Escapes text for roff: leading dots and backslashes.
 local function escape(text)
   return (text:gsub("\\", "\\e"):gsub("^([.'])", "\\&%1"):gsub("\n([.'])", "\n\\&%1"))
 end
@@ -47,7 +47,7 @@ local function put_text(text)
   if literal then put(".Ed") end
 end
 
--- What stands on the line of an item: never taken for macros.
+-- Text on the line of an item, protected from being read as macros.
 local function item(text)
   local words = {}
   for word in escape(text):gmatch("%S+") do
@@ -84,7 +84,7 @@ local function options_of(address)
   return list
 end
 
--- Members of an object, those of its fields too: wear.depth.cylinder.
+-- Members of an object and of its fields: wear.depth.cylinder.
 local function members_of(address, kind)
   local list = {}
   for _, entry in ipairs(help.all()) do

@@ -16,14 +16,14 @@ local function quasi_continuous(fields, cycles)
   return wear(definition)
 end
 
--- Microseconds an increment takes, by CPU time, over so many cycles.
+-- Microseconds of CPU time per increment, over a number of cycles.
 local function cost(fields, cycles)
   local w = quasi_continuous(fields, cycles)
   local seconds = timed(function() w:run{ progress = false } end)
   return 1e6 * seconds / (100 * cycles), w
 end
 
--- The list of pressures may become that of the factors.
+-- The list of pressures may be overwritten by the factors.
 local function with_vector(_, xs, ps)
   for i = 1, #ps do ps[i] = 1 + 1e-6 * ps[i] + xs[i] end
   return ps

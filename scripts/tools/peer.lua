@@ -1,8 +1,11 @@
 -- make peer: the exported decks run through CalculiX, side by side with archard. Linear elements of the same kind on the
 -- same nodes; CalculiX presses by a penalty, archard without. CPU seconds of one
--- thread; an increment of archard's is one of a run, with its share of wear and of new geometry.
+-- thread; an increment of archard's is one of a run, with its share of wear and of new geometry. Then a ball on a flat in three
+-- dimensions, with bricks of 20 nodes (ball.lua).
 
-local ccx = dofile(arg[0]:match("^.*/") .. "ccx.lua")
+local here = arg[0]:match("^.*/")
+local ccx = dofile(here .. "ccx.lua")
+local ball = dofile(here .. "ball.lua")
 
 local function largest(values)
   local most = -math.huge
@@ -22,7 +25,7 @@ local function ours(c)
     mises = { cylinder = largest(stress.cylinder.mises), plate = largest(stress.plate.mises) } }
 end
 
--- What all nodes of the cylinder carry across.
+-- Total normal force on the nodes of the cylinder.
 local function force_on(c)
   local x, p = c:pressure("cylinder").x, c:pressure("cylinder").p
   local sum = 0
@@ -36,7 +39,7 @@ local function theirs(folder, name, c)
   return assert(ccx.solve(folder, name, meshes.cylinder.nodes, meshes.cylinder.nodes + meshes.plate.nodes))
 end
 
--- One case: both results, and the seconds of an increment of the run that it comes from.
+-- One case: both results, and the seconds per increment of its run.
 local function case(folder, title, c, seconds)
   local a, b = ours(c), theirs(folder, "deck", c)
   a.force, a.seconds = force_on(c), seconds
@@ -86,8 +89,9 @@ local function main()
   local cases = { case(folder, "unworn", contact{ model = w.model }, seconds),
     case(folder, "worn, after 1320 mm", w:contact(), seconds),
     case(folder, "plate of 1 GPa, nu = 0.46, after 200 mm", soft:contact(), soft_seconds) }
-  os.execute("rm -r " .. folder)
   show(cases)
+  ball(ccx, folder)
+  os.execute("rm -r " .. folder)
 end
 
 main()

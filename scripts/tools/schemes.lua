@@ -18,7 +18,7 @@ local schemes = {
   { "implicit, tolerance = 1e-3", function() return { scheme = "implicit", tolerance = 1e-3 } end },
 }
 
--- A model for all runs on one mesh: those of one case share it.
+-- One model for all runs of a case on one mesh.
 local function run(case, size, fields)
   fields.stroke, fields.alpha = case.stroke, case.alpha
   fields.model = { mesh = { size = size, height = 1.25 * size } }

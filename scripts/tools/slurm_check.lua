@@ -9,7 +9,7 @@ assert(require "archard.process".make_folder(folder))
 local content = dofile((arg[0]:match("^(.*)scripts/tools/") or "") .. "tests/lua/lib/content.lua")
 local clock = require "archard.term".clock
 
--- As many cases as asked for: the partition factor and the load vary.
+-- The given number of cases with varying partition factor and load.
 local function small_cases()
   local cases = {}
   for i = 1, count do cases[i] = { alpha = (i - 1) % 101 / 100, load = 80 + 40 * (i - 1) / count } end
@@ -36,6 +36,6 @@ for _, engine in ipairs{ "slurm", "local" } do
   s:close()
 end
 local same = texts.slurm == texts["local"] and #texts.slurm > 0
-print(same and "the merged file and that of the local run hold the same bits" or "THE RESULTS DIFFER")
+print(same and "the merged file and the file of the local run have the same bits" or "THE RESULTS DIFFER")
 os.execute("rm -rf '" .. folder .. "'")
 os.exit(same, true)

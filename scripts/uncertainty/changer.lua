@@ -43,7 +43,7 @@ end
 function changer.usual(definition)
   local names = coefficients(definition)
   if #names == 0 then names = { "k", "alpha" } end
-  names[#names + 1] = "load"
+  if definition.load then names[#names + 1] = "load" end
   return names
 end
 

@@ -56,7 +56,7 @@ end
 return function(study, given)
   check.definition(where, given, fields)
   if given.of == nil then check.refuse(where, "of", "the name of a column of the history", nil) end
-  outcomes.names(where, given.of)
+  outcomes.names(where, given.of, outcomes.first(study, where).history)
   local past, passed = test_of(given), {}
   local failed = outcomes.each(study, where, function(number, history)
     if outcomes.is_sample(study, number) then passed[#passed + 1] = passes(history, given.of, past, given.before) end

@@ -3,35 +3,35 @@
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
+local joint_file = require "archard.joint.file"
 local history_at = require "archard.lib.history_at"
+local keys = require "archard.lib.keys"
+local measure = require "archard.measure"
 
 local outcomes = {}
 
-outcomes.columns = {}
-for i, column in ipairs(columns) do outcomes.columns[i] = column.name end
-
--- The unit of a column, "" if it has none.
+-- The unit of a column, "" if it has none; depths and volumes have the names of bodies.
 function outcomes.unit(name)
+  local of_bodies = { depth = "mm", volume = "mm3" }
   for _, column in ipairs(columns) do
     if column.name == name then return column.unit or "" end
   end
+  return of_bodies[name:match "^%l+"] or ""
 end
 
--- True if a history has the column; bodies may have their own names.
-local function has(history, name)
-  local fine, column = pcall(function() return history and history[name] end)
-  return fine and column ~= nil
+-- The usual columns of a run or case: wear depths, by the names of its bodies, and a pressure.
+function outcomes.usual(run)
+  local bodies = measure.bodies(run.model)
+  return { "depth_" .. bodies.upper, "depth_" .. bodies.lower, run.history.p_center and "p_center" or "p_peak" }
 end
 
--- Checks one column name or a list of names and returns a list; history: a history with its own names of bodies, or
--- nil.
+-- Checks one column name of a history or a list of names and returns a list; bodies may have their own names.
 function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
     if type(name) ~= "string" then check.refuse(where, "of", "the name of a column or a list of them", name) end
-    if not outcomes.unit(name) and not has(history, name) then
-      check.fail(where, ("field 'of': no column '%s' in the history%s"):format(name,
-        check.hint(name, outcomes.columns)))
+    if not history[name] then
+      check.fail(where, ("field 'of': no column '%s' in the history%s"):format(name, check.hint(name, keys(history))))
     end
   end
   if #list == 0 then check.refuse(where, "of", "the name of a column or a list of them", of) end
@@ -75,9 +75,17 @@ end
 
 -- The history of a finished case; a damaged file may have none.
 local function history_of(store, where, id)
-  local history = store:history(id)
+  local history = joint_file.history(store, id)
   if history then return history end
   check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
+end
+
+-- The first case of a study with a result; its history must be there.
+function outcomes.first(study, where)
+  for i, row in ipairs(outcomes.rows(study, where)) do
+    if row.status == "done" and history_of(study:store(), where, row.id) then return study:cases()[i] end
+  end
+  check.fail(where, "fewer than two cases have results")
 end
 
 -- each(study, where, visit): calls visit(number, history, index) for every case used; returns the number of failed

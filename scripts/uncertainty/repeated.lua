@@ -4,28 +4,12 @@ local check = require "archard.lib.check"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
 local settings = require "archard.definition.settings"
-local stores = require "archard.store"
+local joint_file = require "archard.joint.file"
 local quiet = require "archard.lib.quiet"
 
 local repeated = {}
 
 local where = "wear:sensitivity"
-
--- The definition of the run as stored in a run file.
-local function stored(run)
-  local path = os.tmpname()
-  os.remove(path)
-  local store <close> = stores.open(path, "create")
-  local fine, values = pcall(function()
-    store:add(1, "run")
-    store:save(1, run, {})
-    return store:values(1, "definition")
-  end)
-  store:close()
-  os.remove(path)
-  if not fine then error(values, 0) end
-  return settings.nest(values)
-end
 
 local function loading_of(blocks)
   for _, block in ipairs(blocks or {}) do block.periodic = block.periodic ~= 0 end
@@ -43,8 +27,9 @@ local function take_coefficients(definition)
   end
 end
 
-function repeated.definition(run)
-  local there = stored(run)
+-- The definition of a run of the engine.
+local function of_engine(run)
+  local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }
   for _, setting in ipairs(known.wear) do
     local name = setting.name
@@ -56,6 +41,11 @@ function repeated.definition(run)
   end
   local has, local_factor = pcall(function() return run.local_factor end)
   definition.local_factor = has and local_factor or nil
+  return definition
+end
+
+function repeated.definition(run)
+  local definition = joint_file.is_joint(run) and run:definition() or of_engine(run)
   take_coefficients(definition)
   return repeated.with_steps(run, definition)
 end
@@ -71,7 +61,8 @@ end
 -- every changed number would cover small changes with noise.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
-  definition.tolerance, definition.scheme, definition.steps_chosen = nil, "implicit", run.history
+  definition.tolerance, definition.steps_chosen = nil, run.history
+  if not joint_file.is_joint(run) then definition.scheme = "implicit" end
   return repeated.in_parts(definition, 1)
 end
 

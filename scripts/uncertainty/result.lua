@@ -201,7 +201,8 @@ end
 -- make(study, { of=, at=, quantiles=, confidence= })
 return function(study, given)
   given = check.definition(where, given or {}, fields)
-  local names = outcomes.names(where, given.of or { "depth_cylinder", "depth_plate", "p_center" })
+  local first = outcomes.first(study, where)
+  local names = outcomes.names(where, given.of or outcomes.usual(first), first.history)
   local options = { quantiles = given.quantiles or { 0.05, 0.5, 0.95 },
     reach = sampled.reach(given.confidence or 0.95) }
   local found, uncertain = outcomes.read(study, where, names, given.at), {}

@@ -2,7 +2,6 @@
 -- change the result. This costs two runs for each field.
 
 local check = require "archard.lib.check"
-local columns = require "archard.settings".columns
 local merged = require "archard.lib.merged"
 local settings = require "archard.definition.settings"
 
@@ -41,8 +40,8 @@ local function equal(x, y)
 end
 
 local function same(a, b)
-  for _, column in ipairs(columns) do
-    if not setting_columns[column.name] and not equal(a[column.name], b[column.name]) then return false end
+  for name, column in pairs(a) do
+    if not setting_columns[name] and not equal(column, b[name]) then return false end
   end
   return true
 end

@@ -4,7 +4,7 @@
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
-#include "lua/system/term_ask.h"
+#include "lua/system/term_query.h"
 #include "lua/base/interrupt.h"
 
 #include <signal.h>
@@ -36,7 +36,7 @@ static void on_continue(int signal_number) {
   continued = 1;
 }
 
-/* --- completion ------------------------------------------------------------------------------ */
+/* --- completion ------------------------------------------------------------------------------- */
 
 static void forget_proposal(void) {
   for (size_t i = 0; i < editor.proposal.count; i++) free(editor.proposal.words[i]);
@@ -69,7 +69,7 @@ static char **attempt_completion(const char *text, int start, int end) {
   return rl_completion_matches(text, rl_filename_completion_function);
 }
 
-/* --- history --------------------------------------------------------------------------------- */
+/* --- history ---------------------------------------------------------------------------------- */
 
 /* Removes earlier copies of an entry from the history. */
 static void forget_copies(const char *entry) {
@@ -91,7 +91,7 @@ void edit_remember(const char *entry) {
   if (editor.path) history_file_append(editor.path, entry);
 }
 
-/* --- life ------------------------------------------------------------------------------------ */
+/* --- life ------------------------------------------------------------------------------------- */
 
 static void choose_signals(void) {
   static const int signals[] = {SIGINT, SIGTSTP, SIGWINCH, SIGTERM, SIGHUP, SIGQUIT, SIGCONT};
@@ -132,7 +132,7 @@ void edit_finish(void) {
   clear_history();
 }
 
-/* --- one line -------------------------------------------------------------------------------- */
+/* --- one line --------------------------------------------------------------------------------- */
 
 static void on_line(char *line) {
   editor.line = line;
@@ -176,7 +176,7 @@ static int wait_for_key(const sigset_t *normal) {
 /* Processes keys received during a query of the terminal; keys after the end of a line are kept for
  * the next prompt. */
 static void replay_typed(void) {
-  for (int key; !editor.done && (key = term_ask_typed()) >= 0;) {
+  for (int key; !editor.done && (key = term_query_next_key()) >= 0;) {
     rl_stuff_char(key);
     rl_callback_read_char();
   }

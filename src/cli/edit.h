@@ -26,8 +26,8 @@ void edit_start(edit_complete_fn complete, void *context);
 /* Removes copies from the history file: every entry once, the latest last. */
 void edit_finish(void);
 
-/* Reads one line, without its newline; pasted text may hold newlines within. With EDIT_LINE, the
- * caller frees *line. */
+/* Reads one line, without its newline; pasted text may contain newlines. With EDIT_LINE, the caller
+ * frees *line. */
 edit_result edit_read(const char *prompt, char **line);
 
 /* Adds an entry of one or several lines to the history and its file. */

@@ -1,13 +1,11 @@
-/* The history file: read whole, cut into entries, cleaned of copies, replaced as a whole when there
- * was something to clean. A lock on its folder keeps two sessions apart.
- *
- * An entry is a line "#TIME" and its text; a line of the text that looks like the former has a
- * backslash before it. What a crash leaves (half a line, a line of time alone, zeros) loses no
- * other entry. */
+/* The history file: it is read completely, split into entries, and rewritten without duplicates if
+ * necessary. A lock on its folder separates two sessions. An entry is a line "#TIME" and its text;
+ * a line of the text of this form has a backslash before it. Remains of a crash (half a line, a
+ * line of time only, zeros) do not affect other entries. */
 #include "cli/history_file.h"
 
 #include "archard/base.h"
-#include "archard/place.h"
+#include "archard/atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -31,7 +29,7 @@ typedef struct history {
   int count;
 } history;
 
-/* --- places ---------------------------------------------------------------------------------- */
+/* --- places ----------------------------------------------------------------------------------- */
 
 static char *join(const char *folder, const char *name) {
   size_t size = strlen(folder) + strlen(name) + 2;
@@ -40,7 +38,8 @@ static char *join(const char *folder, const char *name) {
   return path;
 }
 
-/* Makes every missing folder of `path`, for the user alone. Returns zero on failure. */
+/* Creates every missing folder of `path`, with access for the user only. Returns zero on failure.
+ */
 static int make_folders(char *path) {
   for (char *slash = path + 1;; slash++) {
     if (*slash != '/' && *slash != '\0') continue;
@@ -83,7 +82,7 @@ static void unlock_folder(int descriptor) {
   if (descriptor >= 0) close(descriptor);
 }
 
-/* --- lines ----------------------------------------------------------------------------------- */
+/* --- lines ------------------------------------------------------------------------------------ */
 
 static int is_header(const char *line) {
   size_t digits = line[0] == '#' ? strspn(line + 1, "0123456789") : 0;
@@ -100,7 +99,7 @@ static char *next_line(char *line) {
   return end ? end + 1 : NULL;
 }
 
-/* --- writing --------------------------------------------------------------------------------- */
+/* --- writing ---------------------------------------------------------------------------------- */
 
 static FILE *open_private(const char *path) {
   int descriptor = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0600);
@@ -152,13 +151,14 @@ static int put_entries(const char *path, const history *self, int first) {
 }
 
 static void rewrite(const char *path, const history *self, int first) {
-  arc_place *place;
-  if (arc_place_take(path, &place, NULL) != ARC_OK) return;
-  if (put_entries(arc_place_path(place), self, first)) arc_place_publish(&place, NULL);
-  arc_place_drop(&place);
+  arc_atomic_file *temporary;
+  if (arc_atomic_file_create(path, &temporary, NULL) != ARC_OK) return;
+  if (put_entries(arc_atomic_file_path(temporary), self, first))
+    arc_atomic_file_publish(&temporary, NULL);
+  arc_atomic_file_discard(&temporary);
 }
 
-/* --- reading --------------------------------------------------------------------------------- */
+/* --- reading ---------------------------------------------------------------------------------- */
 
 /* Copies all bytes except zeros, which would end the string. */
 static char *read_text(const char *path) {

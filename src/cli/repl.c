@@ -37,8 +37,7 @@ static int pending_add(pending *self, const char *line, size_t size) {
   return 1;
 }
 
-/* --- the functions of scripts/lib/prompt.lua
- * ------------------------------------------------------ */
+/* --- the functions of scripts/lib/prompt.lua -------------------------------------------------- */
 
 static void push_module_function(lua_State *L, const char *module, const char *name) {
   script_require(L, module);

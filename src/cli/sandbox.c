@@ -8,7 +8,7 @@
 #include "lua/base/scripts.h"
 #include "system/child.h"
 #include "system/jail.h"
-#include "system/room.h"
+#include "system/memory_limit.h"
 
 #include <errno.h>
 #include <lauxlib.h>
@@ -20,6 +20,10 @@
 #include <unistd.h>
 
 static const double mebi = 1048576;
+
+/* A file may be as large as the memory limit; all files together this many times as large, and at
+ * most half of the free disk space. */
+enum { FILES_AT_ONCE = 4 };
 
 sandbox sandbox_usual(void) {
   return (sandbox){.memory = 1024, .seconds = 3600, .instructions = 1e11};
@@ -135,7 +139,10 @@ void sandbox_enter(lua_State *L, const sandbox *self, const char *script) {
   lua_pushstring(L, folder);
   lua_call(L, 1, 0);
   arc_reserve_blas();
-  arc_room_limit(self->memory * mebi);
+  const double free = confine_free();
+  confine_disk(fmax(free - FILES_AT_ONCE * self->memory * mebi, free / 2));
+  arc_child_confine();
+  arc_memory_limit_set(self->memory * mebi);
   interrupt_limit(L, self->instructions, signals_begin_working_grace);
   signals_limit(self->seconds);
 }

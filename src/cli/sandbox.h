@@ -1,10 +1,8 @@
-/* cli/sandbox.h - a script of a stranger: what it may use, and how much of it.
- *
- * Lua's libraries are left without what reaches out of the script (scripts/lib/sandbox.lua); files
- * are those below the script's folder, to read, and below the working folder: the system sees to
- * that (system/jail.h). Memory is that of Lua, of the engine and of all that is started, seconds
- * are on the clock. What goes beyond a limit is stopped as by Ctrl-C, and ended where that does not
- * stop it within grace. */
+/* cli/sandbox.h - restrictions of an untrusted script. Lua's libraries are loaded without functions
+ * that reach outside the script (scripts/lib/sandbox.lua). Files can be read below the script's
+ * folder and written below the working folder, as the system enforces (system/jail.h). The memory
+ * limit covers Lua, the engine and all started programs; seconds are elapsed time. A script that
+ * exceeds a limit is stopped as by Ctrl-C, and ended if it does not stop within a grace period. */
 #ifndef CLI_SANDBOX_H
 #define CLI_SANDBOX_H
 

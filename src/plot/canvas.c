@@ -1,5 +1,4 @@
-/* What a figure is drawn on: gnuplot's terminal for an output, its size and fonts. Leans on
- * gnuplot.c for the list of terminals.
+/* gnuplot's terminal, size and fonts of an output.
  */
 #include <math.h>
 #include <stdio.h>
@@ -36,7 +35,7 @@ static const char *ending_of(const char *file) {
   return dot && (!slash || dot > slash) ? dot + 1 : "";
 }
 
-/* The kind by its ending, and by the terminal's name where one is asked for. */
+/* The kind by the ending of the file, and by the name of the terminal if one is given. */
 static const kind *find_kind(const char *ending, const char *terminal, const arc_gnuplot *session) {
   for (int i = 0; i < KINDS; i++)
     if (strcasecmp(kinds[i].ending, ending) == 0 &&
@@ -56,7 +55,7 @@ static arc_status no_terminal(const arc_plot_output *output, const char *ending,
                   "this gnuplot cannot draw %s. On Debian: apt-get install gnuplot-nox", ending);
 }
 
-/* The ending that stands for the output, "" for commands only; NULL when it is not known. */
+/* The ending of the output, "" for commands only; NULL when it is not known. */
 static const char *output_ending(const arc_plot_output *output) {
   if (output->medium == ARC_PLOT_TEXT) return "txt";
   if (output->medium == ARC_PLOT_SIXEL) return "sixel";
@@ -72,7 +71,7 @@ static int at_least(int value, int least) {
   return value > least ? value : least;
 }
 
-/* A panel needs about so much room to be read. */
+/* Smallest size of a legible panel. */
 static void choose_size(const arc_plot_figure *figure, const arc_plot_output *output,
                         arc_canvas *canvas) {
   int rows, columns;
@@ -160,7 +159,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* Said each time: a terminal keeps what it was last told. Marks know a scale in cairo's alone. */
+/* Set for each picture, since a terminal keeps its last settings. Only cairo terminals have a scale
+ * of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

@@ -1,10 +1,7 @@
-/* Pictures in characters: read into cells, curves laid over them as Braille dots, written tidily.
- * Leans on text.c.
- *
- * gnuplot draws twice where there are dots: the axes and words on the surface of the characters,
- * the curves alone on one where each character is a dot. Clipping, steps, logarithms stay
- * gnuplot's. The only escape sequences of its character terminal are colours, ESC [ ... m.
- */
+/* Pictures in characters: reads them into cells, adds curves as Braille dots, and writes them. With
+ * dots gnuplot draws twice: axes and texts on the grid of characters, and only the curves on a grid
+ * where each character is a dot. gnuplot does the clipping, steps and logarithms. The only escape
+ * sequences of its character terminal are colours, ESC [ ... m. */
 #include "plot/characters.h"
 
 #include <stdlib.h>
@@ -91,12 +88,13 @@ static const cell *dot_at(const screen *s, size_t row, size_t column) {
   return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
 }
 
-/* The mark that a character stands for, NULL: none. */
+/* The mark of a character, NULL: none. */
 static const char *mark_of(char c) {
   return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
 }
 
-/* The eight dots of a character, in the colour most of them have; a mark takes its place whole. */
+/* The eight dots of a character, in their most frequent colour; a mark replaces the whole
+ * character. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const char *mark = NULL;

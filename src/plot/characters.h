@@ -1,4 +1,4 @@
-/* Pictures in characters as gnuplot sends them, made fit for people. */
+/* Cleans pictures in characters from gnuplot. */
 #ifndef PLOT_CHARACTERS_H
 #define PLOT_CHARACTERS_H
 

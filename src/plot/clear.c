@@ -1,4 +1,4 @@
-/* Ends of axes that leave curves clear of the frame. Leans on figure.c for the extent of a panel.
+/* Extends axes so that curves do not coincide with the frame.
  *
  * gnuplot cuts a line that runs along an end of the range in half, ends a reversed axis on the last
  * point, and takes logarithmic axes to the next decade.
@@ -41,7 +41,7 @@ static void positive_reach(const arc_plot_panel *panel, int along, double *low, 
     }
 }
 
-/* Gives both ends to a logarithmic axis that shows these numbers; those it has stay. */
+/* Sets both ends of a logarithmic axis for these numbers; given ends are kept. */
 static void set_log(arc_plot_axis *axis, double low, double high) {
   if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
   double from = step_below(low), to = step_above(high);
@@ -95,7 +95,7 @@ static int same_end(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
-/* Whether two panels show the same quantity, with ends that nobody set. */
+/* True if two panels show the same quantity with automatic ends. */
 static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
   const arc_plot_axis *p = &a->y, *q = &b->y;
   if (a->field || b->field || a->equal || b->equal || p->places || q->places) return 0;

@@ -1,5 +1,4 @@
-/* Fields: polygons with values at their corners, as samples on a grid and as contour lines. Leans
- * on text.c.
+/* Samples fields (polygons with values at their corners) on a grid, and computes contour lines.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -81,8 +80,9 @@ typedef struct numbers {
   const arc_plot_box *box;
   corner placed[MOST_NUMBERS];
   int count;
-  double step; /* between levels */
-  corner best; /* of the present level */
+  double step;  /* between levels */
+  double least; /* clearance of a number */
+  corner best;  /* of the present level */
   double clearance;
 } numbers;
 
@@ -122,23 +122,23 @@ static size_t contour_triangle(const corner t[3], double level, numbers *n, arc_
 static size_t contour_level(const arc_plot_field *field, double level, numbers *n,
                             arc_text *script) {
   size_t segments = 0;
-  n->clearance = 0.04; /* nearer to the frame, or to another number, none is shown */
-  const double none = n->clearance;
+  n->clearance = n->least;
   for (size_t i = 0; i < field->count; i++)
     for (int part = 0; part < TRIANGLES && touches(field, i, n->box); part++) {
       corner t[3];
       triangle_of(field, i, part, t);
       segments += contour_triangle(t, level, n, script);
     }
-  if (n->clearance > none && n->count < MOST_NUMBERS) n->placed[n->count++] = n->best;
+  if (n->clearance > n->least && n->count < MOST_NUMBERS) n->placed[n->count++] = n->best;
   return segments;
 }
 
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
-                          const double range[2], int levels, arc_text *lines, arc_text *labels) {
+                          const double range[2], int levels, double rows, arc_text *lines,
+                          arc_text *labels) {
   size_t segments = 0;
   double step = arc_field_step(range, levels);
-  numbers n = {.box = box, .step = step};
+  numbers n = {.box = box, .step = step, .least = fmax(0.04, 1.3 / rows)};
   double first = step * (floor(range[0] / step + 1e-9) + 1);
   int count = levels > 0 ? (int)ceil((range[1] - first) / step - 1e-9) : 0;
   for (int k = 0; k < count; k++) segments += contour_level(field, first + k * step, &n, lines);
@@ -152,7 +152,7 @@ size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
 /* --- samples ---------------------------------------------------------------------------------- */
 
 typedef struct raster {
-  double x0, dx, y0, dy; /* sample i stands at x0 + i dx */
+  double x0, dx, y0, dy; /* sample i is at x0 + i dx */
   int columns, rows;
   double *values;
 } raster;

@@ -1,4 +1,4 @@
-/* Curves as rows of numbers. Leans on text.c. */
+/* Writes curves as rows of numbers. */
 #include <math.h>
 
 #include "plot/figure.h"

@@ -1,5 +1,4 @@
-/* Marks upon lines that come as dots: dots have no dashes, and colours are not seen by all. Leans
- * on look.c for the mark of a curve.
+/* Marks on lines of Braille dots, which have no dashes to distinguish them without colours.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -23,7 +22,7 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 
-/* Where a number stands along an axis, a share of what is shown of it. */
+/* Position of a number on an axis, as a share of its range. */
 static double place(const arc_plot_axis *axis, double low, double high, double value) {
   return axis->log ? log(value / low) / log(high / low) : (value - low) / (high - low);
 }
@@ -45,7 +44,7 @@ static double length(point a, point b) {
   return seen && isfinite(all) ? all : 0;
 }
 
-/* Those of different curves stand beside each other where the curves lie upon each other. */
+/* Marks of different curves are shifted where the curves coincide. */
 static double share_of(int mark, int series) {
   return (mark + (series + 0.5) / ARC_DOT_MARKS) / MARKS;
 }

@@ -1,7 +1,6 @@
-/* Draws figures: into characters for the caller, into windows, into files. Leans on script.c for
- * the commands, on gnuplot.c to run them, on characters.c for pictures in characters.
+/* Draws figures as characters, in windows, or to files.
  *
- * A file is drawn in a place of ours and published there when it is whole, and gnuplot never sees a
+ * A file is drawn as an atomic file and published when it is whole, and gnuplot never sees a
  * name that could mean something else to it.
  */
 #include <errno.h>
@@ -9,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "archard/place.h"
+#include "archard/atomic_file.h"
 #include "plot/plot.h"
 #include "plot/characters.h"
 #include "plot/figure.h"
@@ -36,12 +35,12 @@ static arc_status hand_over(arc_text *text, char **data, size_t *length, arc_err
 /* --- commands --------------------------------------------------------------------------------- */
 
 static void write_script(const arc_plot_figure *frames, size_t count, const arc_canvas *canvas,
-                         const char *animation, const char *place, arc_text *script) {
+                         const char *animation, const char *temporary, arc_text *script) {
   arc_text_word(script, at_rest);
   arc_canvas_command(canvas, animation, script);
-  if (place) {
+  if (temporary) {
     arc_text_word(script, "set output ");
-    arc_text_path(script, place);
+    arc_text_path(script, temporary);
     arc_text_word(script, "\n");
   }
   for (size_t i = 0; i < count; i++) {
@@ -76,11 +75,12 @@ arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output 
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static arc_status write_text(const arc_place *place, const arc_text *text, arc_error *error) {
-  FILE *stream = fopen(arc_place_path(place), "w");
+static arc_status write_text(const arc_atomic_file *temporary, const arc_text *text,
+                             arc_error *error) {
+  FILE *stream = fopen(arc_atomic_file_path(temporary), "w");
   size_t written = stream ? fwrite(text->data, 1, text->length, stream) : 0;
   if (stream && fclose(stream) == 0 && written == text->length) return ARC_OK;
-  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", arc_place_asked(place),
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", arc_atomic_file_name(temporary),
                   strerror(errno));
 }
 
@@ -96,42 +96,42 @@ typedef struct drawing {
   arc_canvas canvas;
 } drawing;
 
-/* gnuplot reads its standard input byte by byte: many commands are read sooner from a file. Leaves
- * the script as it is, and no place, where no file can be written. */
-static void through_file(arc_text *script, arc_place **place) {
+/* gnuplot reads its standard input byte by byte, so many commands are faster from a file. Leaves
+ * the script unchanged, and `path` empty, if no file can be written. */
+static void through_file(arc_text *script, arc_atomic_file **temporary) {
   const char *folder = getenv("TMPDIR");
   arc_error ignored;
-  *place = NULL;
+  *temporary = NULL;
   if (script->failed || script->length < 20000) return;
   if (!folder || folder[0] != '/') folder = P_tmpdir;
-  if (arc_place_scratch(folder, place, &ignored) != ARC_OK) return;
-  if (write_text(*place, script, &ignored) != ARC_OK) {
-    arc_place_drop(place);
+  if (arc_atomic_file_create_scratch(folder, temporary, &ignored) != ARC_OK) return;
+  if (write_text(*temporary, script, &ignored) != ARC_OK) {
+    arc_atomic_file_discard(temporary);
     return;
   }
   script->length = 0;
   arc_text_word(script, "load ");
-  arc_text_path(script, arc_place_path(*place));
+  arc_text_path(script, arc_atomic_file_path(*temporary));
 }
 
-/* Runs the commands for a canvas; `reply` receives what came back. */
-static arc_status ask(drawing *d, const arc_canvas *canvas, const char *place, char **reply,
+/* Runs the commands for a canvas; `reply` receives the output. */
+static arc_status ask(drawing *d, const arc_canvas *canvas, const char *temporary, char **reply,
                       size_t *length, arc_error *error) {
   arc_text script = {0};
-  write_script(d->frames, d->count, canvas, d->animation, place, &script);
-  arc_place *file;
+  write_script(d->frames, d->count, canvas, d->animation, temporary, &script);
+  arc_atomic_file *file;
   through_file(&script, &file);
   arc_status status =
       script.failed ? no_memory(error)
                     : arc_gnuplot_run(d->session, script.data, script.length, reply, length, error);
-  arc_place_drop(&file);
+  arc_atomic_file_discard(&file);
   arc_text_free(&script);
   if (status == ARC_ARGUMENT)
     arc_gnuplot_run(d->session, at_rest, sizeof at_rest - 1, NULL, NULL, NULL);
   return status;
 }
 
-/* Draws the curves again, alone and finer, and lays them over the picture. */
+/* Draws only the curves again, at the resolution of dots, and adds them to the picture. */
 static arc_status refine(drawing *d, const char *words, size_t length, arc_text *picture,
                          arc_error *error) {
   arc_canvas dots = d->canvas;
@@ -144,11 +144,11 @@ static arc_status refine(drawing *d, const char *words, size_t length, arc_text 
   return status;
 }
 
-/* `picture` receives what gnuplot draws, tidied where it is characters. */
-static arc_status run(drawing *d, const char *place, arc_text *picture, arc_error *error) {
+/* `picture` receives gnuplot's output; pictures in characters are cleaned. */
+static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_error *error) {
   char *reply = NULL;
   size_t length = 0;
-  arc_status status = ask(d, &d->canvas, place, &reply, &length, error);
+  arc_status status = ask(d, &d->canvas, temporary, &reply, &length, error);
   if (status == ARC_OK && d->canvas.fine)
     status = refine(d, reply, length, picture, error);
   else if (status == ARC_OK && d->canvas.text)
@@ -160,28 +160,28 @@ static arc_status run(drawing *d, const char *place, arc_text *picture, arc_erro
 }
 
 /* Characters and commands are written here, everything else by gnuplot. */
-static arc_status fill_place(drawing *d, const arc_place *place, arc_error *error) {
+static arc_status fill_place(drawing *d, const arc_atomic_file *temporary, arc_error *error) {
   arc_text text = {0};
   arc_status status;
   if (!d->canvas.terminal)
     status = user_script(d->frames, &d->canvas, &text);
   else
-    status = run(d, d->canvas.text ? NULL : arc_place_path(place), &text, error);
+    status = run(d, d->canvas.text ? NULL : arc_atomic_file_path(temporary), &text, error);
   if (status == ARC_OK && text.failed) status = no_memory(error);
   if (status == ARC_OK && (d->canvas.text || !d->canvas.terminal))
-    status = write_text(place, &text, error);
+    status = write_text(temporary, &text, error);
   else if (status == ARC_OK)
-    status = arc_picture_check(arc_place_path(place), d->output->file, error);
+    status = arc_picture_check(arc_atomic_file_path(temporary), d->output->file, error);
   arc_text_free(&text);
   return status;
 }
 
 static arc_status draw_file(drawing *d, arc_error *error) {
-  arc_place *place;
-  arc_status status = arc_place_take(d->output->file, &place, error);
-  if (status == ARC_OK) status = fill_place(d, place, error);
-  if (status == ARC_OK) return arc_place_publish(&place, error);
-  arc_place_drop(&place);
+  arc_atomic_file *temporary;
+  arc_status status = arc_atomic_file_create(d->output->file, &temporary, error);
+  if (status == ARC_OK) status = fill_place(d, temporary, error);
+  if (status == ARC_OK) return arc_atomic_file_publish(&temporary, error);
+  arc_atomic_file_discard(&temporary);
   return status;
 }
 

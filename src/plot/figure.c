@@ -1,4 +1,4 @@
-/* A figure before it is drawn: defaults, checks, its grid and extent. Leans on nothing but itself.
+/* Defaults, checks, grid and extent of a figure.
  */
 #include "plot/figure.h"
 
@@ -49,7 +49,7 @@ static void widen_y(const arc_plot_curve *curve, size_t j, arc_plot_box *box) {
   widen(curve->y[j] + bar, &box->y0, &box->y1);
 }
 
-/* As gnuplot does, what lies beside the shown x has no say in the range of y. */
+/* As in gnuplot, points outside the shown range of x do not affect the range of y. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel) {
   arc_plot_box box = {NAN, NAN, NAN, NAN};
   for (size_t i = 0; i < panel->curve_count; i++)
@@ -92,7 +92,7 @@ static int inside(const arc_plot_axis *axis, double value) {
   return isfinite(value) && !(value < low) && !(value > high);
 }
 
-/* What is wrong with a curve's points, or NULL. */
+/* The error in a curve's points, or NULL. */
 static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *curve) {
   arc_plot_axis open_x = panel->x, open_y = panel->y;
   open_x.min = open_x.max = open_y.min = open_y.max = NAN;
@@ -106,7 +106,7 @@ static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *
   return drawable == 0 ? "has no positive point for the logarithmic axis" : NULL;
 }
 
-/* gnuplot takes any word for a colour, and draws what it does not know in black. */
+/* gnuplot accepts any word as a colour and draws unknown ones in black. */
 static int is_colour(const char *colour) {
   static const char names[] = " " ARC_PLOT_COLOURS " ";
   char word[24];
@@ -145,7 +145,8 @@ static arc_status check_curve(const arc_plot_panel *panel, size_t number, size_t
   return ARC_OK;
 }
 
-/* gnuplot's own words for a range without points ("all points y value undefined") help nobody. */
+/* gnuplot's message for a range without points ("all points y value undefined") does not name the
+ * cause. */
 static arc_status check_visible(const arc_plot_panel *panel, size_t number, arc_error *error) {
   size_t seen = panel->field != NULL;
   for (size_t i = 0; i < panel->curve_count && !seen; i++)

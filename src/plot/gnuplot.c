@@ -1,9 +1,6 @@
-/* A session with gnuplot: start, version, commands and their answers, restart. Leans on process.c,
- * which alone knows how a program is started.
- *
- * gnuplot goes on after an error, so every question ends by printing a line of our own with its
- * error number; what stands before that line is the answer.
- */
+/* A session with gnuplot: start, version, commands and replies, restart. gnuplot continues after an
+ * error, so every command list ends by printing a marker line with the error number; the output
+ * before this line is the answer. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +16,7 @@ struct arc_gnuplot {
   arc_process process;
   double version;
   char *terminals;
-  unsigned long questions; /* numbers the last lines, so that an old one cannot be taken for ours */
+  unsigned long questions; /* number of the marker line, which distinguishes it from earlier ones */
 };
 
 static const char remedy[] = "On Debian: apt-get install gnuplot-nox";
@@ -103,8 +100,8 @@ static arc_status missing(const arc_gnuplot *session, arc_error *error) {
                   remedy);
 }
 
-/* Ends the process of an exchange that went wrong, and says what happened. Status 127 is how a
- * shell, or a system whose spawn cannot tell at once, reports that there is no such program. */
+/* Ends the process after a failed exchange and sets the error. Status 127 is how a shell, or a
+ * spawn call that cannot report it, indicates that there is no such program. */
 static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end end,
                          arc_error *error) {
   char ending[64];
@@ -135,8 +132,8 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
   }
 }
 
-/* Takes our last line, and the line break printed before it, off the answer. Returns the error
- * number in it. */
+/* Removes the marker line, and the line break before it, from the answer. Returns the error number
+ * in it. */
 static int error_number(arc_text *answer, const char *mark) {
   size_t start = answer->length - 1;
   while (start > 0 && answer->data[start - 1] != '\n') start--;
@@ -154,7 +151,7 @@ static arc_status judge(arc_gnuplot *session, arc_exchange *x, arc_exchange_end 
   return arc_fail(error, ARC_ARGUMENT, "gnuplot refuses: %.300s", last_words(&x->errors));
 }
 
-/* Asks the running gnuplot. Fills `answer` on success. */
+/* Sends commands to the running gnuplot. Fills `answer` on success. */
 static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, double patience,
                       arc_text *answer, arc_error *error) {
   char mark[48];
@@ -196,7 +193,7 @@ static arc_status spawn(arc_gnuplot *session, arc_error *error) {
   return status;
 }
 
-/* Notes the version and the terminals, which the answer holds on one line each. */
+/* Stores the version and the terminals, each on one line of the answer. */
 static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_error *error) {
   char *end;
   session->version = strtod(answer->data, &end);
@@ -215,7 +212,7 @@ static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_err
   return ARC_OK;
 }
 
-/* The first answer failed: say that it was the start, with what helps. */
+/* The first answer failed: the message says that gnuplot did not start, with advice. */
 static arc_status failed_start(arc_gnuplot *session, arc_status status, arc_error *error) {
   arc_process_end(&session->process, 0.0);
   if (status != ARC_IO || !error) return status;

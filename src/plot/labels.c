@@ -1,4 +1,4 @@
-/* Titles beside the frame, each at the height where its curve ends. Leans on look.c for colours. */
+/* Titles beside the frame at the ends of their curves. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,7 +10,7 @@ typedef struct label {
   double height;
 } label;
 
-double arc_labels_room(const arc_plot_panel *panel) {
+double arc_labels_width(const arc_plot_panel *panel) {
   size_t longest = 0;
   for (size_t i = 0; i < panel->curve_count; i++) {
     const arc_plot_curve *curve = &panel->curves[i];

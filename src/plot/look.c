@@ -1,5 +1,4 @@
-/* How curves look, a user's words among the commands, and the key that several panels share. Leans
- * on text.c. */
+/* Styles of curves, user texts in commands, and the shared key. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +7,7 @@
 
 enum { SERIES = 8, KEY_ENTRIES = 8 };
 
-/* Distinct also for eyes that see fewer colours; for characters the terminal's own six. */
+/* Distinct also for colour-blind readers; characters use the terminal's own six colours. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
@@ -18,11 +17,11 @@ static const char *const area_greys[SERIES] = {"#404040", "#b0b0b0", "#000000", 
 static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
                                                  "green", "yellow", "blue", "red"};
 
-/* As long as the eye keeps them apart without colours; the first is a full line. */
+/* Dashes that are distinct without colours; the first is a full line. */
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
                                            "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
-/* Points alone are open: what lies under them is seen, and others at the same place. */
+/* Curves of points have open marks, which do not hide other points. */
 static const int line_marks[SERIES] = {7, 5, 9, 11, 13, 15, 2, 1};
 static const int open_marks[SERIES] = {6, 4, 8, 10, 12, 14, 2, 1};
 
@@ -42,8 +41,7 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, after);
 }
 
-/* Words without marks stay out of gnuplot's reach. A long title is broken by a line break of ours.
- */
+/* Texts without marks are not passed as enhanced text. A long title is broken into lines here. */
 static void add_label(arc_writer *w, const char *words, double columns, int marked) {
   arc_text shown = {0};
   size_t count = arc_text_line(words, columns);
@@ -92,8 +90,7 @@ int arc_title_lines(const char *words, double columns) {
   return lines;
 }
 
-/* --- scale of colours --------------------------------------------------------------------------
- */
+/* --- scale of colours ------------------------------------------------------------------------- */
 
 static int is_scaled(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->scaled && !w->canvas->text;
@@ -127,9 +124,9 @@ size_t arc_look_title(const arc_writer *w, const char *title) {
 
 void arc_look_collect(arc_writer *w) {
   const arc_plot_figure *figure = w->figure;
-  size_t room = 1;
-  for (size_t p = 0; p < figure->panel_count; p++) room += figure->panels[p].curve_count;
-  w->titles = calloc(room, sizeof *w->titles);
+  size_t capacity = 1;
+  for (size_t p = 0; p < figure->panel_count; p++) capacity += figure->panels[p].curve_count;
+  w->titles = calloc(capacity, sizeof *w->titles);
   if (!w->titles) {
     w->out->failed = 1;
     return;
@@ -144,7 +141,7 @@ void arc_look_collect(arc_writer *w) {
     }
 }
 
-/* Of curves on a scale of colours characters name the first, the last, and some between. */
+/* For curves on a scale of colours, characters name the first, the last, and some between. */
 static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
   const arc_plot_curve *curve = &panel->curves[position];
   size_t last = panel->curve_count - 1;
@@ -155,7 +152,7 @@ static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t posit
   return 0;
 }
 
-/* Lines that so many titles take side by side, with their samples. */
+/* Number of lines of a key with its samples, titles side by side. */
 static double lines_of_key(size_t titles, size_t longest, double columns) {
   const double in_a_row = fmax(1, floor(columns / ((double)longest + 14)));
   return ceil((double)titles / in_a_row);
@@ -174,7 +171,7 @@ double arc_look_key_rows(const arc_writer *w) {
 double arc_panel_columns(const arc_writer *w) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
-  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is over the frame */
+  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is above the frame */
 }
 
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
@@ -191,8 +188,8 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Colour and dash of a curve, both from 1. Each colour has a dash of its own; when the colours are
- * through they come again with another one. Characters have no dashes, and take another mark. */
+/* Colour and dash of a curve, both from 1. Each colour has its own dash; after the last colour they
+ * repeat with other dashes. Characters have other marks instead of dashes. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -212,7 +209,7 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* A curve that comes back is the outline of an area, a band; else the area goes down to zero. */
+/* A closed curve is the outline of an area, a band; otherwise the area extends down to zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {
@@ -222,6 +219,12 @@ static int comes_back(const arc_plot_curve *curve) {
   return there && back;
 }
 
+enum { MANY = 60 }; /* points, of which dots cover less */
+
+int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve) {
+  return curve->error && curve->style == ARC_PLOT_POINTS && curve->count > MANY && !w->canvas->text;
+}
+
 static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve) {
   static const char *const with[ARC_PLOT_STYLE_COUNT] = {[ARC_PLOT_LINES] = "lines",
                                                          [ARC_PLOT_POINTS] = "points",
@@ -229,7 +232,7 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
                                                          [ARC_PLOT_STEPS] = "steps",
                                                          [ARC_PLOT_FILLED] = "filledcurves",
                                                          [ARC_PLOT_IMPULSES] = "impulses"};
-  if (curve->error)
+  if (curve->error && !arc_look_bars_apart(w, curve))
     arc_text_word(w->out,
                   curve->style == ARC_PLOT_POINTS ? " with yerrorbars" : " with yerrorlines");
   else
@@ -242,7 +245,7 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
                     w->canvas->grey ? 0.5 : 0.35);
 }
 
-/* gnuplot's own red, green and blue of a name or #rrggbb. */
+/* Red, green and blue of a name of gnuplot or of #rrggbb. */
 static unsigned rgb_of(const char *colour) {
   static const struct {
     const char *name;
@@ -258,7 +261,7 @@ static unsigned rgb_of(const char *colour) {
   return 0; /* black */
 }
 
-/* Rec. 601: the luminance that printers take a colour to. */
+/* Rec. 601: luminance of a colour in grey print. */
 static void colour_words(arc_writer *w, const char *colour) {
   unsigned rgb = rgb_of(colour);
   unsigned y = (299 * (rgb >> 16) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255)) / 1000;
@@ -267,8 +270,6 @@ static void colour_words(arc_writer *w, const char *colour) {
   else
     arc_writer_words(w, " linecolor rgb ", colour, "");
 }
-
-enum { MANY = 60 }; /* points, of which dots hide less */
 
 static void mark_of_points(arc_writer *w, const arc_plot_curve *curve, int series) {
   int many = curve->count > MANY;
@@ -289,19 +290,19 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
-  int chosen = curve->colour && curve->dash == 0; /* by a colour: the line stays full */
+  int chosen = curve->colour && curve->dash == 0; /* distinguished by colour: the line is full */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
 }
 
-/* In characters the sample of a line would touch its title. */
+/* In characters the sample of a line and its title would touch. */
 static void title_words(arc_writer *w, const char *title) {
   arc_text_word(w->out, w->canvas->text && *title ? " title ' '." : " title ");
   arc_writer_label(w, "", title, "");
 }
 
-/* Points have the mark of their colour where the curves come as dots. */
+/* Points have the mark of their colour if curves are drawn in dots. */
 static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t position) {
   int marked = curve->error || curve->style == ARC_PLOT_POINTS;
   if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
@@ -310,7 +311,7 @@ static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t positi
                     ARC_DOT_MARK + pen_of(w, curve, position).series - 1);
 }
 
-/* Where the curves come as dots: black holds their place, and the key has their colours. */
+/* If curves are drawn in dots, they are black here, and the key has their colours. */
 static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t position) {
   arc_plot_curve sample = panel->curves[position];
   style_words(w, panel, &sample);
@@ -323,6 +324,13 @@ static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t posi
   look(w, panel, &sample, position);
   mark_words(w, &sample, position);
   title_words(w, sample.title);
+}
+
+void arc_look_bars(arc_writer *w, const arc_plot_panel *panel, size_t position) {
+  const arc_plot_curve *curve = &panel->curves[position];
+  arc_text_format(w->out, " with vectors nohead linetype %d", pen_of(w, curve, position).series);
+  if (curve->colour) colour_words(w, curve->colour);
+  arc_text_word(w->out, " linewidth 0.8 notitle");
 }
 
 void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position) {
@@ -338,7 +346,7 @@ void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position)
 
 /* --- the key of all panels -------------------------------------------------------------------- */
 
-/* The first curve of a title shows how all of that title look. */
+/* Curves with the same title have the style of the first one. */
 static const arc_plot_curve *first_of(const arc_writer *w, size_t title, size_t *position) {
   *position = 0;
   for (size_t p = 0; p < w->figure->panel_count; p++)

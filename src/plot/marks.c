@@ -1,8 +1,6 @@
-/* What a reader of the field expects lowered, raised or in Greek. Leans on text.c.
- *
- * Only forms that cannot be a file's or a column's name are taken: a single letter before _, digits
- * after ^. Everything else gnuplot could take for a mark is escaped.
- */
+/* Subscripts, superscripts and Greek letters in titles. Only forms that are not names of files or
+ * columns are recognised: a single letter before _, digits after ^. Other characters that gnuplot
+ * would interpret are escaped. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +24,8 @@ static size_t accents_before(const char *words, const char *at) {
   return length;
 }
 
-/* Bytes of the character that ends at `at`; it must begin a word. 0: none that can bear a mark. */
+/* Number of bytes of the character that ends at `at`, if it begins a word. 0: no character that can
+ * have a mark. */
 static size_t symbol_before(const char *words, const char *at) {
   size_t length = 1 + accents_before(words, at);
   while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
@@ -52,8 +51,8 @@ static size_t marked(const char *words, const char *at) {
   return count ? sign + count : 0;
 }
 
-/* Bytes of the exponent e-08 of a number that ends before `at`; 0: it is none. `power` receives it.
- */
+/* Number of bytes of the exponent e-08 of a number that ends before `at`, stored in `power`; 0: no
+ * exponent. */
 static size_t exponent_at(const char *words, const char *at, int *power) {
   const char *begin = at;
   if (*at != 'e' || (at[1] != '-' && at[1] != '+') || !isdigit((unsigned char)at[2])) return 0;

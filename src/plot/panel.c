@@ -1,5 +1,4 @@
-/* One panel as gnuplot commands: settings, data, plot. Leans on look.c for curves, on data.c and
- * contours.c for numbers.
+/* Writes one panel as gnuplot commands: settings, data, plot.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +7,7 @@
 
 enum { LEVELS = 9 };
 
-/* Denser characters for higher values; none that the frame is made of. */
+/* Denser characters for higher values, without those of the frame. */
 static const char level_marks[LEVELS + 1] = ".,:;oxO#@";
 static const char *const level_colours[LEVELS] = {"blue",  "blue",   "cyan",   "cyan", "green",
                                                   "green", "yellow", "yellow", "red"};
@@ -34,7 +33,7 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
   arc_writer_label(w, "", a->label ? a->label : "", "\n");
 }
 
-/* Characters cannot be turned: the label of y stands above its axis, the title one line higher. */
+/* Characters cannot be rotated: the label of y is above its axis, the title one line higher. */
 static void heading(arc_writer *w, const arc_plot_panel *panel) {
   int above = w->canvas->text && panel->y.label;
   arc_writer_title(w, "set title ", panel->title ? panel->title : "", arc_panel_columns(w), "");
@@ -78,7 +77,7 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
                     frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
 }
 
-/* --- what is shown ---------------------------------------------------------------------------- */
+/* --- ranges */
 
 static void grow(double *low, double *high, double share) {
   double more = share * (*high - *low) / 2;
@@ -86,9 +85,9 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* Panels with equal scales whose frames are given, a character being twice as high as wide: the box
- * is widened to the shape of the frame, so that frames stand in line. Of fields there would be
- * nothing to see there. */
+/* Panels with equal scales and given frames, for characters twice as high as wide: the ranges are
+ * extended to the aspect of the frame, so that frames align. Not for fields, which would have empty
+ * margins. */
 static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
   return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
 }
@@ -150,8 +149,19 @@ static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) 
   arc_text_word(w->out, ") enhanced\n");
 }
 
-/* Numbers need room: gnuplot writes them over each other. In a window it chooses anew when the user
- * zooms. */
+/* Numbers of a linear axis with the power of ten of the largest: 0.5e-8 beside 1.0e-8. */
+static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks) {
+  const int decimals = ticks->exponent - (int)floor(log10(ticks->step) + 1e-9);
+  arc_text_format(w->out, "set %stics add ('0' 0", axis);
+  for (double i = ticks->low; i <= ticks->high && !w->canvas->text; i++)
+    if (i != 0)
+      arc_text_format(w->out, ", '%.*f\303\22710^{%d}' %.17g", decimals > 0 ? decimals : 0,
+                      i * ticks->step / pow(10, ticks->exponent), ticks->exponent, i * ticks->step);
+  arc_text_word(w->out, ")\n");
+}
+
+/* Numbers must not overlap, which gnuplot does not check. In a window it chooses new ones when the
+ * user zooms. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
   tic_format(w, axis, &ticks);
   if (ticks.decades && !w->canvas->window) {
@@ -162,7 +172,7 @@ static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
     arc_text_format(w->out, "set %stics autofreq enhanced\n", axis);
   else
     arc_text_format(w->out, "set %stics %.17g enhanced\n", axis, ticks.step);
-  if (ticks.powers && !ticks.bare) arc_text_format(w->out, "set %stics add ('0' 0)\n", axis);
+  if (ticks.powers && !ticks.bare && !ticks.decades) power_words(w, axis, &ticks);
 }
 
 /* Words at places of an axis. */
@@ -210,7 +220,7 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
   return longest;
 }
 
-/* The last number along x stands half beyond the frame. */
+/* Half of the last number along x is outside the frame. */
 static double half_number(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   arc_plot_box box = arc_plot_extent(panel);
   arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
@@ -222,9 +232,9 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
 
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  int free = panel->field || arc_look_scale(w, panel, range); /* the scale stands there */
+  int free = panel->field || arc_look_scale(w, panel, range); /* the scale is there */
   if (w->canvas->text || free || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
-  return fmax(arc_labels_room(panel), half_number(w, panel, columns));
+  return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 
 /* A grid would lie over a field; characters have neither choice. */
@@ -250,7 +260,7 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
-  if (panel->field && panel->levels) /* the lines stand at the numbers of the scale */
+  if (panel->field && panel->levels) /* the lines are at the numbers of the scale */
     arc_text_format(w->out, "set cbtics %.17g\n", arc_field_step(range, panel->levels));
   else
     arc_text_word(w->out, "set cbtics autofreq\n");
@@ -258,7 +268,7 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
                    " offset 1,0\n");
 }
 
-/* The field on a grid, as many cells as the eye can tell apart. */
+/* The field on a grid with as many cells as are distinguishable. */
 typedef struct grid {
   int columns, rows;
   double *values;
@@ -282,8 +292,8 @@ static int level_of(double value, const double range[2]) {
   return isnan(share) ? -1 : (int)fmin(LEVELS - 1, fmax(0, floor(share * LEVELS)));
 }
 
-/* One datablock of points for each level. The first point lies out of sight: gnuplot 5.4 crashes
- * on points drawn as characters where there are none. */
+/* One datablock of points for each level. The first point is outside the frame: gnuplot 5.4 crashes
+ * on points drawn as characters if there are none. */
 static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
                          const double range[2]) {
   double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
@@ -343,12 +353,13 @@ static void curve_blocks(arc_writer *w, size_t number) {
 
 /* Returns how many contour segments there are, and so whether there is a line to plot. */
 static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *box,
-                            const double range[2]) {
+                            const arc_plot_frame *frame, const double range[2]) {
   const arc_plot_panel *panel = &w->figure->panels[number];
   if (!panel->field || w->canvas->text) return 0;
   arc_text labels = {0};
   arc_text_format(w->out, "$k%zu << END\n", number);
-  size_t count = arc_field_contours(panel->field, box, range, panel->levels, w->out, &labels);
+  size_t count =
+      arc_field_contours(panel->field, box, range, panel->levels, frame->rows, w->out, &labels);
   arc_text_format(w->out, "END\n$n%zu << END\n", number);
   if (labels.length > 0) arc_text_add(w->out, labels.data, labels.length);
   arc_text_word(w->out, "END\n");
@@ -357,7 +368,7 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
   return count;
 }
 
-/* On a surface of dots nothing but the curves is drawn; what places them stays. */
+/* In a picture of dots only the curves are drawn; settings that position them are kept. */
 static void hide_words(arc_writer *w, const arc_plot_panel *panel) {
   arc_text_word(w->out, "set title ''\nset xlabel ''\nset ylabel ''\nunset label\nunset key\n"
                         "unset border\n");
@@ -384,8 +395,15 @@ static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_
                     number);
   }
   for (size_t i = 0; i < panel->curve_count; i++) {
-    arc_text_format(w->out, "%s $d%zu_%zu using 1:2%s", i || field ? "," : "", number, i,
-                    panel->curves[i].error ? ":3" : "");
+    const int apart = arc_look_bars_apart(w, &panel->curves[i]);
+    arc_text_word(w->out, i || field ? "," : "");
+    if (apart) {
+      arc_text_format(w->out, " $d%zu_%zu using 1:($2-$3):(0):(2*$3)", number, i);
+      arc_look_bars(w, panel, i);
+      arc_text_word(w->out, ",");
+    }
+    arc_text_format(w->out, " $d%zu_%zu using 1:2%s", number, i,
+                    panel->curves[i].error && !apart ? ":3" : "");
     arc_look_curve(w, panel, i);
   }
   arc_dot_marks_words(w, number);
@@ -404,7 +422,7 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
   }
 }
 
-/* What gnuplot shows: open ends of y reach to the next tick. */
+/* The range shown by gnuplot: automatic ends of y extend to the next tick. */
 static arc_plot_box to_ticks(const arc_writer *w, const arc_plot_panel *panel, double rows) {
   arc_plot_box box = arc_plot_extent(panel);
   double step = ticks_of_y(w, panel, &box, rows).step;
@@ -455,7 +473,7 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   if (g.values && w->canvas->text) level_blocks(w, number, &g, &box, range);
   if (g.values && !w->canvas->text) image_block(w, number, &g);
   curve_blocks(w, number);
-  size_t contours = contour_block(w, number, &box, range);
+  size_t contours = contour_block(w, number, &box, frame, range);
   arc_plot_box seen = to_ticks(w, panel, frame->rows);
   arc_dot_marks_block(w, number, &seen);
   margins(w, panel, frame, framed);

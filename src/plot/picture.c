@@ -1,4 +1,4 @@
-/* Whether a picture on the disk is whole: its first and last bytes. Leans on nothing. */
+/* Checks the first and last bytes of a picture file. */
 #include "plot/picture.h"
 
 #include <errno.h>

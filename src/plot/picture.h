@@ -1,11 +1,11 @@
-/* Whether a picture on the disk is whole. */
+/* Checks that a picture file is complete. */
 #ifndef PLOT_PICTURE_H
 #define PLOT_PICTURE_H
 
 #include "archard/base.h"
 
-/* gnuplot does not notice a full disk: a picture counts once it begins and ends as its kind, told
- * by the ending of `file`, does. ARC_IO where it does not. */
+/* Checks the first and last bytes of a picture for the format given by the ending of `file`, as
+ * gnuplot does not report a full disk. ARC_IO: incomplete. */
 arc_status arc_picture_check(const char *path, const char *file, arc_error *error);
 
 #endif

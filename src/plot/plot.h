@@ -1,8 +1,7 @@
 /* archard/plot.h - figures drawn by gnuplot.
  *
- * Two things: the gnuplot child process (arc_gnuplot), and a figure described by columns of doubles
- * (arc_plot_figure). Nothing here knows a mesh or a wear run. Nothing here prints: a picture in
- * characters is handed to the caller.
+ * The gnuplot child process (arc_gnuplot), and figures of columns of doubles (arc_plot_figure).
+ * Nothing is printed: a picture in characters is returned to the caller.
  *
  * Texts are UTF-8 and no character in them has a meaning for gnuplot. They are shown as they stand
  * but for some forms of the field: \alpha is the Greek letter; what follows a single letter and _
@@ -17,26 +16,26 @@
 
 /* --- the child process ------------------------------------------------------------------------ */
 
-/* The oldest gnuplot that can draw what is asked of it here. */
+/* Oldest supported version of gnuplot. */
 #define ARC_GNUPLOT_OLDEST 5.2
 
 typedef struct arc_gnuplot arc_gnuplot;
 
 typedef struct arc_gnuplot_def {
   const char *program;     /* name to look for in PATH, or a path; "gnuplot" */
-  double start_timeout;    /* [s] from the start to the first answer; 15 */
-  double silence_timeout;  /* [s] without a sign of life during a plot; 60 */
-  arc_stop_fn should_stop; /* asked ten times a second while waiting; NULL: never stops */
+  double start_timeout;    /* [s] limit for the first reply; 15 */
+  double silence_timeout;  /* [s] limit without output during a plot; 60 */
+  arc_stop_fn should_stop; /* called ten times a second while waiting; NULL: none */
   void *stop_context;
 } arc_gnuplot_def;
 
 arc_gnuplot_def arc_gnuplot_default(void);
 
-/* Makes a session; gnuplot itself starts at the first use, and starts again by itself when it has
- * ended in between. The program's name is copied. Error: ARC_MEMORY. */
+/* Creates a session. gnuplot starts at the first use, and again after it has ended. The program's
+ * name is copied. ARC_MEMORY. */
 arc_status arc_gnuplot_open(const arc_gnuplot_def *def, arc_gnuplot **session, arc_error *error);
 
-/* Ends gnuplot and frees the session; NULL inside is fine. Windows that gnuplot opened stay. */
+/* Ends gnuplot and frees the session; a pointer to NULL is allowed. Open windows remain. */
 void arc_gnuplot_close(arc_gnuplot **session);
 
 /* Starts gnuplot unless it is running. Errors, after which the session is as before:
@@ -44,13 +43,14 @@ void arc_gnuplot_close(arc_gnuplot **session);
  * ended at once; ARC_STOPPED. */
 arc_status arc_gnuplot_start(arc_gnuplot *session, arc_error *error);
 
-/* What the running gnuplot is and can; 0 and "" before the first start. The text lists the
- * terminals with a blank before and after each; it lives until the next start or close. */
+/* Version and terminals of the running gnuplot; 0 and "" before the first start. The terminals are
+ * separated by blanks, with one before the first and after the last; valid until the next start or
+ * close. */
 double arc_gnuplot_version(const arc_gnuplot *session);
 const char *arc_gnuplot_terminals(const arc_gnuplot *session);
 int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);
 
-/* The process number of the running gnuplot, 0 when there is none. */
+/* Process id of the running gnuplot, or 0. */
 long arc_gnuplot_process(const arc_gnuplot *session);
 
 /* Sends commands and waits for their end. `reply` (may be NULL) receives what gnuplot wrote to its
@@ -86,7 +86,7 @@ typedef enum arc_plot_style {
       ARC_PLOT_STYLE_COUNT
 } arc_plot_style;
 
-/* The names of colours, separated by blanks. */
+/* Names of the colours, separated by blanks. */
 #define ARC_PLOT_COLOURS                                                                           \
   "black red green blue magenta cyan yellow white grey orange brown purple violet pink navy gold"
 
@@ -97,13 +97,13 @@ typedef struct arc_plot_curve {
   const char *title; /* NULL: not in the key */
   arc_plot_style style;
   const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: by `series` */
-  int series;          /* which of the eight colours and marks, from 1; 0: the next one */
+  int series;          /* number of the colour and mark, 1 to 8; 0: the next one */
   int dash;            /* 1 full line, 2 to 5 dashed; 0: full */
-  double width;        /* relative; 0: the usual one */
+  double width;        /* relative; 0: default */
   const double *error; /* [count] half lengths of bars in y; NULL: none */
   int scaled; /* non-zero: coloured by `value` on the panel's colour scale, not in the key */
   double value;
-  int labelled; /* non-zero: its title stands at its end beside the frame, not in the key */
+  int labelled; /* non-zero: its title is at its end beside the frame, not in the key */
 } arc_plot_curve;
 
 /* Coloured polygons of four corners in order around; a triangle repeats its last corner. The value
@@ -115,15 +115,15 @@ typedef struct arc_plot_field {
 
 typedef struct arc_plot_axis {
   const char *label;        /* NULL: none */
-  const double *places;     /* [place_count] where words stand instead of numbers; NULL: numbers */
+  const double *places;     /* [place_count] positions of words instead of numbers; NULL: numbers */
   const char *const *words; /* [place_count] */
   size_t place_count;
-  double min, max; /* NaN: from the data; both given and min > max turns the axis round */
+  double min, max; /* NaN: from the data; min > max: a reversed axis */
   int log;         /* base 10 */
   int reverse;     /* grows downwards or leftwards; not where both ends are given */
 } arc_plot_axis;
 
-/* X(name, what a user types); those in corners stand inside, over the curves. */
+/* X(name, option); positions in corners are inside the frame. */
 #define ARC_PLOT_KEY_LIST(X)                                                                       \
   X(BELOW, "below")                                                                                \
   X(RIGHT, "right")                                                                                \
@@ -159,12 +159,12 @@ typedef struct arc_plot_figure {
   int one_key; /* several panels: one key for all, below; the same title has the same colour */
 } arc_plot_figure;
 
-/* An axis from the data without a label; a panel and a figure with nothing in them. */
+/* Defaults: an automatic axis without a label, an empty panel, an empty figure. */
 arc_plot_axis arc_plot_axis_default(void);
 arc_plot_panel arc_plot_panel_default(void);
 
-/* Checks what can be checked without gnuplot: something to draw, ranges, a finite point in every
- * curve, the grid's size. Error: ARC_ARGUMENT naming the panel and the curve. */
+/* Checks a figure: not empty, ranges, a finite point in every curve, size of the grid.
+ * ARC_ARGUMENT, with the panel and the curve. */
 arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 
 /* --- where it is drawn ------------------------------------------------------------------------ */
@@ -174,32 +174,32 @@ typedef enum arc_plot_medium {
   ARC_PLOT_SIXEL,  /* a picture in a terminal's escape codes, returned */
   ARC_PLOT_PNG,    /* the bytes of a png, returned */
   ARC_PLOT_WINDOW, /* a window on the screen */
-  ARC_PLOT_FILE    /* by the ending: png svg pdf eps gif txt gp */
+  ARC_PLOT_FILE    /* format by the ending: png svg pdf eps gif txt gp */
 } arc_plot_medium;
 
 typedef struct arc_plot_output {
   arc_plot_medium medium;
   const char *file;     /* for a file: its path */
-  const char *terminal; /* a window: gnuplot's name of its kind; NULL: the first there is */
+  const char *terminal; /* a window: gnuplot's terminal; NULL: the first available */
   int width, height;    /* characters for text, else pixels; 0: chosen by the figure */
   int colour;           /* text: non-zero writes ANSI colours */
   int ascii;            /* text: non-zero writes no character beyond ASCII */
-  int grey;             /* pixels: non-zero draws in greys, a colour by its luminance */
+  int grey;             /* pixels: non-zero converts colours to greys of the same luminance */
   int fine;             /* text with colour: curves in Braille dots, eight to a character */
-  double dpi;           /* pixels of an inch, for files; 0: 100 */
-  double points;        /* size of the letters [pt]; 0: the usual one */
+  double dpi;           /* pixels per inch, for files; 0: 100 */
+  double points;        /* font size [pt]; 0: default */
   double lines;         /* width of lines and size of marks, relative; 0: 1 */
-  const char *family;   /* of the letters; NULL: the usual one */
+  const char *family;   /* font; NULL: default */
 } arc_plot_output;
 
-/* Commands that forget errors (`reset`) stand behind these, so that arc_gnuplot_run is told. */
+/* Commands that clear errors (`reset`) come last, so that arc_gnuplot_run detects errors. */
 #define ARC_GNUPLOT_NOTE_FAILURE "archard_failed = archard_failed + GPVAL_ERRNO\n"
 
-/* The file endings arc_plot_draw knows, separated by blanks. */
+/* File endings supported by arc_plot_draw, separated by blanks. */
 #define ARC_PLOT_FILE_ENDINGS "png svg pdf eps gif txt gp"
 
-/* The gnuplot commands that draw the figure (the file ending gp writes just these). To be freed
- * with free(). Errors: ARC_ARGUMENT, ARC_MEMORY. */
+/* The gnuplot commands of a figure, as written to .gp files. The caller frees them with free().
+ * ARC_ARGUMENT, ARC_MEMORY. */
 arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output *output,
                            char **commands, size_t *length, arc_error *error);
 

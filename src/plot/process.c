@@ -1,4 +1,4 @@
-/* A child process and the talk with it. Leans on system/child.c to start it.
+/* A child process and the exchange of data with it.
  *
  * Input and output are one socket, because a socket can be written without SIGPIPE: the caller's
  * signals stay untouched.
@@ -24,7 +24,7 @@ static double seconds(void) {
 /* --- start ------------------------------------------------------------------------------------ */
 
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
-  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0] is ours, [1] the child's */
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0] of this process, [1] of the child */
   pid_t pid = 0;
   int opened = arc_child_channel(talk, 1), failed = opened;
   if (!failed) failed = opened = arc_child_channel(errors, 0);
@@ -50,7 +50,7 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
 
 enum { BLOCK = 1 << 16 };
 
-/* Reads what there is. Returns the bytes read; 0: nothing now; -1: the other end is closed. */
+/* Reads the available bytes. Returns their number; 0: none now; -1: the other end is closed. */
 static ssize_t take(int descriptor, arc_text *text) {
   char block[BLOCK];
   ssize_t got = read(descriptor, block, sizeof block);
@@ -130,8 +130,8 @@ arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchan
 
 /* --- end -------------------------------------------------------------------------------------- */
 
-/* Asks without waiting for it, so that its exit status stays for arc_process_end. A closed socket
- * alone would not tell: a program that it started could still hold it. */
+/* Checks without reaping it, so that its exit status remains for arc_process_end. A closed socket
+ * is no proof: another program that it started may have it open. */
 int arc_process_alive(const arc_process *process) {
   if (process->pid <= 0) return 0;
   siginfo_t info = {.si_pid = 0};
@@ -141,13 +141,13 @@ int arc_process_alive(const arc_process *process) {
          !(watched.revents & (POLLHUP | POLLERR | POLLNVAL));
 }
 
-/* Waits for the end of the process, at most so long. Returns non-zero when it has ended. */
+/* Waits for the end of the process, with a limit. Returns non-zero when it has ended. */
 static int wait_for(pid_t pid, double patience, int *how) {
   double until = seconds() + patience;
   for (;;) {
     pid_t got = waitpid(pid, how, WNOHANG);
     if (got == pid) return 1;
-    if (got < 0 && errno != EINTR) { /* somebody else has waited for it */
+    if (got < 0 && errno != EINTR) { /* another caller has reaped it */
       *how = -1;
       return 1;
     }

@@ -1,8 +1,6 @@
-/* A figure as gnuplot commands. Leans on panel.c for each panel and look.c for the key of all.
- *
- * One panel leaves its margins to gnuplot. Several panels get theirs in fractions of the canvas,
- * computed in characters, so that their frames stand in line however long their numbers are.
- */
+/* Writes a figure as gnuplot commands. A single panel has gnuplot's margins. Several panels have
+ * margins in fractions of the canvas, computed in characters, so that their frames align for
+ * numbers of any length. */
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,10 +8,10 @@
 
 #include "plot/figure.h"
 
-/* Room around the frame of a panel, in characters. */
-typedef struct room {
+/* Margins around the frame of a panel, in characters. */
+typedef struct margins {
   double left, right, top, bottom;
-} room;
+} margins;
 
 static double longest_title(const arc_plot_panel *panel) {
   size_t longest = 0;
@@ -25,10 +23,10 @@ static double longest_title(const arc_plot_panel *panel) {
 }
 
 /* `columns`: of a line of a panel's title; `wide`: of a panel with all around it. */
-static room room_around(const arc_writer *w, double columns, double wide) {
+static margins margins_of(const arc_writer *w, double columns, double wide) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
-  room r = {text ? 8 : 7.5, text ? 2 : 2.5, 0.7, 2};
+  margins r = {text ? 8 : 7.5, text ? 2 : 2.5, 0.7, 2};
   for (size_t i = 0; i < figure->panel_count; i++) {
     const arc_plot_panel *panel = &figure->panels[i];
     int labelled = panel->y.label != NULL;
@@ -53,7 +51,7 @@ static double own_keys(const arc_writer *w) {
   return lines > 0 ? lines + 0.2 : 0;
 }
 
-/* The longest number of all panels decides, so that their frames stand in line. */
+/* The longest number of all panels determines the margin, so that frames align. */
 static double left_of_frames(const arc_writer *w, double least, double rows) {
   int labelled = 0;
   size_t longest = 0;
@@ -74,7 +72,7 @@ static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   if (above > 0 && !w->canvas->text) above += 0.6;
   double below = arc_look_key_rows(w) + (arc_look_one_key(w) && !w->canvas->text ? 0.6 : 0);
   double wide = w->canvas->columns / columns;
-  room r = room_around(w, arc_panel_columns(w), wide);
+  margins r = margins_of(w, arc_panel_columns(w), wide);
   double high = (w->canvas->rows - above - below) / rows;
   double left = wide * (double)(number % (size_t)columns);
   r.left = left_of_frames(w, r.left, high - r.top - r.bottom - own_keys(w));
@@ -151,7 +149,7 @@ static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas
   free(panels);
 }
 
-/* gnuplot reads numbers with a point, whatever the user's country writes. */
+/* gnuplot reads numbers with a point, in any locale. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script) {
   locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
   if (!c) {

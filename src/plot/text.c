@@ -1,9 +1,7 @@
-/* Growing texts and the quoting of a user's words. Leans on nothing.
- *
- * In gnuplot a text in double quotes runs shell commands between backquotes, and a line break ends
- * the command: both go in by their numbers. In single quotes gnuplot 5.4 takes some pairs of quotes
- * for the end of one text and the beginning of the next.
- */
+/* Growing texts and the quoting of user texts. In gnuplot a text in double quotes runs shell
+ * commands between backquotes, and a line break ends the command: both are written as character
+ * codes. In single quotes gnuplot 5.4 reads some pairs of quotes as the end of one text and the
+ * beginning of the next. */
 #include "plot/text.h"
 
 #include <stdarg.h>
@@ -13,7 +11,7 @@
 
 #include "plot/plot.h"
 
-static int make_room(arc_text *text, size_t more) {
+static int reserve(arc_text *text, size_t more) {
   if (text->failed) return 0;
   if (text->capacity - text->length > more) return 1;
   size_t capacity = 2 * text->capacity + more + 64;
@@ -28,7 +26,7 @@ static int make_room(arc_text *text, size_t more) {
 }
 
 void arc_text_add(arc_text *text, const char *bytes, size_t count) {
-  if (!make_room(text, count)) return;
+  if (!reserve(text, count)) return;
   memcpy(text->data + text->length, bytes, count);
   text->length += count;
   text->data[text->length] = '\0';
@@ -47,7 +45,7 @@ void arc_text_format(arc_text *text, const char *format, ...) {
   if (length >= 0 && (size_t)length < sizeof line)
     arc_text_add(text, line, (size_t)length);
   else
-    text->failed = 1; /* only numbers and our own short words come this way */
+    text->failed = 1; /* only for numbers and short words of this program */
 }
 
 void arc_text_free(arc_text *text) {
@@ -94,8 +92,8 @@ static const char *spelled(long code) {
   return "?";
 }
 
-/* C0, DEL and C1: a terminal could obey them. The others end a line, or turn the order of what is
- * shown (the Bidi_Control of Unicode). */
+/* C0, DEL and C1: a terminal could execute them. The others end a line, or change the direction of
+ * text (the Bidi_Control of Unicode). */
 static int is_control(long code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
          code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);

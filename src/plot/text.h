@@ -1,12 +1,12 @@
-/* A growing text, and the one way by which a user's words get into gnuplot commands. */
+/* A growing text, and the quoting of user texts for gnuplot commands. */
 #ifndef PLOT_TEXT_H
 #define PLOT_TEXT_H
 
 #include <stddef.h>
 
-/* Starts as all zero. Once memory is out `failed` stays set and additions do nothing. */
+/* Initialise with zeros. If out of memory, `failed` is set and later additions have no effect. */
 typedef struct arc_text {
-  char *data; /* ends with a zero that `length` does not count; NULL while empty */
+  char *data; /* zero-terminated; NULL if empty */
   size_t length, capacity;
   int failed;
 } arc_text;
@@ -18,13 +18,13 @@ void arc_text_format(arc_text *text, const char *format, ...) __attribute__((for
 /* Quoted as arc_plot_quote (archard/plot.h) says. */
 void arc_text_quoted(arc_text *text, const char *words, int ascii);
 
-/* An absolute path, quoted: its bytes stay as they are, for a name need not be UTF-8. */
+/* Appends a quoted absolute path with its bytes unchanged, as names may not be UTF-8. */
 void arc_text_path(arc_text *text, const char *path);
 
-/* Whether something in the words is to be lowered or raised. */
+/* True if a text has subscripts or superscripts. */
 int arc_text_marked(const char *words);
 
-/* The words with \alpha and its like as Greek letters. */
+/* Appends a text with \alpha etc. as Greek letters. */
 void arc_text_greek(arc_text *text, const char *words);
 
 /* As gnuplot's enhanced text, yet to be quoted, in which the marks of archard/plot.h are its own
@@ -34,8 +34,7 @@ void arc_text_enhanced(arc_text *text, const char *words);
 /* Characters (not bytes) of a UTF-8 text; 0 for NULL. */
 size_t arc_text_characters(const char *words);
 
-/* Bytes of the first line of words that has at most so many characters: up to a comma, colon or
- * blank, or all. */
+/* Bytes of the first line of a text wrapped at `most` characters, after a comma, colon or blank. */
 size_t arc_text_line(const char *words, double columns);
 
 void arc_text_free(arc_text *text);

@@ -1,8 +1,5 @@
-/* Which numbers an axis shows: round ones, in a short form, with room between them. Leans on
- * nothing but the axis and its range.
- *
- * gnuplot alone would write 0.000000001 where 1e-09 says it, and numbers over each other.
- */
+/* Chooses round tick values with short labels that do not overlap. gnuplot would write 0.000000001
+ * instead of 1e-09, and overlapping numbers. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +10,7 @@
 /* Digits beyond these are the noise of doubles. */
 enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
-/* 1, 2 or 5 times a power of ten, at most so many to the span. */
+/* 1, 2 or 5 times a power of ten, with at most `most` ticks over the span. */
 static double round_step(double span, double steps) {
   double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
   double share = rough / power;
@@ -24,7 +21,7 @@ double arc_field_step(const double range[2], int levels) {
   return round_step(range[1] - range[0], levels + 1);
 }
 
-/* As many as tell neighbours apart: 100.001 and 100.002 need six. */
+/* Digits that distinguish neighbours: 100.001 and 100.002 need six. */
 static int digits_of(double low, double high, double step) {
   double largest = fmax(fabs(low), fabs(high));
   double digits = floor(log10(largest)) - floor(log10(step)) + 1;
@@ -52,7 +49,7 @@ static size_t longest_power(double low, double high, const arc_ticks *ticks) {
          (abs(exponent) > 9) + 1;
 }
 
-/* Decimals that tell 1.2e-3 from 1e-3. */
+/* Decimals that distinguish 1.2e-3 from 1e-3. */
 static int decimals_of(double value) {
   char text[40];
   snprintf(text, sizeof text, "%.*e", DIGITS - 1, value);
@@ -69,6 +66,8 @@ static void choose_form(double low, double high, arc_ticks *ticks) {
     int decimals = decimals_of((first + i) * ticks->step);
     ticks->decimals = decimals > ticks->decimals ? decimals : ticks->decimals;
   }
+  ticks->exponent = (int)floor(log10(fmax(fabs(first), fabs(last)) * ticks->step) + 1e-9);
+  ticks->low = first, ticks->high = last;
   size_t power = longest_power(low, high, ticks);
   ticks->powers = ticks->digits == DIGITS && ticks->longest >= LONG_LABEL && power < ticks->longest;
   if (ticks->powers) ticks->longest = power;

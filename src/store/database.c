@@ -4,7 +4,6 @@
 #include "archard/lock.h"
 #include "store/journal.h"
 
-#include <limits.h>
 #include <math.h>
 #include <pthread.h>
 #include <sqlite3.h>
@@ -28,7 +27,8 @@ struct query {
   long long rows;
 };
 
-/* Processes that share a file wait for each other this long [ms]; a transaction takes some ten. */
+/* Processes that share a file wait for each other up to this time [ms]; a transaction needs about
+ * ten. */
 enum { PATIENCE = 60000 };
 
 static arc_status status_of(int code) {
@@ -199,29 +199,28 @@ static int guard(void) {
   return code;
 }
 
-/* --- lists of numbers --------------------------------------------------------------------------
- */
+/* --- lists of numbers ------------------------------------------------------------------------- */
 
 /* Numbers of a group. */
 typedef struct number_list {
   double *number;
-  size_t count, room;
+  size_t count, capacity;
 } number_list;
 
-static int make_room(number_list *list) {
-  if (list->count < list->room) return 1;
-  const size_t room = 2 * list->room + 64;
-  double *grown = realloc(list->number, room * sizeof *grown);
+static int reserve(number_list *list) {
+  if (list->count < list->capacity) return 1;
+  const size_t capacity = 2 * list->capacity + 64;
+  double *grown = realloc(list->number, capacity * sizeof *grown);
   if (!grown) return 0;
   list->number = grown;
-  list->room = room;
+  list->capacity = capacity;
   return 1;
 }
 
 static void add_number(sqlite3_context *context, int count, sqlite3_value **value) {
   number_list *list = sqlite3_aggregate_context(context, sizeof *list);
   (void)count;
-  if (!list || !make_room(list))
+  if (!list || !reserve(list))
     sqlite3_result_error_nomem(context);
   else
     list->number[list->count++] =
@@ -266,18 +265,13 @@ static database *new_database(const char *path, const char *name) {
   return NULL;
 }
 
-/* SQLite gets absolute paths, as it interprets "file:..." as a URI, which would bypass the
- * restrictions, and ":memory:" as no file. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
-  char whole[PATH_MAX] = ""; /* of no name SQLite makes something of its own */
-  const int why = *path ? arc_file_resolve(path, whole) : 0;
-  if (why) return arc_fail(error, ARC_IO, "%s: %s", name, strerror(why));
   arc_lock_kind locks = ARC_LOCK_NONE; /* a new file is not shared yet */
-  arc_status status = create ? ARC_OK : arc_lock_look(whole, name, &locks, error);
+  arc_status status = create ? ARC_OK : arc_lock_look(path, name, &locks, error);
   if (status != ARC_OK) return status;
-  database *db = new_database(whole, name);
+  database *db = new_database(path, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
   /* a store is used by one thread; locks for every bound value would cost a third of the time */

@@ -7,7 +7,8 @@
 typedef struct database database;
 typedef struct query query;
 
-/* `create`: creates the file, which must not exist. `name` is its name in messages. */
+/* `path` is absolute, as SQLite interprets other names ("file:...", ":memory:"), or "" for a
+ * temporary database; `create`: creates the file, which must not exist; `name` is for messages. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **db, arc_error *error);
 void arc_database_close(database **db);

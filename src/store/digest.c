@@ -105,8 +105,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
   return status;
 }
 
-/* --- which cases have one ----------------------------------------------------------------------
- */
+/* --- which cases have one --------------------------------------------------------------------- */
 
 /* SQL condition: a case needs a checksum. */
 #define NEEDS_ONE                                                                                  \

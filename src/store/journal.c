@@ -1,10 +1,7 @@
-/* What may stand beside a run file as its journal. Leans on POSIX only.
- *
- * A journal that ends in a name and SQLite's magic number belongs to a change of several files at
- * once: it is played back, and the file of that name is deleted. Archard changes one file at a
- * time, so such a journal is a stranger's. */
+/* Checks the journal beside a run file. A journal that ends in a name and SQLite's magic number
+ * belongs to a change of several files at once: SQLite replays it and deletes the file of that
+ * name. Archard changes one file at a time, so such a journal is not from archard. */
 #include "store/journal.h"
-#include "archard/base.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -39,5 +36,6 @@ int arc_journal_is_sound(const char *journal) {
 int arc_journal_stands(const char *path) {
   char name[PATH_MAX + sizeof "-journal"];
   struct stat facts;
-  return arc_file_resolve(path, name) == 0 && lstat(strcat(name, "-journal"), &facts) == 0;
+  snprintf(name, sizeof name, "%s-journal", path);
+  return lstat(name, &facts) == 0;
 }

@@ -6,7 +6,7 @@
  * which SQLite would delete. */
 int arc_journal_is_sound(const char *journal);
 
-/* True if the file, or the target of a link, has a journal. */
+/* True if the file at a path without links has a journal. */
 int arc_journal_stands(const char *path);
 
 #endif

@@ -8,10 +8,10 @@
 
 void *arc_store_grown(void *block, size_t count, size_t size) {
   enum { LEAST = 16 };
-  const int has_room = count < LEAST ? count > 0 : (count & (count - 1)) != 0;
-  if (has_room) return block;
-  const size_t room = count < LEAST ? LEAST : 2 * count;
-  return room <= SIZE_MAX / size ? realloc(block, room * size) : NULL;
+  const int has_capacity = count < LEAST ? count > 0 : (count & (count - 1)) != 0;
+  if (has_capacity) return block;
+  const size_t capacity = count < LEAST ? LEAST : 2 * count;
+  return capacity <= SIZE_MAX / size ? realloc(block, capacity * size) : NULL;
 }
 
 arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error) {

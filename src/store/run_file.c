@@ -3,13 +3,14 @@
 #include "store/store.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* --- which files are ours --------------------------------------------------------------------- */
+/* --- recognition of run files */
 
 static long long big_endian(const unsigned char *bytes) {
   return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
@@ -24,8 +25,9 @@ static int is_cut_off(const char *path, const unsigned char *header) {
   return !journalled && stat(path, &file) == 0 && file.st_size < page * big_endian(header + 28);
 }
 
-static arc_status check_header(const char *path, const unsigned char *header, size_t size,
+static arc_status check_header(const arc_store *store, const unsigned char *header, size_t size,
                                arc_error *error) {
+  const char *path = store->path;
   static const char magic[] = "SQLite format 3";
   if (size < 100 || memcmp(header, magic, sizeof magic) != 0)
     return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (its first bytes are %s)",
@@ -37,40 +39,46 @@ static arc_status check_header(const char *path, const unsigned char *header, si
                     "id is %lld, expected %d)",
                     path, application, ARC_STORE_APPLICATION);
   arc_status status = arc_schema_check(path, format, error);
-  if (status == ARC_OK && is_cut_off(path, header))
+  if (status == ARC_OK && is_cut_off(store->file, header))
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: it has been cut off", path);
   return status;
 }
 
 /* Checks the header first, as SQLite may write to files it recognises. */
-static arc_status check_file(const char *path, arc_error *error) {
+static arc_status check_file(const arc_store *store, arc_error *error) {
   unsigned char header[100];
   FILE *file;
-  const arc_status status = arc_file_open(path, &file, error);
+  const arc_status status = arc_file_open(store->path, &file, error);
   if (status != ARC_OK) return status;
   size_t size = fread(header, 1, sizeof header, file);
   int failed = ferror(file) ? errno : 0;
   fclose(file);
-  if (failed) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(failed));
-  return check_header(path, header, size, error);
+  if (failed) return arc_fail(error, ARC_IO, "%s: %s", store->path, strerror(failed));
+  return check_header(store, header, size, error);
 }
 
 /* --- opening and making ----------------------------------------------------------------------- */
 
-static arc_store *new_store(const char *path) {
-  arc_store *store = calloc(1, sizeof *store);
-  if (!store) return NULL;
-  store->path = strdup(path);
-  if (!store->path) arc_store_close(&store);
-  return store;
+static arc_status new_store(const char *path, arc_file_use use, arc_store **store,
+                            arc_error *error) {
+  char file[PATH_MAX];
+  *store = NULL;
+  const arc_status status = arc_file_find(path, use, file, error);
+  if (status != ARC_OK) return status;
+  *store = calloc(1, sizeof **store);
+  if (*store) (*store)->path = strdup(path), (*store)->file = strdup(file);
+  if (*store && (*store)->path && (*store)->file) return ARC_OK;
+  arc_store_close(store);
+  return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
 }
 
 void arc_store_close(arc_store **store) {
   if (!store || !*store) return;
   arc_database_close(&(*store)->db);
-  arc_place_drop(&(*store)->place);
+  arc_atomic_file_discard(&(*store)->temporary);
   free((*store)->open);
   free((*store)->path);
+  free((*store)->file);
   free(*store);
   *store = NULL;
 }
@@ -80,20 +88,21 @@ const char *arc_store_path(const arc_store *store) {
 }
 
 /* Removes the journal of a deleted file, which SQLite would play into the new one. */
-static arc_status check_left(const char *path, arc_error *error) {
-  if (!arc_journal_stands(path) || access(path, F_OK) == 0) return ARC_OK;
+static arc_status check_left(const arc_store *store, arc_error *error) {
+  if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "%s: not made: a journal is left beside it, %s-journal, of a file that is gone; "
                   "remove it",
-                  path, path);
+                  store->path, store->path);
 }
 
 /* Creates a complete file under a temporary name. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
-  arc_status status = check_left(store->path, error);
-  if (status == ARC_OK) status = arc_place_take(store->path, &store->place, error);
+  arc_status status = check_left(store, error);
+  if (status == ARC_OK) status = arc_atomic_file_create(store->path, &store->temporary, error);
   if (status == ARC_OK)
-    status = arc_database_open(arc_place_path(store->place), store->path, 1, 1, &store->db, error);
+    status = arc_database_open(arc_atomic_file_path(store->temporary), store->path, 1, 1,
+                               &store->db, error);
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
@@ -101,8 +110,8 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
-  if (status == ARC_OK) status = arc_place_publish_first(&store->place, error);
-  return status == ARC_OK ? arc_database_open(store->path, store->path, 1, 0, &store->db, error)
+  if (status == ARC_OK) status = arc_atomic_file_publish_first(&store->temporary, error);
+  return status == ARC_OK ? arc_database_open(store->file, store->path, 1, 0, &store->db, error)
                           : status;
 }
 
@@ -119,8 +128,8 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
 /* A reader opens for writing too if possible, as SQLite can only then roll back the transaction of
  * a killed program. It writes nothing itself. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
-  int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
-  arc_status status = arc_database_open(store->path, store->path, writable, 0, &store->db, error);
+  int writable = mode != ARC_STORE_READ || access(store->file, W_OK) == 0;
+  arc_status status = arc_database_open(store->file, store->path, writable, 0, &store->db, error);
   if (status == ARC_OK) status = bring_up_to_date(store, mode, error);
   if (status == ARC_OK && mode == ARC_STORE_READ)
     status = arc_database_run(store->db, "PRAGMA query_only = ON", error);
@@ -129,16 +138,13 @@ static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error
 
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **result,
                           arc_error *error) {
-  *result = NULL;
+  arc_store *store;
   arc_status status =
-      arc_file_allowed(path, mode == ARC_STORE_READ ? ARC_FILE_READ : ARC_FILE_WRITE, error);
-  if (status != ARC_OK) return status;
-  arc_store *store = new_store(path);
-  if (!store) return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
-  if (mode == ARC_STORE_CREATE && access(path, F_OK) != 0) {
+      new_store(path, mode == ARC_STORE_READ ? ARC_FILE_READ : ARC_FILE_WRITE, &store, error);
+  if (status == ARC_OK && mode == ARC_STORE_CREATE && access(store->file, F_OK) != 0) {
     status = create(store, error);
-  } else {
-    status = check_file(path, error);
+  } else if (status == ARC_OK) {
+    status = check_file(store, error);
     if (status == ARC_OK) status = open_existing(store, mode, error);
   }
   if (status != ARC_OK) arc_store_close(&store);
@@ -170,10 +176,10 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
 }
 
 /* Checks the path of a new file: no file, or one of the same kind. */
-static arc_status check_replaced(const char *path, const char *kind, arc_error *error) {
-  if (access(path, F_OK) != 0) return ARC_OK;
+static arc_status check_replaced(const arc_store *store, const char *kind, arc_error *error) {
+  if (access(store->file, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;
-  arc_status status = arc_store_open(path, ARC_STORE_READ, &old, error);
+  arc_status status = arc_store_open(store->path, ARC_STORE_READ, &old, error);
   if (status == ARC_OK) status = check_kind(old, kind, error);
   arc_store_close(&old);
   return status;
@@ -181,12 +187,10 @@ static arc_status check_replaced(const char *path, const char *kind, arc_error *
 
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **result,
                              arc_error *error) {
-  *result = NULL;
-  arc_status status = check_replaced(path, kind, error);
-  if (status != ARC_OK) return status;
-  arc_store *store = new_store(path);
-  if (!store) return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
-  status = make_beside(store, error);
+  arc_store *store;
+  arc_status status = new_store(path, ARC_FILE_WRITE, &store, error);
+  if (status == ARC_OK) status = check_replaced(store, kind, error);
+  if (status == ARC_OK) status = make_beside(store, error);
   if (status == ARC_OK) status = arc_store_set_info(store, "kind", kind, error);
   if (status != ARC_OK) arc_store_close(&store);
   *result = store;
@@ -194,10 +198,10 @@ arc_status arc_store_replace(const char *path, const char *kind, arc_store **res
 }
 
 arc_status arc_store_publish(arc_store **store, arc_error *error) {
-  if (!(*store)->place)
+  if (!(*store)->temporary)
     return arc_fail(error, ARC_ARGUMENT, "%s: this store replaces no file", (*store)->path);
   arc_database_close(&(*store)->db);
-  arc_status status = arc_place_publish(&(*store)->place, error);
+  arc_status status = arc_atomic_file_publish(&(*store)->temporary, error);
   arc_store_close(store);
   return status;
 }

@@ -2,7 +2,7 @@
 #ifndef STORE_STORE_H
 #define STORE_STORE_H
 
-#include "archard/place.h"
+#include "archard/atomic_file.h"
 #include "archard/store.h"
 #include "store/database.h"
 
@@ -16,10 +16,10 @@
 
 struct arc_store {
   database *db;
-  char *path;       /* the file's name for the user */
-  arc_place *place; /* where a new file is written until it is published; NULL: none */
-  int older;        /* 1 if the tables still have an older format */
-  int verified;     /* the case whose checksum was compared last; 0: none */
+  char *path, *file;          /* the name given by the user, and the absolute path */
+  arc_atomic_file *temporary; /* where a new file is written until it is published; NULL: none */
+  int older;                  /* 1 if the tables still have an older format */
+  int verified;               /* the case whose checksum was compared last; 0: none */
   int *open; /* [opened] cases changed in this transaction, whose checksums the commit writes */
   size_t opened;
 };
@@ -31,8 +31,7 @@ arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, c
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why);
 
-/* --- rows.c -------------------------------------------------------------------------------------
- */
+/* --- rows.c ----------------------------------------------------------------------------------- */
 
 /* Enlarges a block [count] for one more item of `size` bytes. NULL: out of memory, the block is
  * unchanged. */
@@ -41,8 +40,7 @@ void *arc_store_grown(void *block, size_t count, size_t size);
 /* Reads the id of a case from the first column of a row. ARC_FORMAT: invalid. */
 arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error);
 
-/* --- transaction.c ------------------------------------------------------------------------------
- */
+/* --- transaction.c ---------------------------------------------------------------------------- */
 
 /* Opens a transaction unless one is open; *own: 1 if it did. */
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
@@ -57,8 +55,7 @@ void arc_store_look_away(arc_store *store, int own);
 /* Columns of the table of arrays after the id of the case. */
 #define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
 
-/* --- columns.c, statement.c: SQL texts with the columns of history and settings -----------------
- */
+/* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
 
 /* The pattern with these words replaced: @columns by ", NAME" for each column of the history,
  * @values by as many ", ?", @results by the columns that are results, @settings by the expressions
@@ -75,8 +72,7 @@ arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q,
 /* Runs a statement with the id of the case as parameter 1. */
 arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
-/* --- format.c, schema.c: the number of a format; tables and views -------------------------------
- */
+/* --- format.c, schema.c: the number of a format; tables and views ----------------------------- */
 
 /* Fails with ARC_FORMAT for an unknown format. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
@@ -87,8 +83,7 @@ arc_status arc_schema_make(arc_store *store, arc_error *error);
 /* Converts a file to the present format, in one transaction. */
 arc_status arc_schema_update(arc_store *store, arc_error *error);
 
-/* --- digest.c: checksums of finished cases -----------------------------------------------------
- */
+/* --- digest.c: checksums of finished cases ---------------------------------------------------- */
 
 /* To be called before a case is changed: removes its checksum. The commit writes new ones for these
  * cases, if finished or with a run. Other cases without a checksum were not written by archard and
@@ -110,8 +105,7 @@ arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 #define ARC_STORE_CHECKSUM 14695981039346656037u
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
-/* --- texts.c: long texts, once in a file --------------------------------------------------------
- */
+/* --- texts.c: long texts, once in a file ------------------------------------------------------ */
 
 enum { ARC_TEXT_NAME = 24 }; /* size of a name with its final zero */
 
@@ -125,8 +119,7 @@ arc_status arc_store_get_text(arc_store *store, const char *name, char **text, a
 /* ARC_FORMAT if a text does not match its name. */
 arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
-/* --- stored_definition.c: the engine's definitions as named values ------------------------------
- */
+/* --- stored_definition.c: the engine's definitions as named values ---------------------------- */
 
 /* Writes the definition of a run as the values of a case. */
 arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);

@@ -193,7 +193,7 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* --- what the file has ------------------------------------------------------------------------ */
+/* --- contents of the file */
 
 /* Values of a case by name, and its blocks of loading, which point to the arrays. */
 typedef struct kept {
@@ -420,7 +420,7 @@ arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callba
                                 arc_model **model, arc_error *error) {
   if (run->given[ARC_UPPER])
     return arc_model_build_given(&run->model, run->given, callbacks, model, error);
-  return arc_model_build_watched(&run->model, callbacks, model, error);
+  return arc_model_build_with_callbacks(&run->model, callbacks, model, error);
 }
 
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error) {

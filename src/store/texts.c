@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shorter texts are stored in place, unless they look like a name. */
+/* Shorter texts are stored in the row itself, unless they have the form of a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 

@@ -2,10 +2,12 @@
  * finished cases. */
 #include "store/store.h"
 
-/* A newer version may have converted the file since it was opened. */
+/* A newer version may have converted the file since it was opened, and the sandbox may have used up
+ * its part of the disk. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
   long long format;
-  arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
+  arc_status status = arc_file_allowed(store->path, store->file, ARC_FILE_WRITE, error);
+  if (status == ARC_OK) status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
   if (status != ARC_OK) return status;
   status = arc_schema_format(store, &format, error);
   if (status != ARC_OK) arc_store_rollback(store);

@@ -1,12 +1,10 @@
-/* Starting and ending children: the one file that starts programs. Leans on POSIX, and on Linux for
- * the signal that a child gets when its parent dies.
- *
- * By vfork, since posix_spawn cannot ask for that signal: it copies nothing, however large we are,
- * and runs no handler that a library has for forks.
- */
+/* Starts and ends child processes; no other file starts programs. It uses POSIX, and on Linux the
+ * signal that a child receives when its parent dies. vfork is used because posix_spawn cannot
+ * request that signal; it copies no memory and runs no fork handlers of libraries. */
 #define _GNU_SOURCE /* vfork, execvpe, close_range */
 #include "system/child.h"
-#include "system/room.h"
+#include "system/jail.h"
+#include "system/memory_limit.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -30,10 +28,10 @@ int arc_child_channel(int ends[2], int is_socket) {
   return 0;
 }
 
-/* --- in the child, which has our memory until exec: nothing is written there ------------------ */
+/* --- in the child, which shares the parent's memory until exec and writes none of it */
 
-/* Ignored signals stay ignored, but for those that end a program; a handler of ours could run once
- * they are no longer blocked, and is taken away. Returns an errno. */
+/* Keeps ignored signals, except those that end a program, and removes handlers, which could run in
+ * the child once signals are unblocked. Returns an errno. */
 static int use_own_signals(void) {
   struct sigaction now, usual = {.sa_handler = SIG_DFL};
   sigset_t none;
@@ -49,31 +47,33 @@ static int use_own_signals(void) {
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
-  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* an older kernel leaves them what was left to us */
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* an older kernel: they inherit these descriptors */
   return 0;
 }
 
-/* The shadow of the sanitizers counts as data, and is larger than any limit. */
+/* The shadow memory of the sanitizers counts as data and exceeds any limit. */
 #ifdef __SANITIZE_ADDRESS__
 enum { HAS_SHADOW = 1 };
 #else
 enum { HAS_SHADOW = 0 };
 #endif
 
-/* Its data is limited, not what it maps, since libraries of other programs have other sizes.
- * Returns an errno. */
+/* Limits its data, not its mappings, since libraries of other programs have other sizes. Returns an
+ * errno. */
 static int use_own_memory(rlim_t bytes) {
   struct rlimit all, data;
   if (bytes == 0 || HAS_SHADOW) return 0;
   if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
   all.rlim_cur = all.rlim_max;
-  bytes += ARC_CHILD_OWN_MEMORY + arc_room_own();
+  bytes += ARC_CHILD_OWN_MEMORY + arc_memory_limit_base();
   if (data.rlim_max == RLIM_INFINITY || data.rlim_max > bytes) data.rlim_max = bytes;
   data.rlim_cur = data.rlim_max;
   return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
 }
 
-/* Returns an errno where it returns. */
+static int confined; /* children start no processes */
+
+/* Returns only on failure, with an errno. */
 static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return errno;
   if (getppid() != parent) return ESRCH; /* it was killed before */
@@ -81,13 +81,14 @@ static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (!failed) failed = use_own_signals();
   if (!failed) failed = use_own_memory(memory);
   if (failed) return failed;
+  if (confined && !HAS_SHADOW) arc_jail_alone(); /* sanitizers search for leaks by a process */
   execvpe(def->program, def->arguments, def->environment ? def->environment : environ);
   return errno;
 }
 
 /* --- here ------------------------------------------------------------------------------------- */
 
-/* The child tells why it failed in the memory that it has in common with us. Returns an errno. */
+/* The child stores the reason of a failure in memory shared with its parent. Returns an errno. */
 static int begin(const arc_child_def *def, rlim_t memory, pid_t *process) {
   volatile int failed = 0;
   const pid_t parent = getpid(), child = vfork();
@@ -105,11 +106,15 @@ int arc_child_start(const arc_child_def *def, pid_t *process) {
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  const rlim_t memory = arc_room_take(def->part);
+  const rlim_t memory = arc_memory_limit_reserve(def->part);
   const int failed = begin(def, memory, process);
-  arc_room_lend(memory, failed ? 0 : *process);
+  arc_memory_limit_assign(memory, failed ? 0 : *process);
   pthread_sigmask(SIG_SETMASK, &before, NULL);
   return failed;
+}
+
+void arc_child_confine(void) {
+  confined = 1;
 }
 
 int arc_child_again(char *const argv[]) {
@@ -121,11 +126,11 @@ int arc_child_kill(pid_t process) {
   int how = -1;
   kill(-process, SIGKILL);
   while (waitpid(process, &how, 0) < 0)
-    if (errno != EINTR) break; /* somebody else has waited for it */
+    if (errno != EINTR) break; /* another caller has reaped it */
   arc_child_ended(process);
   return how;
 }
 
 void arc_child_ended(pid_t process) {
-  arc_room_return(process);
+  arc_memory_limit_release(process);
 }

@@ -1,4 +1,4 @@
-/* system/child.h - programs started as children of this one, and the ways to talk with them. */
+/* system/child.h - child processes and their connections. */
 #ifndef SYSTEM_CHILD_H
 #define SYSTEM_CHILD_H
 
@@ -7,36 +7,39 @@
 /* A program to start. */
 typedef struct arc_child_def {
   const char *program;      /* looked up in PATH, unless there is a slash in it */
-  char *const *arguments;   /* its name first, NULL last */
-  char *const *environment; /* NULL last; NULL: as ours is */
+  char *const *arguments;   /* begins with its name, terminated by NULL */
+  char *const *environment; /* terminated by NULL; NULL: the environment of this process */
   int ends[3];              /* become its standard input, output and error */
-  double part;              /* of the memory that is left here, where that is limited (room.h) */
+  double part;              /* share of the memory left, if limited (memory_limit.h) */
 } arc_child_def;
 
-/* What a program needs to be there at all, beside its part [bytes]: gnuplot and a worker of ours
- * have 23 MiB of data as they start. */
+/* Memory that a program needs to start, in addition to its share [bytes]: gnuplot and a worker have
+ * 23 MiB of data at their start. */
 enum { ARC_CHILD_OWN_MEMORY = 32 << 20 };
 
-/* Starts it in a process group of its own, which keeps a Ctrl-C at the terminal away from it, with
- * no signal blocked, SIGINT, SIGPIPE and SIGTERM as usual, and no descriptors but its three. It is
- * killed when the thread ends that called this, however that comes. Returns 0 and the process, or
- * an errno value. */
+/* Starts it in its own process group, so that Ctrl-C at the terminal does not reach it, with no
+ * signal blocked, default SIGINT, SIGPIPE and SIGTERM, and no descriptors except the three. It is
+ * killed when the calling thread ends for any reason. Returns 0 and the process, or an errno value.
+ */
 int arc_child_start(const arc_child_def *def, pid_t *process);
 
-/* Becomes this very program anew, without the threads that there are. Returns an errno value where
- * it returns. */
+/* From now on children cannot start processes, if the system has filters. */
+void arc_child_confine(void);
+
+/* Replaces this process by a new start of the same program, without the present threads. Returns
+ * only on failure, with an errno. */
 int arc_child_again(char *const argv[]);
 
-/* Two connected ends, both closed on exec: a pipe from [1] to [0], or a socket both ways, which can
- * be written without SIGPIPE. Returns 0, or an errno value; ends that are open then are the
- * caller's to close, as after success. */
+/* Creates two connected ends, both closed on exec: a pipe from [1] to [0], or a socket in both
+ * directions, which causes no SIGPIPE. Returns 0, or an errno value; the caller closes open ends in
+ * both cases. */
 int arc_child_channel(int ends[2], int is_socket);
 
-/* To be told of each child that somebody has waited for. */
+/* Must be called for each child that has been reaped. */
 void arc_child_ended(pid_t process);
 
-/* Kills the group of a child and waits for it. Returns how it ended, as waitpid() tells it, or -1
- * when that is unknown. */
+/* Kills the group of a child and waits for it. Returns its status as of waitpid(), or -1 when that
+ * is unknown. */
 int arc_child_kill(pid_t process);
 
 /* Closes a descriptor, unless it is -1, and makes it -1. */

@@ -1,6 +1,6 @@
-/* Landlock for files, a filter for calls of the system, limits. Leans on Linux, whose numbers that
- * are newer than the headers of Debian 12 stand here; a kernel that lacks something is asked, not
- * guessed. */
+/* Restrictions of the process by Linux: Landlock for files, a filter of system calls, limits.
+ * Constants newer than the headers of Debian 12 are defined here; the kernel reports the features
+ * it supports. */
 #define _GNU_SOURCE /* O_PATH, dl_iterate_phdr, syscall */
 #include "system/jail.h"
 
@@ -34,7 +34,7 @@
 
 #include <linux/landlock.h>
 
-/* The rights of Landlock, in the order in which its versions brought them. */
+/* Rights of Landlock, in the order of its versions. */
 enum {
   EXECUTE = 1 << 0,
   WRITE_FILE = 1 << 1,
@@ -60,8 +60,8 @@ typedef struct rules {
   uint64_t handled;
 } rules;
 
-/* What the kernel is told of files, of connections (version 4), of signals and abstract sockets
- * outside (version 6). */
+/* Rules for files, for connections (version 4), for signals and abstract sockets outside (version
+ * 6). */
 typedef struct ruleset {
   uint64_t files, net, scoped;
 } ruleset;
@@ -70,7 +70,7 @@ static rules begin_rules(void) {
   const int version =
       (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
   rules r = {.set = -1, .failed = 1};
-  if (version < 3) return r; /* nothing would keep files outside from being cut off */
+  if (version < 3) return r; /* files outside could be truncated */
   r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
   const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
   const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
@@ -79,7 +79,7 @@ static rules begin_rules(void) {
   return r;
 }
 
-/* What is not there needs no rule. */
+/* Missing files need no rule. */
 static void allow(rules *r, const char *path, uint64_t rights) {
   struct stat facts;
   const int file = path && !r->failed ? open(path, O_PATH | O_CLOEXEC) : -1;
@@ -91,8 +91,8 @@ static void allow(rules *r, const char *path, uint64_t rights) {
   close(file);
 }
 
-/* What programs need to start, and gnuplot to write letters: nothing that is anybody's own. Of
- * other processes Landlock shows what everybody may see. */
+/* Files that programs need to start, and fonts for gnuplot; no personal files. Landlock allows the
+ * public data of other processes. */
 static void allow_system(rules *r) {
   static const char *const looked_at[] = {
       "/usr/lib",
@@ -125,8 +125,8 @@ static void allow_system(rules *r) {
     allow(r, devices[i], READ_FILE | WRITE_FILE);
 }
 
-/* A library of this program, wherever it is; the first is the program, which names the one that
- * loads it. */
+/* A library of this program, in any folder; the first is the program itself, which names its
+ * loader. */
 static int allow_library(struct dl_phdr_info *library, size_t size, void *context) {
   rules *r = context;
   (void)size;
@@ -138,7 +138,7 @@ static int allow_library(struct dl_phdr_info *library, size_t size, void *contex
   return 0;
 }
 
-/* Where a program is that is not with the system: what stands beside it as lib and share. */
+/* Folder of a program outside the system folders: its neighbours lib and share. */
 static void allow_program(rules *r, const char *path) {
   char whole[PATH_MAX], beside[PATH_MAX + 8];
   if (!path || !realpath(path, whole)) return;
@@ -188,15 +188,15 @@ static int confine_files(const arc_jail *jail) {
 
 #ifdef MACHINE
 
-/* The sanitizers hold their own threads to look for leaks. */
+/* The sanitizers stop their threads to search for leaks. */
 #ifdef __SANITIZE_ADDRESS__
 #define HOLD SYS_kcmp
 #else
 #define HOLD SYS_ptrace
 #endif
 
-/* Connections; other processes; what runs a file without a name; rights, owners, times and
- * attributes of files, which Landlock does not look at, and news of them; the system. */
+/* Connections; other processes; execution of files without a name; rights, owners, times and
+ * attributes of files, which Landlock does not cover, and notifications of them; the system. */
 static const unsigned denied[] = {SYS_socket,
                                   SYS_bind,
                                   SYS_connect,
@@ -261,7 +261,7 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_msgget,
                                   SYS_semget};
 
-/* Older names of the same, where a machine has them. */
+/* Older names of the same calls, if the architecture has them. */
 #ifdef SYS_chmod
 static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod,
                                  SYS_utime, SYS_utimes, SYS_futimesat, SYS_inotify_init,
@@ -270,12 +270,13 @@ static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod
 static const unsigned older[] = {SYS_chroot};
 #endif
 
-/* Those that older headers do not name, by their numbers, the same on all machines: io_uring,
- * mounts, pidfd_getfd, fchmodat2, attributes. */
+/* Calls without names in older headers, by number, which is the same on all architectures:
+ * io_uring, mounts, pidfd_getfd, fchmodat2, attributes. */
 static const unsigned newer[] = {425, 426, 427, 428, 429, 430, 431, 432, 433,
                                  438, 442, 452, 463, 464, 465, 466, 467, 469};
 
-/* Here callers have another way: as if the kernel did not know the call (clone3, memfd_secret). */
+/* For these calls programs have an alternative, so they fail as if unknown to the kernel (clone3,
+ * memfd_secret). */
 static const unsigned unknown[] = {SYS_memfd_create, 435, 447};
 
 typedef struct filter {
@@ -313,35 +314,60 @@ static void refuse_where(filter *f, unsigned call, int argument, unsigned short 
   end(f, SECCOMP_RET_ERRNO | EPERM);
 }
 
-static void write_filter(filter *f) {
-  const uint32_t spaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
-                          CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
+/* Calls of this architecture, by their 64-bit numbers. */
+static void begin(filter *f) {
   load(f, offsetof(struct seccomp_data, arch));
   add(f, BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0);
   end(f, SECCOMP_RET_KILL_PROCESS);
   load(f, offsetof(struct seccomp_data, nr));
   add(f, BPF_JMP | BPF_JGE | BPF_K, 1u << 30, 0, 1); /* the second set of numbers of x86 */
   end(f, SECCOMP_RET_ERRNO | EPERM);
+}
+
+static void write_filter(filter *f) {
+  const uint32_t spaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
+                          CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
+  begin(f);
   refuse(f, denied, sizeof denied / sizeof *denied, EPERM);
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to talk with children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* for the connections with children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* typing into the terminal */
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* input injected into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
   refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of others */
+}
+
+static int install(filter *f) {
   end(f, SECCOMP_RET_ALLOW);
+  const struct sock_fprog program = {f->length, f->code};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
 }
 
 static int confine_calls(void) {
   filter f = {.length = 0};
   write_filter(&f);
-  const struct sock_fprog program = {f.length, f.code};
-  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
+  return install(&f);
+}
+
+/* clone3 and its flags in memory are unknown here already. */
+int arc_jail_alone(void) {
+  filter f = {.length = 0};
+  begin(&f);
+#ifdef SYS_fork
+  static const unsigned processes[] = {SYS_fork, SYS_vfork};
+  refuse(&f, processes, 2, EPERM);
+#endif
+  refuse_where(&f, SYS_clone, 0, BPF_JSET, CLONE_THREAD, 0);
+  return install(&f);
 }
 
 #else
+
+int arc_jail_alone(void) {
+  return 0;
+}
 
 static int confine_calls(void) {
   return 0;
@@ -349,9 +375,9 @@ static int confine_calls(void) {
 
 #endif
 
-/* --- rights of root -------------------------------------------------------------------------- */
+/* --- rights of root --------------------------------------------------------------------------- */
 
-/* All but those to its files: mode bits of files are not looked at here. */
+/* All capabilities except those on files, whose mode bits are not restricted here. */
 static void drop_rights(void) {
   const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH | 1u << CAP_FOWNER;
   struct __user_cap_header_struct head = {_LINUX_CAPABILITY_VERSION_3, 0};
@@ -366,7 +392,7 @@ static void drop_rights(void) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Not more than so much, also of the limit that could be raised again. */
+/* Sets the soft and the hard limit, which cannot be raised again. */
 static int limit(enum __rlimit_resource what, double most) {
   struct rlimit l;
   if (getrlimit(what, &l) != 0) return 0;
@@ -389,11 +415,11 @@ static double threads_of_user(void) {
   return count;
 }
 
-/* Beside those of the user that there are: workers, gnuplot, and threads of numerical libraries,
- * which end the program where they get none, on a machine of many processors. */
+/* In addition to the user's present ones: workers, gnuplot, and threads of numerical libraries,
+ * which end the program if they get none, on a machine with many processors. */
 enum { MORE_THREADS = 512 };
 
-/* The system does not count those of root. */
+/* The system does not count processes of root. */
 static int confine_processes(void) {
   return limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
 }

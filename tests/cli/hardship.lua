@@ -5,10 +5,13 @@ local folder, share = arg[1], arg[2]
 local small = { radius = 10, mesh = { size = 0.08, height = 0.06 } }
 w = wear{ model = model(small), distance = 400, increments = 10, jump = 20 }
 w:step()
+height = map{ x = { 0, 1, 2 }, z = { 0, 1 }, y = { 0, 1, 2, 3, 4, 5 } }
+local worn = wear{ model = joint{ mesh = { size = 8 } }, k = 1e-9, cycles = 1e3, updates = 2 }
 local s = study{ looks = 1, base = { model = small, increments = 10, jump = 100, distance = 100 }, vary = { alpha = { 0, 1 } } }
 
 local works = {
   { "save", function() w:save(folder .. "run.archard") end },
+  { "joint", function() worn:save(folder .. "joint.archard") end },
   { "session", function() session.save(folder .. "all.archard") end },
   { "svg", function() plot.profile(w, { file = folder .. "p.svg" }) end },
   { "png", function() plot.profile(w, { file = folder .. "p.png" }) end },
@@ -16,6 +19,8 @@ local works = {
   { "csv", function() export.csv(w.history, folder .. "h.csv") end },
   { "vtu", function() export.vtk(w, folder .. "w.vtu") end },
   { "inp", function() export.inp(w, folder .. "w.inp") end },
+  { "gsf", function() export.gsf(height, folder .. "m.gsf") end },
+  { "vti", function() export.vti(height, folder .. "m.vti") end },
   { "json", function() export.json(w, folder .. "w.json") end },
   { "study", function()
     s:run{ file = folder .. "study.archard", workers = 1, progress = false, shard = share }

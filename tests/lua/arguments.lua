@@ -19,6 +19,10 @@ fails(function() hertz{ cylinder = { e = 1 } } end, "unknown field 'cylinder.e' 
 fails(function() wear{ model = { raduis = 9 } } end, "'model.raduis' (did you mean 'radius'?)",
   "model written as a table")
 
+-- choices
+fails(function() model{ geometry = "3D" } end, 'or "3-D", got "3D"; did you mean "3-D"?', "a choice nearly right")
+fails(function() wear{ scheme = "backward" } end, '"explicit" or "implicit", got "backward"', "a choice far from all")
+
 -- types and ranges
 fails(function() wear(3) end, "wear: expected a table of named fields, got 3", "no table")
 fails(function() wear{ alpha = 1.5 } end, "field 'alpha': expected a number in [0, 1], got 1.5",

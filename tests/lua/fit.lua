@@ -45,6 +45,14 @@ g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } 
   { body = "plate", distance = 220, profile = profile(aside):depth(), error = 2e-5 } } }
 near(g.value.k, 1.4e-8, 1e-2, "a scar at x = 2.1 mm gives k all the same")
 near(g.data[1].place.shift.value, 2.1, 1e-3, "a scar at x = 2.1 mm: its shift")
+fails(function()
+  fit{ base = base, unknown = { k = { start = 1e-8 } }, data = { { body = "plate", distance = 220, profile = profile(aside), error = 2e-5 } } }
+end, "expected depths, got heights: p:depth()", "a trace of heights")
+local lists = profile(aside):depth()
+g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
+  { body = "plate", distance = 220, x = lists.x, h = lists.h, error = 2e-5 } } }
+near(g.value.k, 1.4e-8, 1e-2, "lists x and h of a scar at x = 2.1 mm: k")
+near(g.data[1].place.shift.value, 2.1, 1e-3, "lists x and h of a scar at x = 2.1 mm: the shift")
 
 -- --- standard errors by theory -------------------------------------------------------------------
 -- The volume after little wear is k L d alpha: the relative error of k is that of the mean volume.

@@ -293,7 +293,7 @@ ok(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m, annulus = 0.
 tap.holds(tostring(map), { "load / N", "0.1 um", "stick", "partial", "gross", "partial from / um" }, "print(map)")
 text = picture(function(file) plot.fretting_map(map, { file = file }) end)
 tap.holds(text, { "running condition fretting map", "load / N", "amplitude of the motion / µm", "filledcurves closed",
-  "slip on 10 % of the width", 'title "computed"' }, "plot of the map")
+  'title "10 % slips"', 'title "computed"' }, "plot of the map")
 text = picture(function(file) plot.fretting_map(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m }, { file = file }) end)
 tap.holds(text, { "partial slip" }, "of one load too")
 fails(function() plot.fretting_map(m) end, "expected a result of study.fretting_map{}", "a model is no map")

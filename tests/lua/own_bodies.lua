@@ -160,7 +160,7 @@ refused({ "'name'", "letters", '"3s"' }, "a name that is no word", function() bo
 refused({ "'name'", "letters", "got 3" }, "a name that is no text", function() body.disc{ radius = 9, name = 3 } end)
 refused({ "'name'", "letters" }, "a name that is too long", function() body.disc{ radius = 9, name = ("x"):rep(32) } end)
 for _, word in ipairs{ "upper", "plate", "total", "ring", "size" } do
-  refused({ "'name'", "of its own", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
+  refused({ "'name'", "no kind of body", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
 end
 refused({ "'lower.name'", '"a"' }, "two of one name", function()
   model{ upper = body.disc{ radius = 9, name = "a" }, lower = body.ring{ inner = 10, outer = 20, name = "a" } }
@@ -180,7 +180,7 @@ ok(sharp.half_width > 5 and sharp.half_width < 5.11, "a punch with edges much sh
 near(sharp.p_center, 39.24, 5e-3, "its pressure is that of elements seven times as fine")
 local zoned, why = pcall(model, { upper = body.punch{ flat = 10, radius = 0.5, height = 10 }, mesh = { size = 0.1, zone = { cylinder = 11, plate = 12 } } })
 ok(not zoned and tostring(why):find("flat + 1.6 radius = 10.8 mm", 1, true), "whose zones end in the edges")
-refused({ "more than the bodies have room for", "28.00 mm", "80 degrees to either side" }, "a pin that turns too far", function()
+refused({ "larger than the bodies allow", "28.00 mm", "80 degrees to either side" }, "a pin that turns too far", function()
   wear{ model = { upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000, k = 1e-7,
     distance = 20, jump = "auto", loading = { rotation = function(t) return 75 * math.sin(2 * math.pi * t) end } }
 end)

@@ -225,4 +225,55 @@ do
   ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of one input are side by side")
 end
 
+-- --- what an editor would send back ----------------------------------------------------------------
+
+do
+  local x, y, bars = {}, {}, {}
+  for i = 1, 61 do x[i], y[i], bars[i] = i, i, 0.1 end
+  local script = drawn { { x = x, y = y, error = bars, style = "points" } }
+  has(script, "using 1:($2-$3):(0):(2*$3) with vectors nohead", "bars of many points are lines behind them")
+  lacks(script, "yerrorbars", "which gnuplot would cut out around each point")
+  table.remove(x)
+  has(drawn { { x = x, y = { table.unpack(y, 1, 60) }, error = { table.unpack(bars, 1, 60) }, style = "points" } }, "with yerrorbars",
+    "bars of few points have ends")
+end
+
+do
+  local script = drawn { { x = { 0, 1 }, y = { 5e-9, 3.2e-8 } } }
+  has(script, "'0.5×10^{-8}' 5.0000000000000001e-09", "numbers of an axis have one power of ten")
+  has(script, "'3.0×10^{-8}'", "that of the largest")
+end
+
+do
+  local script = script_of(function(file) plot.history(run, "p_center", "depth_plate", { file = file }) end)
+  local left = {}
+  for at in script:gmatch "set lmargin at screen (%S+)" do left[#left + 1] = tonumber(at) end
+  ok(left[1] < 0.5 and left[2] > 0.5, "two panels are side by side on the screen, too")
+end
+
+do
+  local contact = contact { load = 60, model = { mesh = { size = 0.05 } },
+    worn = { plate = function(at) return math.max(0, 0.03 - at * at / 30) end } }
+  local function lowest_of(options)
+    local script = script_of(function(file)
+      options.file = file
+      plot.stress(contact, options)
+    end)
+    local outline, lowest = script:match "%$d0_0 << END\n(.-)END", math.huge
+    for at in outline:gmatch "%S+ (%S+)\n" do lowest = math.min(lowest, tonumber(at)) end
+    return lowest
+  end
+  ok(math.abs(lowest_of {} + 0.03) < 1e-3, "a stress picture of worn bodies shows them in contact: " .. lowest_of {})
+  ok(math.abs(lowest_of { deformed = 0 }) < 1e-9, "but as they are where the displacements are chosen")
+end
+
+do
+  local spot = map { x = { -1, -0.5, 0, 0.5, 1 }, z = { -1, -0.5, 0, 0.5, 1 }, y = function(x, z) return x == 0 and z == 0 and 1e-3 or 0 end }
+  local script = script_of(function(file) plot.map(spot, { file = file, size = { 200, 150 } }) end)
+  local small = select(2, script:match "%$n0 << END\n(.-)END":gsub("\n", ""))
+  script = script_of(function(file) plot.map(spot, { file = file, size = { 1200, 900 } }) end)
+  local large = select(2, script:match "%$n0 << END\n(.-)END":gsub("\n", ""))
+  ok(small < large, ("fewer numbers on contour lines where they would hide them: %d, %d"):format(small, large))
+end
+
 pictures.remove()

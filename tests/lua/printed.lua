@@ -21,6 +21,17 @@ ok(not tostring(w.model):find("radius 10", 1, true), "no radius that nothing has
 w:run{ progress = false }
 has(w, "in a cycle ", "the largest pressure of a cycle is printed")
 
+-- --- where the largest pressure lies --------------------------------------------------------------
+
+local punch = { upper = body.punch{ flat = 3.6, radius = 0.2 }, mesh = { size = 0.1 } }
+warnings.keep()
+has(contact{ model = punch, load = 50 }, "MPa (x = +-1.8 mm)", "a contact says where its largest pressure lies")
+has(wear{ model = punch, load = 50, stroke = 1 }, " (x = +-1.8 mm)", "a run, too")
+has(contact{ model = punch, load = 50, friction = 0.2 }, "tangential force 0 N", "no rounding as a force")
+warnings.take()
+ok(not tostring(contact{ load = 100 }):find("(x =", 1, true), "nothing where that is the centre")
+has(wear{ friction = 0.3, stroke = 0.02, cycles = 1 }:loop(), "energy = ", "print(w:loop())")
+
 -- --- units -------------------------------------------------------------------------------------
 
 local coarse = { mesh = { size = 0.05, height = 0.05 } }
@@ -59,6 +70,8 @@ tap.is(tostring(dlc), "material DLC: E 200000 MPa, nu 0.3, E_star 219780 MPa, k 
 local coated = body.block{ name = "coated", material = material{ name = "100Cr6", E = 21e4 }, layers = { { thickness = 0.05, material = dlc } } }
 tap.is(tostring(coated), "coated (block): 100Cr6, E 210000 MPa nu 0.3\n  0.05 mm of DLC, E 200000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)",
   "print(body)")
+local flat_map = body.map{ E = 1e5, y = map{ x = { 0, 1, 2, 3 }, z = { 0, 1, 2, 3 }, y = function() return 0 end } }
+tap.is(tostring(flat_map), "map: E 100000 MPa nu 0.3", "print of a body.map")
 local named = model{ lower = coated, cylinder = { name = "bronze", E = 1e5 }, mesh = coarse.mesh and { size = 0.1, height = 0.1 } }
 tap.is(named.cylinder.name, "bronze", "a model keeps the names")
 tap.is(tostring(named.lower), tostring(coated), "print of the bodies")

@@ -33,6 +33,7 @@ local function others(row)
     if value ~= row.default then list[#list + 1] = value end
   end
   if row.choice then return list end
+  if row.type == "false or true" then return { true } end
   if row.type:find "^a word" or row.type:find "^a name" or row.type:find "^a text" then return { "another" } end
   for _, value in ipairs{ usual and usual * 0.9 or false, usual and usual // 1 - 1 or false, 0.4, 2, 7 } do
     if value and value ~= usual then list[#list + 1] = value end
@@ -106,7 +107,7 @@ local function reads_back_model(given, places, value, what)
   end
   local in_run = {}
   for i, place in ipairs(places) do in_run[i] = "model." .. place end
-  local w <close> = wear{ model = m, distance = 1, increments = 4, slide = m.geometry == "axisymmetric" and "z" or "x" }
+  local w <close> = wear{ model = m, distance = 1, increments = 4, alpha = m.periodic and 1 or nil, slide = m.geometry == "axisymmetric" and "z" or "x" }
   reads_back_run(w, in_run, value, what)
 end
 
@@ -201,8 +202,14 @@ for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " i
 
 -- --- models --------------------------------------------------------------------------------------
 
+local grid = {}
+for i = 1, 8 do grid[i] = 0.1 * i end
+local waved = map{ x = grid, z = grid, y = function(x, z) return 1e-3 * math.cos(x) * math.cos(z) end }
 local beside = { -- other fields that a row requires or excludes
-  model = { axis = { geometry = "axisymmetric", axis = 40 } },
+  model = {
+    axis = { geometry = "axisymmetric", axis = 40 },
+    periodic = { geometry = "3-D", upper = body.map{ y = waved }, lower = body.block{}, mesh = {} },
+  },
   wear = {
     load_angle = { model = { mesh = coarse, lower = body.ring{ inner = 10.2, outer = 14 } }, stroke = 1 },
     press = { friction = 0.3 }, tangential = { friction = 0.3 }, order = { scheme = "implicit" },

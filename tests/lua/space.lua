@@ -67,6 +67,19 @@ local function same(a, b)
 end
 ok(same(w, opened), "a saved run continues with identical bits")
 ok(same(w, copy), "a copy, too")
+do
+  local whole, stepped, alike = run{ distance = 60 }, run{ distance = 60 }, 0
+  whole:run()
+  for _ = 1, whole.update - 1 do
+    stepped:step()
+    stepped:save(file)
+    local rest <close> = wear.open(file)
+    os.remove(file)
+    rest:run()
+    alike = alike + (same(whole, rest) and 1 or 0)
+  end
+  is(alike, whole.update - 1, "saved after any step")
+end
 near(w.volume.ball, 0.3 * 1e-8 * 10 * 200, 1e-9, "the ball's volume is alpha k L d")
 near(w.volume.block, 0.7 * 1e-8 * 10 * 200, 1e-9, "volume of the flat")
 is(w.depth.cylinder, w.depth.ball, "bodies answer to their usual words")
@@ -80,11 +93,11 @@ near(math.max(table.unpack(profile.h)), w.depth.block, 1e-12, "a section along x
 is(#w:profile("ball", { x = 0 }).h, #depth.z, "a section along z")
 ok(tostring(w):find("3-D, half-spaces", 1, true), "print(w): " .. tostring(w))
 
-local shared = run{ distance = 50, workers = 3 }
+local shared = run{ distance = 50, workers = 4 }
 local alone = run{ distance = 50 }
 shared:run()
 alone:run()
-ok(same(shared, alone), "three workers: the same bits")
+ok(same(shared, alone), "four workers: the same bits")
 
 local staged = run{ jump = "auto" }
 staged:run()
@@ -166,7 +179,6 @@ fails(function() run{ model = turned_pair, procedure = "NSP", stroke = 1 } end, 
 
 -- --- unsupported options ---------------------------------------------------------------------------
 for _, wrong in ipairs{
-  { { friction = 0.1 }, "'friction'" },
   { { law = "energy" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
   { { law = "threshold" }, "jump = \"auto\"" }, { { stroke = 1e4 }, "'increments'" },
 } do
@@ -183,6 +195,26 @@ for _, wrong in ipairs{
 end
 fails(function() model{ upper = body.ball{} } end, "3-D", "a ball in the plane")
 fails(function() return w.mesh end, "no meshes", "no meshes")
+fails(function() body.cup{ clearance = 0.1 } end, "joint{", "a cup is a part of a joint")
+
+local warnings = require "archard.warnings"
+warnings.keep()
+contact{ model = { geometry = "3-D", upper = body.ball{ radius = 0.5 }, lower = body.block{} }, load = 500 }
+ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces hold up to 0.2", 1, true), "a contact beyond half-spaces")
+
+-- --- thin coats, coarse cells -------------------------------------------------------------------------
+local coat = body.block{ layers = { { thickness = 0.001, E = 400e3 } } }
+local thin = contact{ model = model{ geometry = "3-D", upper = body.ball{ radius = 10 }, lower = coat }, load = 10 }
+near(thin.p_max, c.p_max, 0.02, "a coat of 1 um has cells that resolve it")
+fails(function() contact{ model = { geometry = "3-D", lower = coat, mesh = { size = 0.01 } }, load = 10 } end, "too wide for a layer of 0.001 mm", "cells wider than four layers")
+near(contact{ model = { geometry = "3-D", mesh = { size = 0.06 } }, load = 10 }.approach, c.approach, 0.2, "cells nearly as wide as the contact")
+fails(function() wear{ model = { geometry = "3-D", mesh = { size = 1e-4 } }, load = 10, stroke = 0.1 } end, "expected at most 4096 x 4096; use a mesh.size above 0.0001 mm", "windows of too many cells")
+fails(function() wear{ model = { geometry = "3-D", mesh = { size = 5e-4 } }, load = 1000, stroke = 0.9 } end, "GB are free: use a mesh.size above 0.0005 mm, a shorter stroke", "windows beyond memory")
+for _, cells in ipairs{ 1, 2, 4 } do
+  local of_coat = body.block{ layers = { { thickness = 0.005, E = 50e3 } } }
+  local function by(size) return contact{ model = { geometry = "3-D", lower = of_coat, mesh = { size = size } }, load = 10 } end
+  near(by(0.005 * cells).p_max, by(0.00125).p_max, 5e-3, "cells as wide as " .. cells .. " coats")
+end
 
 local below = c:stress{ z = 0 }
 local largest, where = 0, nil
@@ -228,3 +260,33 @@ fails(function() wear{ worn = { plate = maps.ball } } end, "maps are for geometr
 
 fails(function() plot.mesh(m) end, "a model with meshes, got one without", "no mesh to draw")
 fails(function() plot.map(w, "width") end, "what", "a map of another name")
+
+-- --- pictures and files ------------------------------------------------------------------------------
+local folder = os.tmpname()
+os.remove(folder)
+assert(os.execute("mkdir " .. folder))
+local function exists(name)
+  local opened <close> = io.open(folder .. "/" .. name)
+  return opened ~= nil
+end
+is(select("#", export.vti(w, folder .. "/w.vti")), 2, "export.vti of a run: a file for each body")
+ok(exists "w-ball.vti" and exists "w-block.vti", "with their names")
+local text <close> = io.open(folder .. "/w-block.vti")
+local contents = text:read "a"
+for _, name in ipairs{ "depth", "height", "pressure" } do ok(contents:find('Name="' .. name .. '"', 1, true), "its " .. name) end
+is(export.vti(c, folder .. "/c.vti"), folder .. "/c.vti", "of a contact its pressure")
+is(select("#", export.vti(disc, folder .. "/d.vti")), 1, "a groove has no map")
+local series = run{ distance = 20 }
+series:run{ progress = export.pvd(series, folder .. "/s.pvd", { every = 1 }) }
+ok(exists "s.pvd" and exists "s-00001-ball.vti", "export.pvd of a run: states as maps")
+os.execute("rm -r " .. folder)
+local picture = os.tmpname() .. ".txt"
+plot.stress(c, { section = { x = 0 }, file = picture, term = "dumb" })
+local shown <close> = io.open(picture)
+ok(shown:read "a":find("von Mises stress of the block, x = 0 mm", 1, true), "plot.stress of a section")
+os.remove(picture)
+plot.animate(series, { what = "stroke", frames = 2, term = "dumb" })
+fails(function() plot.stress(c, { section = { x = 0 }, component = "principal" }) end, "'component'", "a stress that sections do not have")
+fails(function() plot.stress(c, { section = { x = 0, y = 0 } }) end, "expected one of them", "two sections")
+fails(function() plot.stress(contact{}, { section = { x = 0 } }) end, "'section'", "a section in the plane")
+fails(function() plot.animate(wear{}, { what = "stroke" }) end, "'what'", "an animation over a stroke in the plane")

@@ -52,3 +52,45 @@ local falling = run{ distance = 50, alpha = function(state) return state.distanc
 falling:run()
 near(falling.volume.total, 1.05e-8 * 10 * 50, 1e-8, "a coefficient that falls with the distance: its mean")
 near(falling.volume.ball, 10 * (2e-8 * 50 ^ 2 / 2 - 1.9e-8 / 50 * 50 ^ 3 / 3) / 100, 1e-3, "k that decreases and alpha that increases")
+
+-- --- layers with coefficients of their own ------------------------------------------------------------
+local points = {}
+for i = 1, 16 do points[i] = (i - 1) / 160 end
+local nearly_flat = map{ x = points, z = points, y = function(u) return 1e-9 * math.cos(20 * math.pi * u) end }
+local coat = { { thickness = 1e-3, E = 200e3, k = 1e-7 } }
+local function evenly(upper, lower)
+  local pair = model{ geometry = "3-D", periodic = true, upper = body.map{ y = nearly_flat, layers = upper, k = upper and 1e-8 or 1e-12 },
+    lower = body.block{ layers = lower, k = lower and 1e-8 or 1e-12 } }
+  local coated = wear{ model = pair, load = 1, stroke = 1, distance = 4000 }
+  coated:run()
+  return coated
+end
+local expected = 1e-3 + 1e-8 * (100 * 4000 - 1e-3 / 1e-7)
+near(evenly(coat).depth.upper, expected, 1e-6, "an upper body worn evenly through its coat")
+near(evenly(nil, coat).depth.lower, expected, 1e-9, "a lower body")
+local function through(of_coat, of_base, changes)
+  local layered = body.block{ k = of_base, layers = { { thickness = 0.006, E = 2e5, k = of_coat } } }
+  local all = { model = { geometry = "3-D", upper = body.ball{ k = 1e-12 }, lower = layered, mesh = { size = 0.022 } }, load = 10, stroke = 0.088, distance = 1600 }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  local coated = wear(all)
+  coated:run{ distance = all.distance / 2 }
+  coated:save "coat.archard"
+  local resumed = wear.open "coat.archard"
+  os.remove "coat.archard"
+  coated:run()
+  resumed:run()
+  ok(resumed.depth.block == coated.depth.block, "a worn coat continues from its file with identical bits")
+  return coated
+end
+for what, case in pairs{
+  ["soft on hard"] = { 1e-7, 1e-9 }, ["hard on soft"] = { 1e-8, 1e-7, { distance = 13500 } },
+  ["a groove through a soft coat"] = { 1e-7, 1e-9, { procedure = "NSP", stroke = 1, distance = 4000 } },
+} do
+  local changes = case[3] or {}
+  local implicit = through(case[1], case[2], changes)
+  changes.jump = "auto"
+  local explicit = through(case[1], case[2], changes)
+  ok(implicit.depth.block > 0.006, what .. ": through the coat, " .. implicit.depth.block)
+  near(implicit.depth.block, explicit.depth.block, 1e-3, what .. ": implicit and explicit depths")
+  near(implicit.volume.block, explicit.volume.block, 1e-3, what .. ": and volumes")
+end

@@ -50,6 +50,75 @@ local below = wear{ model = pair(ball, body.map{ y = rough }), load = 10, stroke
 below:run()
 near(below.volume.lower, 1e-8 * 10 * 10, 1e-9, "a rough flat below, which moves")
 
+local function loop(pair)
+  local d = contact{ model = pair, load = 10, friction = 0.5 }:move{ tangential = 3 }
+  return d.x, d.energy
+end
+near(loop(pair(body.map{ y = cap }, block)), loop(model{ geometry = "3-D" }), 1e-4, "friction on a map")
+
+-- --- surfaces that repeat themselves ------------------------------------------------------------------
+local points = even(0, 0.1 * 31 / 32, 32)
+local waved = map{ x = points, z = points, y = function(u, v) return 1e-4 * math.cos(20 * math.pi * u) * math.cos(20 * math.pi * v) end }
+local function repeated(upper, lower) return model{ geometry = "3-D", periodic = true, upper = upper, lower = lower } end
+local endless = repeated(body.map{ y = waved }, block)
+is(endless.periodic, true, "a model that repeats itself")
+is(model{}.periodic, false, "others do not")
+local full = math.sqrt(2) * math.pi * 200e3 / 0.91 / 2 * 1e-3
+near(contact{ model = endless, load = 1.5 * full * 0.01 }.p_max, 2.5 * full, 1e-3, "full contact: the mean and a wave")
+local partial = contact{ model = endless, load = 0.2 * full * 0.01 }
+ok(math.abs(partial.area / 0.01 - 0.341) < 0.02, "partial contact: the share of an independent program")
+near(partial:pressure():volume().net * (32 / 31) ^ 2, 0.2 * full * 0.01, 0.2, "pressures carry the load")
+near(contact{ model = repeated(body.map{ y = waved }, body.map{ y = waved }), load = 0.4 * full * 0.01 }.area, partial.area, 1e-9, "the same waves on both sides")
+local function worn_waves() return wear{ model = endless, load = 5, stroke = 0.05, alpha = 1, distance = 4 } end
+local evened = worn_waves()
+evened:run{ distance = 2 }
+evened:save(file)
+local rest = wear.open(file)
+os.remove(file)
+evened:run()
+rest:run()
+is(rest.depth.upper, evened.depth.upper, "a run on them continues from its file with identical bits")
+near(evened.volume.total, 1e-8 * 5 * 4, 1e-9, "its volume is k L d")
+ok(evened.p_max < evened.history.p_max[1], "their crests wear off")
+local worn = wear{ model = endless, worn = { upper = evened:map "upper" }, load = 5, stroke = 0.05, alpha = 1, distance = 4 }
+near(worn.p_max, evened.p_max, 1e-6, "and are a start for another run")
+local function grooved(y, changes)
+  local pair = repeated(body.map{ y = map{ x = points, z = points, y = y } }, block)
+  local all = { model = pair, load = 5, stroke = 1, alpha = 0.5, distance = 4 }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  local run = wear(all)
+  run:run()
+  return run
+end
+local function ridges(_, v) return 1e-4 * math.cos(20 * math.pi * v) end
+local both, one = grooved(ridges), grooved(ridges, { alpha = 1 })
+near(both.depth.upper + both.depth.lower, one.depth.upper, 1e-3, "ridges along the motion: who wears makes no difference")
+near(both.depth.upper, both.depth.lower, 1e-6, "both alike")
+near(both.volume.lower, 0.5 * 1e-8 * 5 * 4, 1e-9, "the lower body's share of a period")
+local even_wear = grooved(function(u) return 1e-4 * math.cos(20 * math.pi * u) end, { alpha = 0 })
+near(even_wear.depth.lower, 1e-8 * 5 / 0.01 * 4, 1e-9, "ridges across the motion wear a plate evenly")
+near(even_wear.p_max, even_wear.history.p_max[1], 1e-6, "which does not change their pressures")
+for what, wrong in pairs{
+  ["'track'"] = function() wear{ model = endless, load = 5, alpha = 1, track = 5 } end,
+  ["at least 2 periods, 0.2 mm, got 0.11 mm; or alpha = 1"] = function() wear{ model = endless, load = 5, alpha = 0.5 } end,
+  ["'procedure'"] = function() wear{ model = endless, load = 5, alpha = 1, procedure = "SP" } end,
+  ["'lower'"] = function() wear{ model = repeated(body.map{ y = waved }, body.map{ y = waved }), load = 5, alpha = 1 } end,
+  ["'x'"] = function() contact{ model = endless, load = 5, x = 0.1 } end,
+  ["'friction'"] = function() contact{ model = endless, load = 5, friction = 0.1 } end,
+  ["'upper.radius'"] = function() repeated(body.map{ y = waved, radius = 5 }, block) end,
+  ["'upper'"] = function() repeated(ball, block) end,
+  ["mesh.size"] = function() model{ geometry = "3-D", periodic = true, upper = body.map{ y = waved }, lower = block, mesh = { size = 0.01 } } end,
+  ["even number of points"] = function() repeated(body.map{ y = cap }, block) end,
+  ["one period on both bodies"] = function()
+    local double = even(0, 0.2 * 31 / 32, 32)
+    repeated(body.map{ y = waved }, body.map{ y = map{ x = double, z = points, y = function() return 0 end } })
+  end,
+  ["false or true, got 1"] = function() model{ geometry = "3-D", periodic = 1 } end,
+  ["3-D"] = function() model{ periodic = true } end,
+} do
+  fails(wrong, what, "refused where a surface repeats itself: " .. what)
+end
+
 -- --- edges of maps, and invalid bodies ---------------------------------------------------------------
 fails(function() contact{ model = pair(body.map(cap), block), load = 3000 } end, "reaches the end of the part of a map", "a contact beyond the map")
 fails(function() pair(body.map(flat), block) end, "expected surfaces between which the gap grows on all sides", "two flats")

@@ -54,7 +54,7 @@ for _, each in ipairs{
   { function() return s:cases()[1].p_centre end, "case: no field 'p_centre'; did you mean 'p_center'?" },
   -- tables returned by objects
   { function() return w.depth.cilinder end, "wear.depth: no field 'cilinder'" },
-  { function() return w.volume.sum end, "wear.volume: no field 'sum'" },
+  { function() return w.volume.sum end, "wear.volume: no field 'sum' (known: cylinder, plate, total)" },
   { function() return w.history.p_centre end, "history: no field 'p_centre'; did you mean 'p_center'?" },
   { function() return row.p_centre end, "record: no field 'p_centre'; did you mean 'p_center'?" },
   { function() return w:profile("plate").depth end, "wear:profile: no field 'depth'" },
@@ -75,6 +75,7 @@ for _, each in ipairs{
   { function() plot.presure(w) end, "plot: no field 'presure'; did you mean 'pressure'?" },
   { function() export.cvs(w, "w.csv") end, "export: no field 'cvs'; did you mean 'csv'?" },
   { function() study.papr() end, "study: no field 'papr'; did you mean 'paper'?" },
+  { function() help(wear.run) end, "wear: no field 'run' (known: open); for methods of what wear{} makes: help \"wear.run\"" },
   { function() wear.opn "x" end, "wear: no field 'opn'; did you mean 'open'?" },
   { function() return require "archard".hertzz end, "did you mean 'hertz'?" },
 } do

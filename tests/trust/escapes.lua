@@ -8,6 +8,9 @@ warn "@off"
 local w = wear{ model = { mesh = { size = 0.1, height = 0.1 } }, distance = 22, jump = 50 }
 w:step()
 
+local height = map{ x = { 0, 1, 2 }, z = { 0, 1 }, y = { 0, 1, 2, 3, 4, 5 } }
+local worn = wear{ model = joint{ mesh = { size = 8 } }, k = 1e-9, cycles = 1e3, updates = 2 }
+
 -- Reports an attempt whose result contains the content of the secret file.
 local function shows(...)
   for _, value in ipairs{ ... } do
@@ -49,10 +52,19 @@ for _, name in ipairs(names) do
   try("wear.open " .. run, function() return "the secret", wear.open(run).distance end)
   try("study.open " .. run, function() return "the secret", study.open(run):cases() end)
   try("session.open " .. run, function() session.open(run) return "the secret" end)
+  for _, format in ipairs{ "gsf", "xyz", "txt", "grd", "sdf", "sur", "al3d" } do
+    local map_name = name:gsub("secret", "map." .. format)
+    try("map.read " .. map_name, function() return "the secret", map.read(map_name, { unit = "um", step = 0.1 }) end)
+  end
+  try("map.read " .. name, function() return map.read(name, { unit = "um" }) end)
+  try("gait.read " .. name, function() return gait.read(name) end)
+  try("joint.open " .. run, function() return "the secret", joint.open(name:gsub("secret", "joint.archard")) end)
+  try("plot.csv " .. name, function() plot.csv(name) end)
+  try("profiles of " .. name, function() return profile.mean{ name } end)
   local into = name:gsub("secret", "written")
   for what, write in pairs{
     save = function() w:save(into) end,
-    session = function() session.save(into) end,
+    session = function() kept_map, kept_joint = height, worn session.save(into) end,
     table = function() export.csv({ x = { 1 } }, into) end,
     vtk = function() export.vtk(w, into .. ".vtk") end,
     vtu = function() export.vtk(w, into .. ".vtu") end,
@@ -64,6 +76,17 @@ for _, name in ipairs(names) do
       study{ base = { distance = 11, jump = 50, model = { mesh = { size = 0.1, height = 0.1 } } }, vary = { alpha = { 0 } } }
         :run{ file = into, workers = 1, progress = false }
     end,
+    vti = function() export.vti(height, into .. ".vti") end,
+    gsf = function() export.gsf(height, into .. ".gsf") end,
+    map = function() export.csv(height, into .. ".csv") end,
+    series = function() export.pvd(w, into .. ".pvd") end,
+    mesh = function() w.model.mesh.plate:write(into .. ".msh") end,
+    joint = function() worn:save(into) end,
+    cup = function() plot.map(height, { file = into .. ".svg" }) end,
+    surface = function() plot.surface(height, { file = into .. ".png" }) end,
+    film = function() plot.animate(w, { file = into .. ".gif" }) end,
+    design = function() fit.design{ file = into } end,
+    figures = function() study{}:figures{ dir = into } end,
     overwrite = function() export.csv({ x = { 1 } }, name) end,
   } do
     pcall(write)

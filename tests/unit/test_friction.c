@@ -11,7 +11,7 @@
 
 typedef struct history {
   arc_shape *shape;
-  pose pose;
+  contact_problem problem;
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state, before;
@@ -38,7 +38,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
   *h = (history){.mu = mu, .slope = 0.03 * worn};
   check_ok(arc_shape_create(model, ARC_MOVING, 0, &h->shape, why));
   if (worn > 0) wear_down(h, worn);
-  assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
+  assert_int_equal(arc_contact_problem_create(&h->problem, model), ARC_OK);
   assert_int_equal(arc_tangential_create(&h->compliance, model), ARC_OK);
   assert_int_equal(arc_friction_workspace_create(&h->workspace, model), ARC_OK);
   assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
@@ -50,27 +50,27 @@ static void end(history *h) {
   arc_friction_free(&h->state);
   arc_friction_workspace_free(&h->workspace);
   arc_tangential_free(&h->compliance);
-  arc_pose_free(&h->pose);
+  arc_contact_problem_free(&h->problem);
   arc_shape_destroy(&h->shape);
 }
 
 static void go(history *h, const friction_step *step) {
-  const double pairing = step->by_force ? h->pose.x : step->x;
+  const double pairing = step->by_force ? h->problem.x : step->x;
   arc_friction_copy(&h->before, &h->state);
-  check_ok(arc_pose_update(&h->pose, h->shape, pairing, why));
-  check_ok(arc_friction_solve(&h->pose, &h->compliance, &h->workspace, step, &h->state, why));
+  check_ok(arc_contact_problem_update(&h->problem, h->shape, pairing, why));
+  check_ok(arc_friction_solve(&h->problem, &h->compliance, &h->workspace, step, &h->state, why));
 }
 
 /* --- its conditions -------------------------------------------------------------------------- */
 
 /* Recomputes the gaps from the matrices and the shape only. */
 static void check_gaps(const history *h) {
-  const pose *p = &h->pose;
+  const contact_problem *p = &h->problem;
   const tangential_compliance *g = &h->compliance;
   const friction_workspace *w = &h->workspace;
-  pose plain;
-  assert_int_equal(arc_pose_create(&plain, h->shape->handle.model), ARC_OK);
-  check_ok(arc_pose_update(&plain, h->shape, p->x, why));
+  contact_problem plain;
+  assert_int_equal(arc_contact_problem_create(&plain, h->shape->handle.model), ARC_OK);
+  check_ok(arc_contact_problem_update(&plain, h->shape, p->x, why));
   for (int c = 0; c < p->count; c++) {
     const double m = p->slope[p->lo + c];
     double gap = plain.gap[c] + m * (h->state.x - p->x) - p->approach;
@@ -80,12 +80,12 @@ static void check_gaps(const history *h) {
     assert_true(gap > -1e-13);
     if (p->f[c] > 0) check_near(gap, 0, 1e-13);
   }
-  arc_pose_free(&plain);
+  arc_contact_problem_free(&plain);
 }
 
 /* Recomputes the slip from the displacements of points on both surfaces, without the matrices. */
 static void check_slip(history *h, double p0) {
-  const pose *p = &h->pose;
+  const contact_problem *p = &h->problem;
   double *room = calloc((size_t)(2 * p->nc + p->np), sizeof *room), *was = room, *is = was + p->nc;
   arc_tangential_relative(p, h->before.u, is + p->nc, was);
   arc_tangential_relative(p, h->state.u, is + p->nc, is);
@@ -106,9 +106,9 @@ static void check_slip(history *h, double p0) {
 static void check_resultants(history *h, const friction_step *step) {
   double sum[ARC_BODIES][2] = {{0}};
   for (int b = 0; b < ARC_BODIES; b++) {
-    const int n = b == ARC_CYLINDER ? h->pose.nc : h->pose.np;
+    const int n = b == ARC_CYLINDER ? h->problem.nc : h->problem.np;
     double *force = calloc(2 * (size_t)n, sizeof *force);
-    arc_friction_forces_on(&h->pose, &h->workspace, (arc_body)b, force);
+    arc_friction_forces_on(&h->problem, &h->workspace, (arc_body)b, force);
     for (int i = 0; i < 2 * n; i++) sum[b][i / n] += force[i];
     free(force);
   }
@@ -119,15 +119,15 @@ static void check_resultants(history *h, const friction_step *step) {
   check_near(h->state.tangential, sum[ARC_CYLINDER][0], 1e-12 * step->line);
 }
 
-static double largest_pressure(const pose *p) {
+static double largest_pressure(const contact_problem *p) {
   double center, largest;
-  arc_pose_peaks(p, &center, &largest);
+  arc_contact_problem_peaks(p, &center, &largest);
   return largest;
 }
 
 static void check_increment(history *h, const friction_step *step) {
   check_gaps(h);
-  check_slip(h, largest_pressure(&h->pose));
+  check_slip(h, largest_pressure(&h->problem));
   check_resultants(h, step);
 }
 
@@ -234,7 +234,7 @@ static void run_ways(arc_model *model, double worn, ways *found) {
   const double mu = exp(random_in(log(0.05), log(1.2)));
   begin(&quick, model, mu, worn);
   begin(&slow, model, mu, worn);
-  slow.workspace.patience = 1 << 20;
+  slow.workspace.sweeps_before_newton = 1 << 20;
   slow.workspace.by_force = 0;
   for (int k = 0; k < length; k++) compare_ways(&quick, &slow, found);
   end(&slow);
@@ -288,19 +288,19 @@ enum { played = 7 };
 static void test_no_friction(void **state) {
   (void)state;
   history h;
-  pose plain;
+  contact_problem plain;
   begin(&h, coarse, 0, 1);
-  assert_int_equal(arc_pose_create(&plain, coarse), ARC_OK);
+  assert_int_equal(arc_contact_problem_create(&plain, coarse), ARC_OK);
   for (int i = 0; i < 4; i++) {
     const friction_step step = {.line = 60 + 20 * i, .x = 0.03 * i};
     go(&h, &step);
-    check_ok(arc_pose_update(&plain, h.shape, step.x, why));
-    check_ok(arc_pose_solve(&plain, step.line, why));
-    assert_memory_equal(h.pose.f, plain.f, (size_t)plain.count * sizeof(double));
-    assert_true(h.pose.approach == plain.approach);
+    check_ok(arc_contact_problem_update(&plain, h.shape, step.x, why));
+    check_ok(arc_contact_problem_solve(&plain, step.line, why));
+    assert_memory_equal(h.problem.f, plain.f, (size_t)plain.count * sizeof(double));
+    assert_true(h.problem.approach == plain.approach);
     for (int k = 0; k < plain.count; k++) assert_true(h.workspace.t[k] == 0);
   }
-  arc_pose_free(&plain);
+  arc_contact_problem_free(&plain);
   end(&h);
 }
 
@@ -310,7 +310,7 @@ static void check_same(const friction_state *a, const friction_state *b) {
   assert_memory_equal(a->f, b->f, arc_friction_bytes(a));
 }
 
-/* A copied state continues with identical bits in other poses. */
+/* A copied state continues with identical bits in other problems. */
 static void test_copied(void **state) {
   (void)state;
   history one, two;
@@ -318,7 +318,7 @@ static void test_copied(void **state) {
   begin(&two, coarse, 0.6, 0.5);
   play(&one, 0, 3);
   arc_friction_copy(&two.state, &one.state);
-  check_ok(arc_pose_update(&two.pose, two.shape, one.pose.x, why));
+  check_ok(arc_contact_problem_update(&two.problem, two.shape, one.problem.x, why));
   play(&one, 3, played);
   play(&two, 3, played);
   check_same(&one.state, &two.state);
@@ -337,9 +337,10 @@ static void test_refused(void **state) {
   const arc_status wanted[] = {ARC_ARGUMENT, ARC_ARGUMENT, ARC_ZONE};
   const char *const words[] = {"friction does not carry", "friction does not carry", "zone"};
   for (int i = 0; i < 3; i++) {
-    check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-    check_refused(arc_friction_solve(&h.pose, &h.compliance, &h.workspace, &far[i], &h.state, why),
-                  wanted[i], words[i]);
+    check_ok(arc_contact_problem_update(&h.problem, h.shape, h.problem.x, why));
+    check_refused(
+        arc_friction_solve(&h.problem, &h.compliance, &h.workspace, &far[i], &h.state, why),
+        wanted[i], words[i]);
     check_same(&h.state, &h.before);
   }
   end(&h);
@@ -371,11 +372,11 @@ static void test_displaced(void **state) {
   begin(&h, coarse, 0.6, 0.5);
   play(&h, 0, 2);
   wear_down(&h, 0.1);
-  check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-  arc_tangential_update(&h.compliance, &h.pose, h.workspace.work);
-  arc_tangential_displace(&h.pose, h.compliance.flat, h.state.f, h.state.t, h.state.u,
+  check_ok(arc_contact_problem_update(&h.problem, h.shape, h.problem.x, why));
+  arc_tangential_update(&h.compliance, &h.problem, h.workspace.work);
+  arc_tangential_displace(&h.problem, h.compliance.flat, h.state.f, h.state.t, h.state.u,
                           h.workspace.work);
-  const pose *p = &h.pose;
+  const contact_problem *p = &h.problem;
   double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
   arc_tangential_relative(p, h.state.u, r + p->nc, r);
   for (int c = 0; c < p->count; c++) {
@@ -396,7 +397,7 @@ static void test_alternating(void **state) {
   history h;
   begin(&h, coarse, 0.6, 0);
   play(&h, 0, 1);
-  const pose *p = &h.pose;
+  const contact_problem *p = &h.problem;
   const compliance *c = shape_compliance(&h.shape->side[ARC_CYLINDER]);
   const int mid = p->count / 2, far = 2 * ARC_SHEAR_REACH;
   double shear = 0, press = 0, elements = 0;

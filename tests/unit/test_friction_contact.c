@@ -27,10 +27,10 @@ static void test_validated(void **state) {
   motion.x = 1.5e-3;
   check_ok(arc_contact_move(from, &motion, NULL, &c, why));
   check_ok(arc_contact_validate(c, why));
-  const int middle = c->pose.active / 2, edge = 0, last = c->pose.active - 1;
+  const int middle = c->problem.active / 2, edge = 0, last = c->problem.active - 1;
   double *const numbers[] = {
-      &c->workspace.t[c->pose.set[middle]], &c->workspace.slip[c->pose.set[edge]],
-      &c->workspace.slip[c->pose.set[middle]], &c->workspace.slip[c->pose.set[last]]};
+      &c->workspace.t[c->problem.set[middle]], &c->workspace.slip[c->problem.set[edge]],
+      &c->workspace.slip[c->problem.set[middle]], &c->workspace.slip[c->problem.set[last]]};
   const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
   const char *const named[] = {"shear", "slip", "slip", "slip"};
   check_spoilt(arc_contact_validate(c, why), 4, numbers, wrong, named);

@@ -103,11 +103,11 @@ static void test_model_stopped(void **state) {
   arc_model *model = NULL;
   const arc_callbacks callbacks = {.stop = stop_when_tired};
   asked = patience = 0;
-  check_refused(arc_model_build_watched(&md, &callbacks, &model, why), ARC_STOPPED, "model");
+  check_refused(arc_model_build_with_callbacks(&md, &callbacks, &model, why), ARC_STOPPED, "model");
   assert_null(model);
   md = coarse_definition();
   patience = 1000000;
-  check_ok(arc_model_build_watched(&md, &callbacks, &model, why));
+  check_ok(arc_model_build_with_callbacks(&md, &callbacks, &model, why));
   arc_model *alone = build_model(&md);
   arc_contact *one, *two;
   arc_shape *shape[2];

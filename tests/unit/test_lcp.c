@@ -8,8 +8,8 @@
 enum { most = 80 };
 
 /* A contact problem of n candidates with only the fields that lcp.c uses. */
-static pose room(int n) {
-  pose p = {.nc = n, .np = n, .count = n};
+static contact_problem room(int n) {
+  contact_problem p = {.nc = n, .np = n, .count = n};
   p.set = calloc((size_t)n, sizeof(int));
   p.a = calloc((size_t)(n * n), sizeof(double));
   p.factor = calloc((size_t)(n * n), sizeof(double));
@@ -21,11 +21,11 @@ static pose room(int n) {
   p.made = p.joined + n;
   p.down = malloc((size_t)n * sizeof(double));
   for (int k = 0; k < n; k++) p.down[k] = 1;
-  p.work = calloc(4 * (size_t)(2 * n), sizeof(double));
+  p.step = calloc(2 * (size_t)n, sizeof(double));
   return p;
 }
 
-static void room_free(pose *p) {
+static void room_free(contact_problem *p) {
   free(p->set);
   free(p->joined);
   free(p->a);
@@ -35,12 +35,12 @@ static void room_free(pose *p) {
   free(p->open);
   free(p->ones);
   free(p->down);
-  free(p->work);
+  free(p->step);
 }
 
 /* A = G G' + ridge, G [n x rank]: positive definite without special structure; a low rank and a
  * small ridge make it ill-conditioned. */
-static void random_matrix(pose *p, int rank, double ridge) {
+static void random_matrix(contact_problem *p, int rank, double ridge) {
   const int n = p->count;
   double *g = malloc((size_t)(n * rank) * sizeof *g);
   for (int k = 0; k < n * rank; k++) g[k] = random_in(-1, 1);
@@ -55,7 +55,7 @@ static void random_matrix(pose *p, int rank, double ridge) {
 }
 
 /* Integer data, which cause ties. */
-static void whole_numbers(pose *p) {
+static void whole_numbers(contact_problem *p) {
   const int n = p->count;
   memset(p->a, 0, (size_t)(n * n) * sizeof(double));
   for (int r = 0; r < n; r++) {
@@ -67,12 +67,12 @@ static void whole_numbers(pose *p) {
   p->factored = 0;
 }
 
-static void random_gaps(pose *p, double high) {
+static void random_gaps(contact_problem *p, double high) {
   for (int k = 0; k < p->count; k++) p->gap[k] = random_in(0, high);
 }
 
 /* Violation of f >= 0, g >= 0, f g = 0, sum f = load, in units of force. */
-static double defect(const pose *p, double load, const double *f, double approach) {
+static double defect(const contact_problem *p, double load, const double *f, double approach) {
   double worst = 0, sum = 0, size = fabs(load);
   for (int k = 0; k < p->count; k++) size = fmax(size, fabs(f[k]));
   for (int r = 0; r < p->count; r++) {
@@ -88,7 +88,7 @@ static double defect(const pose *p, double load, const double *f, double approac
   return fmax(worst, fabs(sum - load) / size);
 }
 
-static void check_solution(const pose *p, double load) {
+static void check_solution(const contact_problem *p, double load) {
   check_below(defect(p, load, p->f, p->approach), 1e-9);
   for (int s = 1; s < p->active; s++) assert_true(p->set[s] > p->set[s - 1]);
 }
@@ -96,7 +96,8 @@ static void check_solution(const pose *p, double load) {
 /* Tries all 2^n - 1 sets and returns the forces of the one that solves the problem; Gauss
  * elimination on [A -1; 1' 0].
  */
-static int solve_set(const pose *p, unsigned set, double load, double *f, double *approach) {
+static int solve_set(const contact_problem *p, unsigned set, double load, double *f,
+                     double *approach) {
   double m[9 * 9], x[9];
   int list[8], pivots[9], n = 0;
   for (int k = 0; k < p->count; k++)
@@ -118,7 +119,7 @@ static int solve_set(const pose *p, unsigned set, double load, double *f, double
   return 1;
 }
 
-static void try_all_sets(const pose *p, double load, double *best, double *approach) {
+static void try_all_sets(const contact_problem *p, double load, double *best, double *approach) {
   double least = INFINITY;
   for (unsigned set = 1; set < 1u << p->count; set++) {
     double f[8], at;
@@ -138,7 +139,7 @@ static void test_against_all_sets(void **state) {
   (void)state;
   random_start(31);
   for (int trial = 0; trial < 400; trial++) {
-    pose p = room(random_int(1, 8));
+    contact_problem p = room(random_int(1, 8));
     const double load = exp(random_in(-5, 3));
     random_matrix(&p, p.count, 0.1);
     random_gaps(&p, 3);
@@ -156,7 +157,7 @@ static void test_warm_start(void **state) {
   (void)state;
   random_start(32);
   for (int trial = 0; trial < 200; trial++) {
-    pose p = room(random_int(2, most));
+    contact_problem p = room(random_int(2, most));
     double first[most];
     random_matrix(&p, p.count, 1e-2);
     random_gaps(&p, 5);
@@ -184,10 +185,10 @@ static void test_newton_gives_up(void **state) {
   random_start(33);
   int gave_up = 0;
   for (int trial = 0; trial < 300; trial++) {
-    pose p = room(most);
+    contact_problem p = room(most);
     random_matrix(&p, most / 5, 1e-4);
     random_gaps(&p, 1);
-    double *fs = p.work + 2 * (p.nc + p.np);
+    double *fs = p.step;
     gave_up += newton(&p, 1, fs) == 0;
     p.active = 0;
     p.factored = 0;
@@ -203,11 +204,11 @@ static void test_fallback_alone(void **state) {
   (void)state;
   random_start(34);
   for (int trial = 0; trial < 300; trial++) {
-    pose p = room(random_int(1, most));
+    contact_problem p = room(random_int(1, most));
     random_matrix(&p, 1 + p.count / random_int(1, 5), exp(random_in(-9, 2)));
     random_gaps(&p, exp(random_in(-3, 3)));
     const double load = exp(random_in(-5, 5));
-    double *fs = p.work + 2 * (p.nc + p.np);
+    double *fs = p.step;
     assert_int_equal(descend(&p, load, fs), 1);
     check_solution(&p, load);
     check_below(p.iterations, 20.0 * p.count + 20);
@@ -220,10 +221,10 @@ static void test_degenerate(void **state) {
   (void)state;
   random_start(35);
   for (int trial = 0; trial < 2000; trial++) {
-    pose p = room(random_int(1, 12));
+    contact_problem p = room(random_int(1, 12));
     whole_numbers(&p);
     const double load = random_int(1, 4);
-    double *fs = p.work + 2 * (p.nc + p.np);
+    double *fs = p.step;
     assert_int_equal(descend(&p, load, fs), 1);
     check_solution(&p, load);
     p.active = 0;
@@ -239,7 +240,7 @@ static void test_degenerate(void **state) {
 static void test_path(void **state) {
   (void)state;
   random_start(36);
-  pose p = room(most);
+  contact_problem p = room(most);
   random_matrix(&p, p.count, 1);
   random_gaps(&p, 5);
   for (int step = 0; step < 300; step++) {
@@ -252,7 +253,7 @@ static void test_path(void **state) {
 
 static void test_not_definite(void **state) {
   (void)state;
-  pose p = room(2);
+  contact_problem p = room(2);
   p.a[0] = p.a[3] = 1;
   p.a[1] = p.a[2] = 2;
   assert_int_equal(arc_lcp_solve(&p, 1), ARC_NUMERIC);

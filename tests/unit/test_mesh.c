@@ -14,7 +14,7 @@ static arc_mesh *build(const arc_mesh_def *def, arc_body body, double radius) {
 
 static const double *sorted_xy;
 
-static int compare_places(const void *a, const void *b) {
+static int compare_positions(const void *a, const void *b) {
   const double *p = &sorted_xy[2 * *(const int *)a], *q = &sorted_xy[2 * *(const int *)b];
   if (p[1] != q[1]) return p[1] < q[1] ? -1 : 1;
   return (p[0] > q[0]) - (p[0] < q[0]);
@@ -35,7 +35,7 @@ static int *find_twins(const arc_mesh *m) {
       *twin = malloc((size_t)m->nodes * sizeof(int));
   for (int n = 0; n < m->nodes; n++) order[n] = n;
   sorted_xy = m->xy;
-  qsort(order, (size_t)m->nodes, sizeof(int), compare_places);
+  qsort(order, (size_t)m->nodes, sizeof(int), compare_positions);
   for (int first = 0, end; first < m->nodes; first = end) {
     for (end = first; end < m->nodes && m->xy[2 * order[end] + 1] == m->xy[2 * order[first] + 1];)
       end++;

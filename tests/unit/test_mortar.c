@@ -4,7 +4,7 @@
 #include "check.h"
 
 #include "core/base/dense.h"
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 
 static arc_shape *make_shape(arc_model *model) {
   arc_shape *shape = NULL;
@@ -19,36 +19,36 @@ static arc_model *make_model(void) {
   return build_model(&def);
 }
 
-static pose place(const arc_shape *shape, double x) {
-  pose p;
-  assert_int_equal(arc_pose_create(&p, arc_shape_model(shape)), ARC_OK);
-  check_ok(arc_pose_place(&p, shape, x, why));
+static contact_problem place(const arc_shape *shape, double x) {
+  contact_problem p;
+  assert_int_equal(arc_contact_problem_create(&p, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_contact_problem_couple(&p, shape, x, why));
   return p;
 }
 
-static double cylinder_x(const arc_shape *shape, const pose *p, int k) {
+static double cylinder_x(const arc_shape *shape, const contact_problem *p, int k) {
   return shape->side[ARC_CYLINDER].settled[2 * (p->lo + k)];
 }
 
-static double plate_x(const arc_shape *shape, const pose *p, int l) {
+static double plate_x(const arc_shape *shape, const contact_problem *p, int l) {
   return shape->side[ARC_PLATE].settled[2 * l] + p->x;
 }
 
 /* B 1 = 1 and B x = x. */
-static void check_rows(const arc_shape *shape, const pose *p) {
+static void check_rows(const arc_shape *shape, const contact_problem *p) {
   double *v = calloc((size_t)(p->np + p->nc), sizeof *v), *at_cylinder = v + p->np;
   for (int l = 0; l < p->np; l++) v[l] = 1;
-  arc_pose_to_cylinder(p, v, at_cylinder);
+  arc_contact_problem_to_cylinder(p, v, at_cylinder);
   for (int k = 0; k < p->count; k++) check_near(at_cylinder[p->lo + k], 1, 1e-13);
   for (int l = 0; l < p->np; l++) v[l] = plate_x(shape, p, l);
-  arc_pose_to_cylinder(p, v, at_cylinder);
+  arc_contact_problem_to_cylinder(p, v, at_cylinder);
   for (int k = 0; k < p->count; k++)
     check_near(at_cylinder[p->lo + k], cylinder_x(shape, p, k), 1e-13);
   free(v);
 }
 
 /* Forces of the cylinder have the same sum and the same moment on the plate. */
-static void check_balance(const arc_shape *shape, const pose *p) {
+static void check_balance(const arc_shape *shape, const contact_problem *p) {
   double *f = calloc((size_t)(p->np + p->nc), sizeof *f), *on_plate = f + p->nc;
   double sum[2] = {0}, moment[2] = {0}, size = 0;
   for (int k = 0; k < p->count; k++) {
@@ -58,7 +58,7 @@ static void check_balance(const arc_shape *shape, const pose *p) {
     moment[0] += force * cylinder_x(shape, p, k);
     size += fabs(force);
   }
-  arc_pose_to_plate(p, f, on_plate);
+  arc_contact_problem_to_plate(p, f, on_plate);
   for (int l = 0; l < p->np; l++) {
     sum[1] += on_plate[l];
     moment[1] += on_plate[l] * plate_x(shape, p, l);
@@ -70,14 +70,14 @@ static void check_balance(const arc_shape *shape, const pose *p) {
 
 /* Forces of a solution on worn surfaces along x and y, and along the plate's normals. */
 static void check_forces(const arc_shape *shape, double x) {
-  pose p;
-  assert_int_equal(arc_pose_create(&p, arc_shape_model(shape)), ARC_OK);
-  check_ok(arc_pose_update(&p, shape, x, why));
-  check_ok(arc_pose_solve(&p, 100, why));
+  contact_problem p;
+  assert_int_equal(arc_contact_problem_create(&p, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_contact_problem_update(&p, shape, x, why));
+  check_ok(arc_contact_problem_solve(&p, 100, why));
   double *c = calloc((size_t)(2 * p.nc + 2 * p.np), sizeof *c), *l = c + 2 * p.nc;
   double sum[ARC_BODIES][2] = {{0}}, along_x = 0;
-  arc_pose_forces_on(&p, ARC_CYLINDER, c);
-  arc_pose_forces_on(&p, ARC_PLATE, l);
+  arc_contact_problem_forces_on(&p, ARC_CYLINDER, c);
+  arc_contact_problem_forces_on(&p, ARC_PLATE, l);
   for (int d = 0; d < 2; d++) {
     for (int i = 0; i < p.nc; i++) sum[ARC_CYLINDER][d] += c[d * p.nc + i];
     for (int i = 0; i < p.np; i++) sum[ARC_PLATE][d] += l[d * p.np + i];
@@ -90,17 +90,17 @@ static void check_forces(const arc_shape *shape, double x) {
   for (int k = 0; k < p.count; k++)
     check_near(c[p.lo + k], -p.slope[p.lo + k] * p.f[k], 1e-13 * 100);
   free(c);
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
 }
 
 /* (B v)'f = v'(B'f): the same matrix in both directions. */
-static void check_adjoint(const pose *p) {
+static void check_adjoint(const contact_problem *p) {
   double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
   double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;
   for (int l = 0; l < p->np; l++) v[l] = random_in(-1, 1);
   for (int k = 0; k < p->count; k++) f[p->lo + k] = random_in(-1, 1);
-  arc_pose_to_cylinder(p, v, bv);
-  arc_pose_to_plate(p, f, bf);
+  arc_contact_problem_to_cylinder(p, v, bv);
+  arc_contact_problem_to_plate(p, f, bf);
   for (int i = 0; i < p->nc; i++) one += bv[i] * f[i];
   for (int l = 0; l < p->np; l++) other += bf[l] * v[l];
   check_near(one, other, 1e-12);
@@ -108,12 +108,12 @@ static void check_adjoint(const pose *p) {
 }
 
 static void check_at(const arc_shape *shape, double x) {
-  pose p = place(shape, x);
+  contact_problem p = place(shape, x);
   assert_true(p.count >= 3 && p.lo >= 1 && p.lo + p.count <= p.nc - 1);
   check_rows(shape, &p);
   check_balance(shape, &p);
   check_adjoint(&p);
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
 }
 
 static void test_random_positions(void **state) {
@@ -218,14 +218,14 @@ static void test_matching_nodes(void **state) {
   def.mesh.far = 200;
   arc_model *model = build_model(&def);
   arc_shape *shape = make_shape(model);
-  pose p = place(shape, 0);
+  contact_problem p = place(shape, 0);
   for (int k = 0; k < p.count; k++)
     for (int q = 0; q < p.width; q++) {
       if (p.first[k] + q >= p.np) continue;
       const double apart = plate_x(shape, &p, p.first[k] + q) - cylinder_x(shape, &p, k);
       check_near(p.b[k * p.width + q], fabs(apart) < 1e-3 ? 1 : 0, 1e-4);
     }
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }
@@ -235,12 +235,12 @@ static void test_matrix(void **state) {
   (void)state;
   arc_model *model = make_model();
   arc_shape *shape = make_shape(model);
-  pose p = place(shape, 0.0123);
-  arc_pose_stiffen(&p, shape);
+  contact_problem p = place(shape, 0.0123);
+  arc_contact_problem_assemble(&p, shape);
   for (int r = 0; r < p.count; r++)
     for (int c = 0; c < r; c++)
       assert_true(p.a[dense_at(r, c, p.count)] == p.a[dense_at(c, r, p.count)]);
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }
@@ -249,34 +249,36 @@ static void test_apart(void **state) {
   (void)state;
   arc_model *model = make_model();
   arc_shape *shape = make_shape(model);
-  pose p;
-  assert_int_equal(arc_pose_create(&p, model), ARC_OK);
+  contact_problem p;
+  assert_int_equal(arc_contact_problem_create(&p, model), ARC_OK);
   for (int side = -1; side <= 1; side += 2) {
-    check_refused(arc_pose_place(&p, shape, side * 1.5, why), ARC_ZONE, "do not overlap");
-    check_refused(arc_pose_place(&p, shape, side * 100, why), ARC_ZONE, "do not overlap");
+    check_refused(arc_contact_problem_couple(&p, shape, side * 1.5, why), ARC_ZONE,
+                  "do not overlap");
+    check_refused(arc_contact_problem_couple(&p, shape, side * 100, why), ARC_ZONE,
+                  "do not overlap");
   }
-  check_ok(arc_pose_place(&p, shape, 0, why));
+  check_ok(arc_contact_problem_couple(&p, shape, 0, why));
   check_rows(shape, &p);
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }
 
-/* Checks that an updated pose equals a new one for this shape and position, bit by bit. */
-static void check_fresh(const pose *p, const arc_shape *shape, double x) {
-  pose fresh;
-  assert_int_equal(arc_pose_create(&fresh, arc_shape_model(shape)), ARC_OK);
-  check_ok(arc_pose_update(&fresh, shape, x, why));
+/* Checks that an updated problem equals a new one for this shape and position, bit by bit. */
+static void check_fresh(const contact_problem *p, const arc_shape *shape, double x) {
+  contact_problem fresh;
+  assert_int_equal(arc_contact_problem_create(&fresh, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_contact_problem_update(&fresh, shape, x, why));
   const size_t n = (size_t)p->count;
   assert_int_equal(p->lo, fresh.lo);
   assert_int_equal(p->count, fresh.count);
   assert_memory_equal(p->first, fresh.first, n * sizeof *p->first);
   assert_memory_equal(p->a, fresh.a, n * n * sizeof *p->a);
   assert_memory_equal(p->gap, fresh.gap, n * sizeof *p->gap);
-  arc_pose_free(&fresh);
+  arc_contact_problem_free(&fresh);
 }
 
-/* A pose is updated correctly after changes of its shape, of copies of the shape, and of the
+/* A problem is updated correctly after changes of its shape, of copies of the shape, and of the
  * plate's position, also after a position that was refused. */
 static void test_update(void **state) {
   (void)state;
@@ -285,24 +287,24 @@ static void test_update(void **state) {
   arc_shape *shape = make_shape(model), *copy = NULL;
   const int n = arc_model_mesh(model, ARC_PLATE)->surface;
   double *depth = malloc((size_t)n * sizeof *depth);
-  pose p;
-  assert_int_equal(arc_pose_create(&p, model), ARC_OK);
-  check_ok(arc_pose_update(&p, shape, 0.1, why));
+  contact_problem p;
+  assert_int_equal(arc_contact_problem_create(&p, model), ARC_OK);
+  check_ok(arc_contact_problem_update(&p, shape, 0.1, why));
   for (int pass = 0; pass < 3; pass++) {
     for (int i = 0; i < n; i++) depth[i] = random_in(0, 0.004);
     check_ok(arc_shape_clone(shape, &copy, why));
     check_ok(arc_shape_wear(copy, ARC_PLATE, depth, why));
-    check_ok(arc_pose_update(&p, copy, 0.1, why));
+    check_ok(arc_contact_problem_update(&p, copy, 0.1, why));
     check_fresh(&p, copy, 0.1);
     arc_shape_destroy(&copy);
   }
-  check_ok(arc_pose_update(&p, shape, 0.1, why));
+  check_ok(arc_contact_problem_update(&p, shape, 0.1, why));
   check_fresh(&p, shape, 0.1);
-  check_refused(arc_pose_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
-  check_refused(arc_pose_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
-  check_ok(arc_pose_update(&p, shape, -0.2, why));
+  check_refused(arc_contact_problem_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
+  check_refused(arc_contact_problem_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
+  check_ok(arc_contact_problem_update(&p, shape, -0.2, why));
   check_fresh(&p, shape, -0.2);
-  arc_pose_free(&p);
+  arc_contact_problem_free(&p);
   free(depth);
   arc_shape_destroy(&shape);
   arc_model_release(&model);

@@ -2,7 +2,7 @@
  * boundary tractions are reproduced. Uses internal functions of contact. */
 #include "check.h"
 
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 #include "core/plane/recovery.h"
 
 typedef struct recovered {

@@ -1,6 +1,6 @@
 /* Tests of stick and slip in three dimensions: kernels, Mindlin, Vermeulen and Johnson, symmetries,
  * random paths. */
-#include "space_shared.h"
+#include "space_rubbing.h"
 
 #include "core/numeric/convolution.h"
 #include "core/space/cerruti.h"
@@ -83,40 +83,6 @@ static void test_rectangles(void **state) {
 }
 
 /* --- contacts --------------------------------------------------------------------------------- */
-
-static arc_material elastic(double E, double nu) {
-  arc_material m = arc_material_default();
-  m.E = E;
-  m.nu = nu;
-  return m;
-}
-
-/* A contact with friction during a loading history. */
-typedef struct rubbing {
-  arc_halfspace *h;
-  arc_halfspace_friction s;
-  arc_halfspace_increment to;
-  arc_halfspace_effort effort;
-  double work; /* [N mm] of the last leg */
-} rubbing;
-
-static void slide(rubbing *r) {
-  check_ok(arc_halfspace_slide(r->h, NULL, &r->to, NULL, &r->s, &r->effort, why));
-  r->work += r->s.work;
-}
-
-static rubbing press(const arc_halfspace_def *def, double load, double friction) {
-  rubbing r = {.h = make_space(def)};
-  r.to = (arc_halfspace_increment){.friction = friction, .position = {.load = load}};
-  check_ok(arc_halfspace_friction_begin(r.h, &r.s, why));
-  slide(&r);
-  return r;
-}
-
-static void end(rubbing *r) {
-  arc_halfspace_friction_end(&r->s);
-  arc_halfspace_destroy(&r->h);
-}
 
 /* Increases the tangential force to (x, z) in equal increments. */
 static void pull(rubbing *r, double x, double z, int increments) {

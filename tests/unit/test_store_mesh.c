@@ -201,7 +201,7 @@ static void test_broken_meshes(void **state) {
     const char *file, *words;
   } broken[] = {
       {"flipped", "is flipped"},
-      {"crack", "are at one place"},
+      {"crack", "coincide at"},
       {"gap", "are apart by 0.25 mm"},
       {"overlap", "overlap by 0.25 mm"},
       {"no-upper", "no physical group 'upper'"},

@@ -21,7 +21,7 @@ static arc_contact *solved(void) {
 static void test_contact(void **state) {
   (void)state;
   arc_contact *c = solved();
-  double *const numbers[] = {&c->p[0][0], &c->f[1][0], &c->pose.gap[0], &c->pose.approach};
+  double *const numbers[] = {&c->p[0][0], &c->f[1][0], &c->problem.gap[0], &c->problem.approach};
   const double wrong[] = {-1, 1, -1, 0};
   const char *const named[] = {"pressure -1 MPa", "forces on the plate", "at candidate 0",
                                "at candidate"};

@@ -35,6 +35,28 @@ for _, case in ipairs{ { 1e-3, 1e-4, 60 }, { 1e-2, 3e-4, 40 } } do
   within(depth[3] * 1e3, 16.155, 0.0005, what .. "depth at 800 m, published [um]")
 end
 
+-- Wear is normal to the surface, so that the volume is k times the integral of p over the arc and the distance:
+-- more than k F s where the scar slopes.
+local function over_arc(w)
+  local surface, contact = w:profile "plate", w:pressure()
+  local arc, j = 0, 2
+  for i = 2, #contact.x - 1 do
+    while j < #surface.x and surface.worn_x[j] < contact.x[i] do j = j + 1 end
+    local slope = (surface.y[j] - surface.y[j - 1]) / (surface.worn_x[j] - surface.worn_x[j - 1])
+    arc = arc + contact.p[i] * (contact.x[i + 1] - contact.x[i - 1]) / 2 * math.sqrt(1 + slope ^ 2)
+  end
+  return arc / load
+end
+local w = wear{ model = { radius = radius }, load = load, k_cylinder = 0, k_plate = k, slide = "z", distance = 3600e3, scheme = "implicit",
+  tolerance = 1e-4 }
+local total, before, at = 0, 1, 0
+while w.distance < 3600e3 do
+  w:step()
+  local now = over_arc(w)
+  total, before, at = total + (now + before) / 2 * (w.distance - at), now, w.distance
+end
+below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5, "volume against k times the integral of p over the arc, off by")
+
 warn "@off" -- for the coarse mesh
 -- Long steps converge too: the whole distance in a few steps of backward Euler.
 for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do

@@ -22,22 +22,29 @@ end
 pressures(liner(2), "liner", "p_center", { 3.878, 9.523, 14.738 }, 2e-3)
 pressures(liner(2), "liner", "half_angle", { 26.56, 40.38, 47.81 }, 0.03)
 pressures(metal(1), "metal", "p_max", { 39.179, 47.710, 49.451 }, 3e-3)
+local function displacements(j, name, expected)
+  for i, load in ipairs(loads) do
+    within(1000 * contact{ model = j, load = load }.approach[3], expected[i], 5e-4, ("%s, %d N: displacement"):format(name, load))
+  end
+end
+displacements(liner(2), "liner", { 114.985, 138.074, 158.792 })
+displacements(metal(1), "metal", { 62.036, 67.299, 72.366 })
 pressures(joint{ cup = { clearance = 0.06, layers = { { thickness = 6, material = cocr } } }, mesh = { size = 1 } }, "one piece",
-  "p_max", { 45.086, 80.165, 104.493 }, 4e-3)
+  "p_max", { 45.086, 80.165, 104.493 }, 3e-3)
 local bone = material{ E = 2000, nu = 0.3 }
 pressures(joint{ head = { radius = 25, material = bone, layers = { { thickness = 4, material = cocr } } },
   cup = { clearance = 0.0725, layers = { { thickness = 4, material = cocr }, { thickness = 12, material = bone } } },
-  mesh = { size = 1 } }, "resurfacing", "p_max", { 17.779, 15.095, 16.365 }, 4e-3)
+  mesh = { size = 1 } }, "resurfacing", "p_max", { 17.779, 15.095, 16.365 }, 3e-3)
 local hertz = joint{ head = { radius = 25, material = cocr }, cup = { clearance = 0.5, layers = { { thickness = 2475, material = cocr } } },
   mesh = { size = 0.5 } }
-within(contact{ model = hertz, load = 3200 }.p_center, 186.73, 5e-3, "a head in a block: 1 % over Hertz")
+within(contact{ model = hertz, load = 3200 }.p_center, 186.73, 3e-3, "a head in a block: 1 % over Hertz")
 
 -- --- wear: depths in um, volumes in mm3 --------------------------------------------------------------
 local function run(j, loading, k, alpha, cycles)
   return wear{ model = j, loading = loading, k = k, alpha = alpha, cycles = cycles }:run()
 end
 local function both(w, name, cup, head, volume, share)
-  if cup > 0 then within(1000 * w.depth.cup, cup, share, name .. ": cup") end
+  if cup > 0 then within(1000 * w.depth.cup, cup, math.min(share, 6e-3), name .. ": cup") end
   if head > 0 then within(1000 * w.depth.head, head, share, name .. ": head") end
   within(w.volume.total, volume, 3e-3, name .. ": volume")
   within(w.volume.total + w.volume.head, (1 + w.alpha) * w.volume.total, 1e-12, name .. ": the head's share")
@@ -53,8 +60,6 @@ both(run(liner(4), gait "iso", 1e-9, 0, 1e6), "liner, walk", 101.75, 0, 31.483, 
 both(run(liner(3, "winkler"), gait "iso", 1e-9, 0, 1e6), "springs, walk", 102.1, 0, 31.461, 5e-3)
 both(run(liner(3, "winkler"), gait "iso", 1e-9, 0, 5e6), "springs, walk of 5e6 cycles", 356.1, 0, 169.94, 5e-3)
 both(run(liner(3, "winkler", 30), gait "iso", 1e-9, 0, 5e6), "cup inclined by 30 degrees", 359.7, 0, 169.17, 5e-3)
-local rocking = gait.rocking()
-within(run(metal(2), rocking, 3e-11, 0, 1e6).volume.cup, 2.15182, 5e-3, "metal, rocking: volume")
 
 -- --- k that increases with cross-shear ---------------------------------------------------------------
 -- k is computed from the cross-shear of the previous update (1e-9 in the first one); the volume is then 1 % larger than
@@ -94,15 +99,17 @@ for load, share in pairs{ [3000] = 1.071420, [2000] = 1.058704 } do
   within(w.volume.cup / (1e-12 * load * 14 * 4 * math.rad(21.5)), share, 1e-3, ("flexion, %d N: V over k F R twice the range"):format(load))
 end
 local rocks = gait.rocking{ increments = 60 }
-for _, row in ipairs{ { nil, 2.5e5, 70.18, 18.869 }, { nil, 1e6, 198.43, 80.219 }, { "winkler", 2.5e5, 70.93, 18.847 },
-  { "winkler", 1e6, 198.70, 80.137 } } do
-  local w = wear{ model = liner(row[1] and 2 or 4, row[1]), loading = rocks, k = 1e-9, alpha = 0, cycles = row[2] }:run{ progress = false }
+for _, row in ipairs{ { nil, 2.5e5, 70.18, 18.869, 6.216 }, { nil, 1e6, 198.43, 80.219, 4.536 },
+  { "winkler", 2.5e5, 70.93, 18.847, 6.192 }, { "winkler", 1e6, 198.70, 80.137, 4.529 } } do
+  local j = liner(row[1] and 2 or 4, row[1])
+  local w = wear{ model = j, loading = rocks, k = 1e-9, alpha = 0, cycles = row[2] }:run{ progress = false }
   local name = ("rocking, %s, %g cycles"):format(row[1] or "elastic", row[2])
   within(1000 * w.depth.cup, row[3], 4e-3, name .. ": depth")
   within(w.volume.cup, row[4], 1e-3, name .. ": volume")
+  within(figures.in_the_middle(w:map "pressure"), row[5], 0.012, name .. ": pressure in the middle")
 end
 local crept = wear{ model = liner(3, "winkler"), k = 1e-9, alpha = 0, cycles = 1e6, updates = 40,
-  creep = function(s) return s.thickness * math.max(0, 3.491e-3 + 7.966e-4 * (math.log(s.cycles / 60, 10) - 4)) * s.p_mean end }
+  creep = function(s) return s.thickness * math.max(0, 3.491e-3 + 7.966e-4 * (math.log(s.cycle / 60, 10) - 4)) * s.p_mean end }
 crept:run{ progress = false }
 within(1000 * crept.depth.cup, 85.1, 0.02, "creep: depth of wear")
 within(crept.volume.cup, 32.95, 0.02, "creep: volume")

@@ -46,6 +46,46 @@ for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0
   within(d.approach, approach, 0.002, name .. "approach [mm]")
 end
 
+-- A layer of the base's material changes nothing; a hard coat and a soft one, against finite elements of revolution.
+for _, row in ipairs{ { 0.05, 200e3 }, { 0.05, 400e3 }, { 0.02, 100e3 } } do
+  local coated = body.block{ layers = { { thickness = row[1], E = row[2] } } }
+  local d = contact{ load = 50, model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = coated } }
+  local elements = contact{ load = 50, model = { geometry = "axisymmetric", lower = coated } }
+  local name = ("coat of %g mm, E %g: "):format(row[1], row[2])
+  if row[2] == 200e3 then within(d.approach, contact{ model = m, load = 50 }.approach, 1e-5, name .. "approach without it [mm]") end
+  within(d.p_center, elements.p_center, 0.01, name .. "centre pressure by elements of revolution [MPa]")
+  within(d.half_width, elements.half_width, 0.02, name .. "half width by them [mm]")
+end
+
+-- A flat round punch c as a map of steps: approach P / (2 E* c), p(0) = P / (2 pi c^2); first order, as the edge is a staircase.
+for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 } } do
+  local size, half = 2.2 * 0.25 / row[1], 0.3
+  local reach = math.floor(half / size)
+  local grid = even(-reach * size, reach * size, 2 * reach + 1)
+  local punch = map{ x = grid, z = grid, y = function(x, z) return math.sqrt(x * x + z * z) <= 0.25 and 0 or -1 end }
+  local d = contact{ load = 100, model = { geometry = "3-D", upper = body.map{ y = punch }, lower = body.block{}, mesh = { size = size } } }
+  within(d.approach, row[2], 1e-4, ("flat punch, %d cells: approach [mm]"):format(row[1]))
+  within(d.p_center, 254.648, 0.012, "its centre pressure [MPa]")
+end
+
+-- Waves D cos cos that repeat themselves, in full contact from p* = sqrt 2 pi E* D / l on: shares of contact of an independent
+-- program, whose first cell is on a crest; beyond p* the pressure is its mean and a wave of the amplitude p*.
+local length, modulus = 0.1, 200e3 / (1 - 0.09) / 2
+local q, points = 2 * math.pi / length, even(0, length * 127 / 128, 128)
+local crests = map{ x = points, z = points, y = function(x, z) return 1e-4 * math.cos(q * x) * math.cos(q * z) end }
+local waves = model{ geometry = "3-D", periodic = true, upper = body.map{ y = crests }, lower = body.block{} }
+local full = math.sqrt(2) * math.pi * modulus * 1e-4 / length
+for _, row in ipairs{ { 0.1, 0.19397 }, { 0.2, 0.341431 }, { 0.4, 0.622437 }, { 0.6, 0.778198 }, { 0.8, 0.898804 }, { 0.9, 0.952026 } } do
+  local d = contact{ model = waves, load = row[1] * full * length ^ 2 }
+  figures.about(d.area / length ^ 2, row[2], 1e-3, ("waves under %g p*: share in contact"):format(row[1]))
+end
+within(contact{ model = waves, load = 1.2 * full * length ^ 2 }.p_max, 2.2 * full, 1e-3, "waves in full contact: largest pressure [MPa]")
+-- Waves in full contact that wear decay as exp(-k E* q d / 2), with q = sqrt 2 2 pi / l.
+local worn = wear{ model = waves, load = 1.5 * full * length ^ 2, stroke = 0.05, alpha = 1, distance = 20, k = 1e-8 }
+worn:run()
+within(worn.p_max / full - 1.5, math.exp(-1e-8 * modulus * math.sqrt(2) * math.pi / length * 20), 0.003, "worn waves: amplitude left")
+within(worn.volume.total, 1e-8 * worn.load * 20, 1e-9, "worn waves: volume")
+
 -- --- order in the grid --------------------------------------------------------------------------------
 -- Depths with cells of a/4, a/8 and a/16 after the same six steps, stroke a, both bodies worn.
 local function depths(fineness)
@@ -92,3 +132,17 @@ revolved:run()
 here:run()
 within(here.depth.ball, revolved.depth.cylinder, 0.01, "ball worn alone: depth by them [mm]")
 within(here.p_center, revolved.p_center, 0.02, "its centre pressure [MPa]")
+
+-- A long crowned roller in its middle and the plane engine under the load there, which is the area that was worn over k d.
+local long = model{ geometry = "3-D", upper = body.ball{ radius = 10, radius_z = 1000 }, lower = body.block{} }
+local rolled = wear{ model = long, load = 270, stroke = 0.11, alpha = 0.5, distance = 400, k = 1e-8 }
+rolled:run()
+local area = 0
+for _, name in ipairs{ "ball", "block" } do
+  local section = rolled:profile(name, { z = 0 })
+  for i = 2, #section.x do area = area + (section.h[i] + section.h[i - 1]) / 2 * (section.x[i] - section.x[i - 1]) end
+end
+local plane = wear{ load = area / (1e-8 * 400), stroke = 0.11, alpha = 0.5, distance = 400, k = 1e-8, scheme = "implicit", tolerance = 1e-3 }
+plane:run()
+within(rolled.depth.ball, plane.depth.cylinder, 0.01, "long roller: depth in its middle by the plane engine [mm]")
+within(rolled.depth.block, plane.depth.plate, 0.01, "flat under it [mm]")

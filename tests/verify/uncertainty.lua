@@ -347,7 +347,7 @@ end
 holds(text_of("bands.txt"), { "5 to 95 %", "50 %", "known" }, "bands name their quantiles")
 holds(text_of("tornado.txt"), { "α", "load", "at 110 mm", "share of the variance" }, "a tornado its fields")
 holds(text_of("ranks.txt"), { "correlation of ranks" }, "or ranks")
-holds(text_of("elastic.txt"), { "percent by percent", "p center" }, "or elasticities")
+holds(text_of("elastic.txt"), { "percent by percent", "pressure at the centre" }, "or elasticities")
 fails(function() plot.bands(w) end, { "plot.bands", "wear" }, "bands of a run")
 fails(function() plot.bands(u, { of = "p_max" }) end, { "'of'", "p_max" }, "bands of a missing column")
 fails(function() plot.tornado{} end, "plot.tornado", "a tornado of nothing")

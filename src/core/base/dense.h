@@ -15,10 +15,10 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
 /* The same for a band matrix of `band` sub-diagonals, lower band storage: a[(i - j) + j * (band +
  * 1)]. */
 int arc_dense_band_cholesky(int n, int band, double *a);
-/* x := A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides side by side, x[i * sides + c], in rows of
- * which only *from .. *to - 1 differ from zero. Room for `band` rows before and after them: x
- * points to row 0 behind the first. Sets *from and *to to the rows of the solution that matter to
- * rounding; all others are zero. */
+/* x := A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, x[i * sides + c], in rows of which only
+ * *from .. *to - 1 differ from zero. x points to row 0 of an array with `band` additional rows
+ * before and after. Sets *from and *to to the rows of the solution above rounding; all others are
+ * zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 

@@ -1,35 +1,31 @@
 /* Reads regular files only: a pipe could block and a device never end. */
-#include "archard/base.h"
+#include "core/base/resolve.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-static arc_status refuse(const char *path, const char *why, arc_error *error) {
-  return arc_fail(error, ARC_IO, "cannot read %s: %s", path, why);
+static arc_status refuse(const char *name, const char *why, arc_error *error) {
+  return arc_file_refused(name, ARC_FILE_READ, why, error);
 }
 
-__attribute__((weak)) arc_status arc_file_allowed(const char *path, arc_file_use use,
-                                                  arc_error *error) {
-  (void)path, (void)use, (void)error;
-  return ARC_OK;
-}
-
-arc_status arc_file_open(const char *path, FILE **stream, arc_error *error) {
+arc_status arc_file_open(const char *name, FILE **stream, arc_error *error) {
+  char path[PATH_MAX];
   struct stat facts;
   *stream = NULL;
-  const arc_status status = arc_file_allowed(path, ARC_FILE_READ, error);
+  const arc_status status = arc_file_find(name, ARC_FILE_READ, path, error);
   if (status != ARC_OK) return status;
   const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return refuse(path, strerror(errno), error);
+  if (descriptor < 0) return refuse(name, strerror(errno), error);
   const int is_file = fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode);
   if (is_file) *stream = fdopen(descriptor, "rb");
   if (*stream) return ARC_OK;
   close(descriptor);
-  return refuse(path, is_file ? "out of memory" : "not a file but a directory, pipe or device",
+  return refuse(name, is_file ? "out of memory" : "not a file but a directory, pipe or device",
                 error);
 }
 
@@ -37,16 +33,16 @@ arc_status arc_file_open(const char *path, FILE **stream, arc_error *error) {
 static arc_status read_all(const char *path, FILE *stream, char **text, size_t *length,
                            arc_error *error) {
   static const size_t largest = (size_t)1 << 30;
-  size_t room = 1 << 16;
-  char *more = malloc(room);
-  for (*length = 0; more; more = realloc(*text, room *= 2)) {
+  size_t capacity = 1 << 16;
+  char *more = malloc(capacity);
+  for (*length = 0; more; more = realloc(*text, capacity *= 2)) {
     *text = more;
-    *length += fread(*text + *length, 1, room - 1 - *length, stream);
+    *length += fread(*text + *length, 1, capacity - 1 - *length, stream);
     if (ferror(stream)) return refuse(path, strerror(errno), error);
     if (*length > largest)
       return arc_fail(error, ARC_FORMAT, "%s: expected at most 1 GiB, got more", path);
     (*text)[*length] = '\0';
-    if (*length + 1 < room) return ARC_OK;
+    if (*length + 1 < capacity) return ARC_OK;
   }
   return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", path);
 }

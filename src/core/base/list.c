@@ -6,11 +6,11 @@
 
 void *arc_list_add(item_list *list, size_t size) {
   if (list->count == list->capacity) {
-    const int room = list->capacity > 0 ? 2 * list->capacity : 64;
-    void *more = realloc(list->data, (size_t)room * size);
+    const int capacity = list->capacity > 0 ? 2 * list->capacity : 64;
+    void *more = realloc(list->data, (size_t)capacity * size);
     if (!more) return NULL;
     list->data = more;
-    list->capacity = room;
+    list->capacity = capacity;
   }
   void *item = (char *)list->data + (size_t)list->count++ * size;
   return memset(item, 0, size);

@@ -2,7 +2,7 @@
 #include "archard/lock.h"
 
 #include "core/base/owner.h"
-#include "core/base/watch.h"
+#include "core/base/worker_thread.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -13,11 +13,11 @@
 #include <time.h>
 #include <unistd.h>
 
-/* --- what there is ---------------------------------------------------------------------------- */
+/* --- kinds of locks */
 
 /* A query of the disk on its own thread, as the system waits forever for a dead lock daemon. */
 typedef struct question {
-  work_watch progress;
+  work_progress progress;
   int file, answer; /* answer: an errno */
 } question;
 
@@ -53,19 +53,18 @@ static int locks_of(const char *path) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   time_t until = now.tv_sec + PATIENCE;
   const arc_callbacks patience = {.stop = has_waited, .context = &until};
-  const watched_work work = {ask, discard, &q->progress};
+  const worker_task work = {ask, discard, &q->progress};
   int left = 0;
-  if (arc_watched(&work, q, "", &patience, &left) == ARC_STOPPED) return ETIMEDOUT;
+  if (arc_worker_thread_run(&work, q, "", &patience, &left) == ARC_STOPPED) return ETIMEDOUT;
   const int answer = q->answer;
   discard(q);
   return answer;
 }
 
 /* True if a file can be created in its folder. */
-static int has_room_beside(const char *path) {
+static int is_folder_writable(const char *path) {
   char folder[PATH_MAX];
-  if (arc_file_resolve(path, folder) != 0) return 0;
-  strrchr(folder, '/')[1] = '\0';
+  snprintf(folder, sizeof folder, "%.*s", (int)(strrchr(path, '/') + 1 - path), path);
   return access(folder, W_OK) == 0;
 }
 
@@ -78,7 +77,7 @@ arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind
                     "%s: the disk was asked for a lock and has not answered for %d s", name,
                     PATIENCE);
   if (why == ENOLCK || why == ENOSYS || why == EOPNOTSUPP)
-    *kind = has_room_beside(path) ? ARC_LOCK_BY_NAME : ARC_LOCK_NONE;
+    *kind = is_folder_writable(path) ? ARC_LOCK_BY_NAME : ARC_LOCK_NONE;
   return ARC_OK;
 }
 

@@ -1,8 +1,10 @@
-/* Free memory on Linux. */
+/* Memory on Linux. */
 #include "core/base/memory.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -37,4 +39,8 @@ static double of_limits(void) {
 
 double arc_memory_free(void) {
   return fmin(fmin(INFINITY, of_machine()), fmin(of_group(), of_limits())); /* NaN: unknown */
+}
+
+void arc_memory_release(const void *array) {
+  free((void *)(uintptr_t)array);
 }

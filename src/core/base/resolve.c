@@ -1,6 +1,6 @@
-/* Resolves file names, for opening, creating and confining files. */
+/* Resolves file names: every file that a user names is opened, created or removed by the path found
+ * here. */
 #include "core/base/resolve.h"
-#include "archard/base.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -34,9 +34,11 @@ int arc_file_descriptor(const char *path) {
   return *end || number >= INT_MAX ? -1 : (int)number;
 }
 
-int arc_file_resolve(const char *name, char *path) {
+/* The absolute path without links; a file that does not exist keeps its last part. Returns 0 or an
+ * errno. */
+static int resolve(const char *name, char *path) {
   char next[PATH_MAX], link[PATH_MAX];
-  if (!*name || strlen(name) >= PATH_MAX) return *name ? ENAMETOOLONG : ENOENT;
+  if (strlen(name) >= PATH_MAX) return ENAMETOOLONG;
   strcpy(next, name);
   for (int links = 0; links < 40; links++) {
     const int why = in_folder(next, path);
@@ -49,4 +51,36 @@ int arc_file_resolve(const char *name, char *path) {
     if (snprintf(next, sizeof next, "%.*s%s", kept, path, link) >= PATH_MAX) return ENAMETOOLONG;
   }
   return ELOOP;
+}
+
+/* --- for users -------------------------------------------------------------------------------- */
+
+__attribute__((weak)) arc_status arc_file_allowed(const char *name, const char *path,
+                                                  arc_file_use use, arc_error *error) {
+  (void)name, (void)path, (void)use, (void)error;
+  return ARC_OK;
+}
+
+arc_status arc_file_refused(const char *name, arc_file_use use, const char *why, arc_error *error) {
+  return arc_fail(error, ARC_IO,
+                  use == ARC_FILE_WRITE ? "cannot write '%.200s': %s" : "cannot read %.200s: %s",
+                  name, why);
+}
+
+static int has_control(const char *path) {
+  for (const char *c = path; *c; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f) return 1;
+  return 0;
+}
+
+arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error) {
+  const int strict = use == ARC_FILE_WRITE;
+  if (!*name) return arc_fail(error, ARC_ARGUMENT, "a file without a name");
+  if (strict && has_control(name))
+    return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
+  const int why = resolve(name, path);
+  if (why) return arc_file_refused(name, use, strerror(why), error);
+  if (strict && has_control(path))
+    return arc_file_refused(name, use, "a control character in its folder's name", error);
+  return arc_file_allowed(name, path, use, error);
 }

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *const arc_switch_names[] = {ARC_SWITCH_LIST(ARC_CHOICE_NAME) NULL};
+
 /* --- members ---------------------------------------------------------------------------------- */
 
 static const void *at(const void *def, size_t offset) {
@@ -75,8 +77,9 @@ static void say_range(phrase *p, const arc_setting *s) {
 }
 
 static void say_choices(phrase *p, const char *const *choices) {
+  const char *const quote = choices == arc_switch_names ? "" : "\"";
   for (int i = 0; choices[i]; i++)
-    say(p, "%s\"%s\"", i == 0 ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
+    say(p, "%s%s%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", quote, choices[i], quote);
 }
 
 /* Other forms, separated by commas and an "or" before the last. */

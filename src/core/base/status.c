@@ -60,11 +60,11 @@ void arc_show_text(const char *text, char *shown, size_t size) {
   size_t length = 0;
   while (*at) {
     char hex[8];
-    const size_t count = showable(at), room = count ? count : 4;
+    const size_t count = showable(at), width = count ? count : 4;
     snprintf(hex, sizeof hex, "\\x%02x", *at);
-    if (length + room >= size) break;
-    memcpy(shown + length, count ? (const char *)at : hex, room);
-    length += room;
+    if (length + width >= size) break;
+    memcpy(shown + length, count ? (const char *)at : hex, width);
+    length += width;
     at += count ? count : 1;
   }
   shown[length] = '\0';

@@ -1,7 +1,7 @@
-/* ARC_WIDE before a function that is a loop over arrays: compiled once more for each kind of wider
- * registers, of which the program takes the widest there is as it starts. The bits stay the same:
- * nothing is contracted, and every sum keeps its order. With ARC_NARROW it is compiled once: what
- * is for other processors does not run here, and would count as not reached. */
+/* ARC_WIDE before a function that is a loop over arrays: it is compiled for each kind of wider
+ * registers, and the program selects the widest available version at its start. The bits are the
+ * same: no operations are contracted, and every sum keeps its order. With ARC_NARROW it is compiled
+ * once: versions for other processors do not run in tests and would count as uncovered lines. */
 #ifndef BASE_WIDE_H
 #define BASE_WIDE_H
 

@@ -1,12 +1,9 @@
-/* How far the compliance has drifted since the last condensation, to first order.
- *
- * To a contact, what is left of a worn body is as stiff as before: only the error that the elements
- * make near the surface changes as they get thinner. That change reaches no farther than a few
- * columns and goes with the share of thickness lost, so that what one column does (found once, see
- * arc_body_thinning) tells what all do. It keeps pressures from jumping when the wear box is
- * condensed again.
- */
-#include "core/contact/pose.h"
+/* Change of the compliance since the last condensation, to first order. For a contact, a worn body
+ * is as stiff as before; only the error of the elements near the surface changes as they become
+ * thinner. This change is limited to a few columns and proportional to the loss of thickness, so
+ * that the change by one column (computed once, see arc_body_thinning) gives those by all columns.
+ * It prevents jumps of the pressures when the wear box is condensed again. */
+#include "core/contact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,7 +27,7 @@ static double weight_of(const shape_side *side, int i) {
 static void add_column(shape_side *side, int at, double share) {
   for (int a = -reach; a <= reach; a++) {
     if (at + a < 0 || at + a >= side->n) continue;
-    double *row = &side->drift[(at + a) * span + reach - a];
+    double *row = &side->compliance_change[(at + a) * span + reach - a];
     const int low = a > 0 ? a - reach : -reach, high = a < 0 ? a + reach : reach;
     for (int b = low; b <= high; b++) row[b] += share * arc_body_thinning(side->body, a, b);
   }
@@ -38,41 +35,42 @@ static void add_column(shape_side *side, int at, double share) {
 
 /* Not for layers, whose wear changes more than the errors of elements: they are condensed again
  * earlier. */
-void arc_shape_drift(shape_side *side) {
-  side->drifted = 0;
+void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) {
+  side->compliance_changed = 0;
+  if (shape->geometry == ARC_FROZEN || !shape_is_corrected(shape)) return;
   if (arc_body_layers(&side->body->mesh->solid) > 0) return;
-  memset(side->drift, 0, (size_t)(side->n * span) * sizeof(double));
+  memset(side->compliance_change, 0, (size_t)(side->n * span) * sizeof(double));
   for (int i = 1; i < side->n - 1; i++) {
     const double share = thinned(side, i);
     if (share == 0) continue;
-    side->drifted = 1;
+    side->compliance_changed = 1;
     add_column(side, i, share / weight_of(side, i));
   }
 }
 
-/* u := drift f. */
-static void drift_times(const shape_side *side, const double *f, double *u) {
+/* u := compliance change times f. */
+static void compliance_change_times(const shape_side *side, const double *f, double *u) {
   memset(u, 0, (size_t)side->n * sizeof *u);
   for (int j = 0; j < side->n; j++) {
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row = &side->drift[j * span + reach]; /* drift is symmetric */
+    const double *row = &side->compliance_change[j * span + reach]; /* it is symmetric */
     for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }
 
-int arc_pose_add_drift(pose *p) {
+int arc_contact_problem_add_compliance_change(contact_problem *p) {
   if (!p->shape) return 0;
   const shape_side *cylinder = &p->shape->side[ARC_CYLINDER], *plate = &p->shape->side[ARC_PLATE];
-  if (!cylinder->drifted && !plate->drifted) return 0;
-  double *fc = p->work, *uc = fc + p->nc, *below = uc + p->nc, *fp = below + p->nc;
+  if (!cylinder->compliance_changed && !plate->compliance_changed) return 0;
+  double *fc = p->drift, *uc = fc + p->nc, *below = uc + p->nc, *fp = below + p->nc;
   double *up = fp + p->np;
-  arc_pose_forces(p, fc);
-  arc_pose_to_plate(p, fc, fp);
-  drift_times(cylinder, fc, uc);
-  drift_times(plate, fp, up);
-  arc_pose_to_cylinder(p, up, below);
+  arc_contact_problem_forces(p, fc);
+  arc_contact_problem_to_plate(p, fc, fp);
+  compliance_change_times(cylinder, fc, uc);
+  compliance_change_times(plate, fp, up);
+  arc_contact_problem_to_cylinder(p, up, below);
   for (int k = 0; k < p->count; k++) p->gap[k] += uc[p->lo + k] + below[p->lo + k];
   return 1;
 }

@@ -1,27 +1,26 @@
-/* Where a contact ends, and the pressure next to its end. Leans on pose.c's solution.
- *
- * Where surfaces meet smoothly, as Hertz' do, pressure falls as c sqrt(d) towards the edge and the
- * gap opens beyond it as 4 c d^(3/2) / (3 E*). In a half-plane both are one analytic function, so
- * that with c linear in d three numbers make all of it: the edge, c there, and its slope. They are
- * found from nodal forces and gaps a few nodes away, where elements have them right: next to the
- * edge they depend on where between the nodes it lies. At the kinks of scars the law does not hold,
- * and what the last node and the next one say is left. */
+/* Position of the edges of a contact and the pressure next to them. In a smooth contact, such as
+ * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
+ * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function; with c linear in d it has
+ * three parameters: the edge, c there, and its slope. They are fitted to nodal forces and gaps a
+ * few nodes away, where elements are accurate; nearer ones depend on the position of the edge
+ * between nodes. At the kinks of scars the law does not hold; there the edge is interpolated from
+ * the last node in contact and the next one. */
 #include "core/base/dense.h"
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
 
 /* One end of the contact: nodes by steps from the last one in contact, positive outwards. */
 typedef struct ending {
-  const pose *p;
+  const contact_problem *p;
   const double *xy; /* of the cylinder's surface nodes */
   int last;         /* candidate */
   int out;          /* 1: right, -1: left */
   double E_star;
 } ending;
 
-static double place(const ending *e, int step) {
+static double node_x(const ending *e, int step) {
   return e->out * e->xy[2 * (e->p->lo + e->last + e->out * step)];
 }
 
@@ -42,7 +41,7 @@ typedef struct edge_law {
 /* Distance of the edge from the last node in contact (pressure q) by the laws of pressure and gap
  * with one c; the next node, at distance h, has the gap g. */
 static double edge_between(const ending *e) {
-  const double q = pressure(e, 0), g = gap(e, 1), h = place(e, 1) - place(e, 0);
+  const double q = pressure(e, 0), g = gap(e, 1), h = node_x(e, 1) - node_x(e, 0);
   double low = 0, high = h;
   for (int i = 0; i < 60; i++) {
     const double d = (low + high) / 2;
@@ -51,7 +50,7 @@ static double edge_between(const ending *e) {
     else
       high = d;
   }
-  return place(e, 0) + (low + high) / 2;
+  return node_x(e, 0) + (low + high) / 2;
 }
 
 /* --- the law ---------------------------------------------------------------------------------- */
@@ -66,7 +65,7 @@ typedef struct equation {
 static void find_differences(const ending *e, double edge, int step, double difference[3]) {
   double at[3], power[3][3];
   for (int i = 0; i < 3; i++) {
-    at[i] = place(e, step - 1 + i);
+    at[i] = node_x(e, step - 1 + i);
     const double d = fmax(0, edge - at[i]);
     power[i][0] = d * sqrt(d);
     power[i][1] = power[i][0] * d;
@@ -88,7 +87,7 @@ static equation equation_inside(const ending *e, const edge_law *law, int step) 
 
 /* E* g / distance, which has the unit of a pressure. */
 static equation equation_outside(const ending *e, const edge_law *law, int step) {
-  const double s = place(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
+  const double s = node_x(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
   equation q = {.of_c = {4 * root / 3, -4 * s * root / 5}, .value = g};
   q.of_x = -2 * law->c[0] / (3 * root) + 6 * law->c[1] * root / 5 - g / s;
   return q;
@@ -132,8 +131,8 @@ static double add_equations(const ending *e, const stencil *at, const edge_law *
  * pressure one element inside; INFINITY without convergence. */
 static double fit_law(const ending *e, const stencil *at, double start, edge_law *law) {
   enum { most_iterations = 12 };
-  const double h = place(e, 1) - place(e, 0);
-  *law = (edge_law){.x = start, .c = {pressure(e, -2) / sqrt(start - place(e, -2)), 0}};
+  const double h = node_x(e, 1) - node_x(e, 0);
+  *law = (edge_law){.x = start, .c = {pressure(e, -2) / sqrt(start - node_x(e, -2)), 0}};
   for (int it = 0; it < most_iterations; it++) {
     double a[unknowns * unknowns] = {0}, b[unknowns] = {0};
     const double off = add_equations(e, at, law, a, b);
@@ -141,7 +140,7 @@ static double fit_law(const ending *e, const stencil *at, double start, edge_law
     arc_dense_cholesky_solve(unknowns, 1, a, unknowns, b, unknowns);
     for (int i = 0; i < 2; i++) law->c[i] += b[i];
     law->x += b[2];
-    if (!(law->x > place(e, 0) - h / 2 && law->x < place(e, 2) - h / 2)) return INFINITY;
+    if (!(law->x > node_x(e, 0) - h / 2 && law->x < node_x(e, 2) - h / 2)) return INFINITY;
     if (fabs(b[2]) < 1e-7 * h) return law->c[0] > 0 ? off / (law->c[0] * sqrt(h)) : INFINITY;
   }
   return INFINITY;
@@ -172,17 +171,17 @@ static double find_law(const ending *e, double start, edge_law *law) {
   return fmax(0, fmin(1, (fails - off) / (fails - holds)));
 }
 
-contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
+contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right) {
   ending e = {.p = p,
               .xy = shape->side[ARC_CYLINDER].xy,
               .last = right ? p->set[p->active - 1] : p->set[0],
               .out = right ? 1 : -1};
-  contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
+  contact_edge edge = {.out = e.out, .width = node_x(&e, 1) - node_x(&e, 0)};
   /* modulus with layers at the wave length of the fitted nodes */
   e.E_star = arc_model_felt_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
-  edge.smooth = find_law(&e, between, &law);
+  edge.smooth = shape_is_corrected(shape) ? find_law(&e, between, &law) : 0;
   double x = between;
   if (edge.smooth > 0) {
     x += edge.smooth * (law.x - between);
@@ -192,8 +191,8 @@ contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
   return edge;
 }
 
-void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
-  for (int side = 0; side < 2; side++) edges[side] = arc_pose_edge(p, shape, side).x;
+void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape, double edges[2]) {
+  for (int side = 0; side < 2; side++) edges[side] = arc_contact_problem_edge(p, shape, side).x;
 }
 
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p) {

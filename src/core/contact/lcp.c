@@ -1,13 +1,11 @@
 /* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = line, the load per
- * thickness. On polar charts 1 gives way to the shares `down` of forces along the load: g = gap -
- * approach down + A f and sum down f = line.
- *
- * A primal-dual active set (semismooth Newton) from the last set: one factorisation where the set
- * is still right. Should it cycle, a primal active-set method on the equivalent convex problem, min
- * f'A f / 2 + gap'f, takes over: its objective falls with every set, so no set comes back.
- */
+ * thickness. On polar charts the shares `down` of forces along the load replace 1: g = gap -
+ * approach down + A f and sum down f = line. A primal-dual active set (semismooth Newton) starts
+ * from the last set and needs one factorisation if the set is still correct. If sets repeat, a
+ * primal active-set method on the equivalent convex problem, min f'A f / 2 + gap'f, replaces it;
+ * its objective decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,12 +13,12 @@
 enum { newton_limit = 30 };
 
 /* Reuses the factor if the set is the same as before. */
-static int is_made(const pose *p) {
+static int is_made(const contact_problem *p) {
   return p->factored && p->of == p->active &&
          memcmp(p->made, p->set, (size_t)p->of * sizeof *p->made) == 0;
 }
 
-int arc_lcp_factorise(pose *p) {
+int arc_lcp_factorise(contact_problem *p) {
   if (is_made(p)) return 0;
   const int n = p->active;
   p->factored = 0;
@@ -36,25 +34,38 @@ int arc_lcp_factorise(pose *p) {
   return 0;
 }
 
+/* The sum of values [active] of the set along the load. */
+static double along_load(const contact_problem *p, const double *value) {
+  double sum = 0;
+  for (int k = 0; k < p->active; k++) sum += p->down[p->set[k]] * value[k];
+  return sum;
+}
+
+/* Gaps far larger than the deformation are rounded to more than the load allows: an approach by the
+ * missing force restores the load. */
+static void restore_load(contact_problem *p, double line, double total, double *fs) {
+  static const double rounding = 1e-12; /* relative; the sum over a usual set is within 1e-14 */
+  const double missing = line - along_load(p, fs);
+  if (fabs(missing) <= rounding * line) return;
+  p->approach += missing / total;
+  for (int k = 0; k < p->active; k++) fs[k] += missing / total * p->ones[k];
+}
+
 /* Solves for the forces fs [active] that close the gaps of the set under the load `line`, and the
  * approach. Non-zero: A is not positive definite. */
-static int solve_on_set(pose *p, double line, double *fs) {
+static int solve_on_set(contact_problem *p, double line, double *fs) {
   if (arc_lcp_factorise(p)) return 1;
-  double sum = 0, total = 0;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);
-  for (int k = 0; k < p->active; k++) {
-    const double down = p->down[p->set[k]];
-    sum += down * fs[k];
-    total += down * p->ones[k];
-  }
-  p->approach = (line + sum) / total;
+  const double total = along_load(p, p->ones);
+  p->approach = (line + along_load(p, fs)) / total;
   for (int k = 0; k < p->active; k++) fs[k] = p->approach * p->ones[k] - fs[k];
+  restore_load(p, line, total, fs);
   return 0;
 }
 
 /* Computes f by candidate from fs, and the gaps outside the set. */
-static void spread(pose *p, const double *fs) {
+static void spread(contact_problem *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;
     p->open[k] = p->gap[k] - p->approach * p->down[k];
@@ -72,7 +83,7 @@ static void spread(pose *p, const double *fs) {
 }
 
 /* New set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if it changed. */
-static int update_set(pose *p) {
+static int update_set(contact_problem *p) {
   int n = 0, same = 1;
   for (int k = 0, s = 0; k < p->count; k++) {
     const int was = s < p->active && p->set[s] == k;
@@ -87,13 +98,13 @@ static int update_set(pose *p) {
   return 1;
 }
 
-static void all_active(pose *p) {
+static void all_active(contact_problem *p) {
   p->active = p->count;
   for (int k = 0; k < p->count; k++) p->set[k] = k;
 }
 
 /* Returns 1 if solved, 0 if it cycles, -1 on breakdown. */
-static int newton(pose *p, double line, double *fs) {
+static int newton(contact_problem *p, double line, double *fs) {
   if (p->active == 0) all_active(p);
   for (int i = 0; i < newton_limit; i++) {
     p->iterations++;
@@ -105,13 +116,13 @@ static int newton(pose *p, double line, double *fs) {
   return 0;
 }
 
-static void insert(pose *p, int candidate) {
+static void insert(contact_problem *p, int candidate) {
   int at = p->active++;
   for (; at > 0 && p->set[at - 1] > candidate; at--) p->set[at] = p->set[at - 1];
   p->set[at] = candidate;
 }
 
-static void drop(pose *p, int at) {
+static void drop(contact_problem *p, int at) {
   p->active--;
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
 }
@@ -119,7 +130,7 @@ static void drop(pose *p, int at) {
 /* Moves from feasible forces f to those of the set until a force becomes 0; drops this node.
  * Returns 1 for a full step, 0 if a node was dropped, -1 on breakdown.
  */
-static int advance(pose *p, double line, double *f, double *fs) {
+static int advance(contact_problem *p, double line, double *f, double *fs) {
   if (solve_on_set(p, line, fs)) return -1;
   double step = 1;
   int blocking = -1;
@@ -135,7 +146,7 @@ static int advance(pose *p, double line, double *f, double *fs) {
   return 0;
 }
 
-static int most_penetrating(const pose *p) {
+static int most_penetrating(const contact_problem *p) {
   int worst = -1;
   double least = 0;
   for (int k = 0; k < p->count; k++)
@@ -143,8 +154,8 @@ static int most_penetrating(const pose *p) {
   return worst;
 }
 
-static int descend(pose *p, double line, double *fs) {
-  double *f = p->work + p->nc;
+static int descend(contact_problem *p, double line, double *fs) {
+  double *f = p->step + p->nc;
   int start = 0;
   for (int k = 1; k < p->count; k++)
     if (p->gap[k] * p->down[start] < p->gap[start] * p->down[k]) start = k;
@@ -165,8 +176,8 @@ static int descend(pose *p, double line, double *fs) {
   return 0;
 }
 
-arc_status arc_lcp_solve(pose *p, double line) {
-  double *fs = p->work + 2 * (p->nc + p->np);
+arc_status arc_lcp_solve(contact_problem *p, double line) {
+  double *fs = p->step;
   p->iterations = 0;
   int solved = newton(p, line, fs);
   if (solved == 0) solved = descend(p, line, fs);

@@ -11,7 +11,7 @@
  * at a fixed x, 1 / cos times that along the normal: a point that moves by u changes it by u_y - m
  * u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces along x
  * balance to rounding too. */
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 
@@ -20,12 +20,13 @@
 #include <string.h>
 
 /* Coordinate of a node by area. */
-static double at(const pose *p, const double *xy, int i) {
+static double at(const contact_problem *p, const double *xy, int i) {
   return arc_revolution_area(p->revolved, xy[2 * i]);
 }
 
 /* Finds the cylinder nodes whose two segments lie completely over the plate's candidate zone. */
-static void find_candidates(pose *p, const double *cyl, double plate_left, double plate_right) {
+static void find_candidates(contact_problem *p, const double *cyl, double plate_left,
+                            double plate_right) {
   int lo = 1, hi = p->nc - 2;
   while (lo <= hi && cyl[2 * (lo - 1)] < plate_left) lo++;
   while (hi >= lo && cyl[2 * (hi + 1)] > plate_right) hi--;
@@ -34,7 +35,7 @@ static void find_candidates(pose *p, const double *cyl, double plate_left, doubl
 }
 
 /* Index l of the plate segment [l, l + 1] around x (cylinder frame). */
-static int plate_segment(const pose *p, const double *plate, double x) {
+static int plate_segment(const contact_problem *p, const double *plate, double x) {
   int low = 0, high = p->np - 2;
   while (low < high) {
     const int middle = (low + high + 1) / 2;
@@ -61,8 +62,8 @@ static void add_overlap(double left, double right, double a, double b, double at
 }
 
 /* One of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
-static void add_segment(const pose *p, const double *plate, double a, double b, double at_a,
-                        double at_b, int first, double *row) {
+static void add_segment(const contact_problem *p, const double *plate, double a, double b,
+                        double at_a, double at_b, int first, double *row) {
   for (int l = plate_segment(p, plate, a); l < p->np - 1 && at(p, plate, l) + p->x < b; l++) {
     const double left = at(p, plate, l) + p->x, right = at(p, plate, l + 1) + p->x;
     const double u = fmax(a, left), v = fmin(b, right);
@@ -71,7 +72,7 @@ static void add_segment(const pose *p, const double *plate, double a, double b, 
 }
 
 /* Longest row: plate nodes within reach of any candidate's two segments. */
-static int row_width(const pose *p, const double *cyl, const double *plate) {
+static int row_width(const contact_problem *p, const double *cyl, const double *plate) {
   int width = 2;
   for (int i = p->lo; i < p->lo + p->count; i++) {
     const int a = plate_segment(p, plate, at(p, cyl, i - 1));
@@ -81,7 +82,7 @@ static int row_width(const pose *p, const double *cyl, const double *plate) {
   return width;
 }
 
-static arc_status make_room(pose *p, int width) {
+static arc_status reserve_rows(contact_problem *p, int width) {
   if (width > p->width) {
     double *grown = realloc(p->b, (size_t)p->nc * (size_t)width * sizeof *grown);
     if (!grown) return ARC_MEMORY;
@@ -92,7 +93,7 @@ static arc_status make_room(pose *p, int width) {
   return ARC_OK;
 }
 
-static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
+static void fill_row(contact_problem *p, int k, const double *cyl, const double *plate) {
   const int i = p->lo + k;
   const double a = at(p, cyl, i - 1), b = at(p, cyl, i), c = at(p, cyl, i + 1);
   double *row = &p->b[k * p->width];
@@ -107,7 +108,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
 }
 
 /* Components of forces along the load. */
-void arc_pose_find_down(pose *p, const arc_shape *shape) {
+void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
   const double under = c->radius * p->angle;
@@ -119,7 +120,8 @@ void arc_pose_find_down(pose *p, const arc_shape *shape) {
   p->aimed = 1;
 }
 
-arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
+arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
+                                      arc_error *error) {
   const double *cyl = shape->side[ARC_CYLINDER].settled, *plate = shape->side[ARC_PLATE].settled;
   p->x = x;
   p->revolved = &shape->side[ARC_CYLINDER].body->chart.revolved;
@@ -132,17 +134,17 @@ arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *
         "plate position x = %g mm: the candidate zones of cylinder (%g mm) and plate (%g mm) do "
         "not overlap there; mesh.zone.plate must be wider",
         x, cyl[2 * p->nc - 2] - cyl[0], plate[2 * p->np - 2] - plate[0]);
-  if (make_room(p, row_width(p, cyl, plate)) != ARC_OK)
+  if (reserve_rows(p, row_width(p, cyl, plate)) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for the contact");
   for (int i = 0; i < p->nc; i++) p->wc[i] = arc_shape_width(&shape->side[ARC_CYLINDER], i);
   for (int l = 0; l < p->np; l++) p->wp[l] = arc_shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
-  arc_pose_to_cylinder(p, shape_compliance(&shape->side[ARC_PLATE])->slope, p->slope);
+  arc_contact_problem_to_cylinder(p, shape_compliance(&shape->side[ARC_PLATE])->slope, p->slope);
   p->aimed = 0;
   return ARC_OK;
 }
 
-void arc_pose_to_cylinder(const pose *p, const double *v, double *result) {
+void arc_contact_problem_to_cylinder(const contact_problem *p, const double *v, double *result) {
   memset(result, 0, (size_t)p->nc * sizeof *result);
   for (int k = 0; k < p->count; k++) {
     const double *row = &p->b[k * p->width], *from = &v[p->first[k]];
@@ -152,7 +154,7 @@ void arc_pose_to_cylinder(const pose *p, const double *v, double *result) {
   }
 }
 
-void arc_pose_to_plate(const pose *p, const double *v, double *result) {
+void arc_contact_problem_to_plate(const contact_problem *p, const double *v, double *result) {
   memset(result, 0, (size_t)p->np * sizeof *result);
   for (int k = 0; k < p->count; k++) {
     const double *row = &p->b[k * p->width], at = v[p->lo + k];
@@ -164,7 +166,8 @@ void arc_pose_to_plate(const pose *p, const double *v, double *result) {
 
 /* to[] := responses along the normals of the cylinder's candidates, from k on, to a force at node
  * k. */
-static inline void cylinder_responses(const pose *p, const compliance *c, int k, double *to) {
+static inline void cylinder_responses(const contact_problem *p, const compliance *c, int k,
+                                      double *to) {
   const size_t at = dense_at(p->lo, p->lo + k, c->n);
   const double *yy = &c->yy[at], *xy = &c->xy[at], *yx = &c->yx[at], *xx = &c->xx[at];
   const double *m = &p->slope[p->lo], mk = m[k];
@@ -173,7 +176,8 @@ static inline void cylinder_responses(const pose *p, const compliance *c, int k,
 }
 
 /* column[] := F_p b_k, from the first row of b_k on, as later ones need no earlier rows. */
-static inline void plate_responses(const pose *p, const double *fp, int k, double *column) {
+static inline void plate_responses(const contact_problem *p, const double *fp, int k,
+                                   double *column) {
   const int low = p->first[k];
   for (int l = low; l < p->np; l++) column[l] = 0;
   for (int q = 0; q < p->width && low + q < p->np; q++) {
@@ -186,8 +190,9 @@ static inline void plate_responses(const pose *p, const double *fp, int k, doubl
 }
 
 /* Column k of A from its diagonal on. */
-ARC_WIDE static void stiffen_column(const pose *p, const compliance *c, const double *fp, int k) {
-  double *column = p->work, *a = &p->a[dense_at(0, k, p->count)];
+ARC_WIDE static void stiffen_column(const contact_problem *p, const compliance *c, const double *fp,
+                                    int k) {
+  double *column = p->column, *a = &p->a[dense_at(0, k, p->count)];
   plate_responses(p, fp, k, column);
   cylinder_responses(p, c, k, a);
   for (int r = k; r < p->count; r++) {
@@ -210,7 +215,7 @@ static void mirror(int n, double *a) {
 
 /* A = F_c + B F_p B' along normals, the lower triangle first, then mirrored: A is symmetric to the
  * bit. */
-void arc_pose_stiffen(pose *p, const arc_shape *shape) {
+void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   const compliance *c = shape_compliance(&shape->side[ARC_CYLINDER]);
   const double *fp = shape_compliance(&shape->side[ARC_PLATE])->along;
   for (int k = 0; k < p->count; k++) stiffen_column(p, c, fp, k);
@@ -220,7 +225,7 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
 
 /* Corrects the gaps, measured for a pin at s = 0, for a pin that rests in the direction of the load
  * and has turned about its centre. */
-static void rest(pose *p, const arc_shape *shape) {
+static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
   const double moved = c->side < 0 ? p->x : 0;
@@ -231,7 +236,7 @@ static void rest(pose *p, const arc_shape *shape) {
   }
 }
 
-void arc_pose_measure(pose *p, const arc_shape *shape) {
+void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape) {
   const double *cyl = shape->side[ARC_CYLINDER].level, *plate = shape->side[ARC_PLATE].level;
   for (int k = 0; k < p->count; k++) {
     const double *row = &p->b[k * p->width], *at = &plate[p->first[k]];

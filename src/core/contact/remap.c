@@ -1,37 +1,35 @@
-/* Worn surfaces taken over to another mesh of the same bodies, and measured profiles put on one.
- * Leans on shape.c.
- *
- * Pressures answer to curvature, so that the ways of the nodes are interpolated by cubic splines
- * with two continuous derivatives, one for each scar: its edge is a kink, where the spline of the
- * worn nodes alone is followed down to zero. The ways are then scaled so that the polygon of the
- * new nodes has lost the same area.
- */
+/* Transfer of worn surfaces to another mesh of the same bodies, and of measured profiles to a mesh.
+ * Pressures depend on curvature, so the displacements of the nodes are interpolated by cubic
+ * splines with two continuous derivatives, one for each scar. The edge of a scar is a kink: there
+ * the spline of the worn nodes is extrapolated down to zero. The displacements are then scaled so
+ * that the polygon of the new nodes has lost the same area. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WAY_X, WAY_Y, DEPTH, QUANTITIES };
+enum { SHIFT_X, SHIFT_Y, DEPTH, QUANTITIES };
 
-/* A surface to be interpolated: node i has moved from x[i] by value[WAY_X][i] and value[WAY_Y][i].
+/* A surface to be interpolated: node i has moved from x[i] by value[SHIFT_X][i] and
+ * value[SHIFT_Y][i].
  */
 typedef struct track {
   int n;
   double *x;
   double *value[QUANTITIES];
   double *bend[QUANTITIES]; /* second derivatives, scar by scar */
-  double *room;             /* [n] */
+  double *work;             /* [n] */
 } track;
 
 static arc_status track_create(track *t, int n) {
   const size_t count = (size_t)n;
   *t = (track){.n = n, .x = calloc((2 + 2 * QUANTITIES) * count, sizeof(double))};
   if (!t->x) return ARC_MEMORY;
-  t->room = t->x + count;
+  t->work = t->x + count;
   for (int q = 0; q < QUANTITIES; q++) {
-    t->value[q] = t->room + (1 + (size_t)q) * count;
-    t->bend[q] = t->room + (1 + QUANTITIES + (size_t)q) * count;
+    t->value[q] = t->work + (1 + (size_t)q) * count;
+    t->bend[q] = t->work + (1 + QUANTITIES + (size_t)q) * count;
   }
   return ARC_OK;
 }
@@ -40,8 +38,8 @@ static void track_of(const shape_side *side, track *t) {
   for (int i = 0; i < side->n; i++) {
     const double *top = arc_body_top(side->body, i);
     t->x[i] = side->x0[i];
-    t->value[WAY_X][i] = side->xy[2 * i] - top[0];
-    t->value[WAY_Y][i] = side->xy[2 * i + 1] - top[1];
+    t->value[SHIFT_X][i] = side->xy[2 * i] - top[0];
+    t->value[SHIFT_Y][i] = side->xy[2 * i + 1] - top[1];
     t->value[DEPTH][i] = side->h[i] - side->even;
   }
 }
@@ -92,7 +90,7 @@ static void bend(track *t) {
     int b = a;
     while (is_worn(t, b + 1)) b++;
     for (int q = 0; q < QUANTITIES && b - a >= 3; q++)
-      bend_spline(&t->x[a], &t->value[q][a], b - a + 1, &t->room[a], &t->bend[q][a]);
+      bend_spline(&t->x[a], &t->value[q][a], b - a + 1, &t->work[a], &t->bend[q][a]);
     a = b;
   }
 }
@@ -140,7 +138,8 @@ static double area_under(const shape_side *side, const track *t, double scale) {
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
     const double *top = arc_body_top(side->body, i);
-    const double x = top[0] + scale * t->value[WAY_X][i], y = top[1] + scale * t->value[WAY_Y][i];
+    const double x = top[0] + scale * t->value[SHIFT_X][i],
+                 y = top[1] + scale * t->value[SHIFT_Y][i];
     if (i > 0)
       area += ((x - before[0]) * (y + before[1]) - (top[0] - before[2]) * (top[1] + before[3])) / 2;
     before[0] = x, before[1] = y, before[2] = top[0], before[3] = top[1];
@@ -164,16 +163,16 @@ static void scale_to(const shape_side *side, track *t, double wanted) {
 
 /* Height of the surface at the unworn positions (frozen geometry). */
 static void stand_upright(const shape_side *side, track *t) {
-  memcpy(t->room, t->value[WAY_Y], (size_t)t->n * sizeof(double));
+  memcpy(t->work, t->value[SHIFT_Y], (size_t)t->n * sizeof(double));
   for (int i = 1; i + 1 < t->n; i++) {
     const double *a = arc_body_top(side->body, i - 1);
     const double *b = arc_body_top(side->body, i + 1);
-    const double dx = b[0] - a[0] + t->value[WAY_X][i + 1] - t->value[WAY_X][i - 1];
-    const double dy = b[1] - a[1] + t->value[WAY_Y][i + 1] - t->value[WAY_Y][i - 1];
-    t->room[i] -= t->value[WAY_X][i] * dy / dx;
+    const double dx = b[0] - a[0] + t->value[SHIFT_X][i + 1] - t->value[SHIFT_X][i - 1];
+    const double dy = b[1] - a[1] + t->value[SHIFT_Y][i + 1] - t->value[SHIFT_Y][i - 1];
+    t->work[i] -= t->value[SHIFT_X][i] * dy / dx;
   }
-  memcpy(t->value[WAY_Y], t->room, (size_t)t->n * sizeof(double));
-  memset(t->value[WAY_X], 0, (size_t)t->n * sizeof(double));
+  memcpy(t->value[SHIFT_Y], t->work, (size_t)t->n * sizeof(double));
+  memset(t->value[SHIFT_X], 0, (size_t)t->n * sizeof(double));
 }
 
 /* True if the whole scar lies on the side; else its outer part and area are lost. */
@@ -199,8 +198,8 @@ static arc_status remap(const shape_side *source, track *from, arc_shape *to, ar
   }
   if (to->geometry == ARC_FROZEN) stand_upright(side, &t);
   if (covers(side, from)) scale_to(side, &t, area_under(source, from, 1));
-  const arc_status status =
-      arc_shape_put(to, body, t.value[WAY_X], t.value[WAY_Y], t.value[DEPTH], source->even, error);
+  const arc_status status = arc_shape_put(to, body, t.value[SHIFT_X], t.value[SHIFT_Y],
+                                          t.value[DEPTH], source->even, error);
   free(t.x);
   return status;
 }

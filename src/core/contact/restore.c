@@ -88,7 +88,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const surface_st
   shape->version = arc_model_next_version(shape->handle.model);
   side->even = *state->even;
   arc_shape_read_nodes(side);
-  if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
+  arc_shape_find_compliance_change(shape, side);
   return *state->condensed != 0 ? arc_shape_condense(side, side->settled, &side->own, error)
                                 : ARC_OK;
 }

@@ -25,9 +25,9 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   side->settled = side->xy + 2 * n;
   side->level = side->settled + 2 * n;
   side->x = side->level + n;
-  side->way = side->x + n;
-  side->drift = side->way + n;
-  side->room = side->drift + ARC_THINNING_SPAN * n;
+  side->shift = side->x + n;
+  side->compliance_change = side->shift + n;
+  side->work = side->compliance_change + ARC_THINNING_SPAN * n;
   return ARC_OK;
 }
 
@@ -39,7 +39,7 @@ void arc_shape_read_nodes(shape_side *side) {
     side->level[i] = now[1] - (now[0] - side->settled[2 * i]) * chord[1] / chord[0];
     side->x[i] = now[0];
     side->y[i] = now[1] + shape_inward(side) * side->even;
-    side->way[i] = hypot(now[0] - top[0], side->y[i] - top[1]);
+    side->shift[i] = hypot(now[0] - top[0], side->y[i] - top[1]);
   }
 }
 
@@ -96,10 +96,11 @@ arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **result, arc_error
     shape_side *to = &copy->side[b];
     memcpy(to->h, from->h, side_arrays * (size_t)from->n * sizeof(double));
     to->even = from->even;
-    to->drifted = from->drifted;
+    to->compliance_changed = from->compliance_changed;
     to->own = arc_compliance_share(&from->own);
   }
   if (status == ARC_OK) copy->version = shape->version;
+  if (status == ARC_OK) copy->corrections = shape->corrections;
   *result = copy;
   return status;
 }
@@ -189,9 +190,9 @@ static int is_unworn(const shape_side *side) {
   return 1;
 }
 
-/* Tells a compliance the slopes of its surface, unless that is flat to the bit. On polar charts
- * pressures act along z, worn or not: the pin that sinks into a hole turns against the surfaces as
- * it goes, so that slopes alone, by the whole of its way, would be no better, and would come all at
+/* Sets the slopes of a compliance's surface, unless it is flat to the bit. On polar charts
+ * pressures act along z, worn or not: a pin that sinks into a hole rotates against the surfaces as
+ * it moves, so slopes from its total displacement would be no better, and would be applied all at
  * once. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
@@ -228,10 +229,10 @@ static void commit(shape_side *side, const double *depth, const double *xy) {
   arc_shape_read_nodes(side);
 }
 
-static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
+static void settle(arc_shape *shape, shape_side *side, compliance renewed, const double *xy) {
   arc_compliance_free(&side->own);
   side->own = renewed;
-  memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
+  memcpy(side->settled, xy, 2 * (size_t)side->n * sizeof(double));
   arc_shape_read_nodes(side);
   shape->version = arc_model_next_version(shape->handle.model);
 }
@@ -244,13 +245,34 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   arc_status status = shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error)
                                                     : arc_shape_check_depth(side, depth, error);
   compliance renewed = {0};
-  const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
+  const int due = status == ARC_OK && !side->ahead && refresh_is_due(shape, side, xy);
   if (due) status = arc_shape_condense(side, xy, &renewed, error);
   if (status == ARC_OK) {
     commit(side, depth, xy);
-    if (due) settle(shape, side, renewed);
-    if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
+    side->ahead = 0;
+    if (due) settle(shape, side, renewed, side->xy);
+    arc_shape_find_compliance_change(shape, side);
   }
+  free(xy);
+  return status;
+}
+
+arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
+                                arc_error *error) {
+  shape_side *side = &shape->side[body];
+  double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
+  if (!xy) return out_of_memory(error);
+  arc_shape_move(side, shape->geometry, depth, xy);
+  compliance renewed = {0};
+  arc_status status = ARC_OK;
+  const int due =
+      refresh_is_due(shape, side, xy) && arc_shape_check_box(shape, side, xy, NULL) == ARC_OK;
+  if (due) status = arc_shape_condense(side, xy, &renewed, error);
+  if (due && status == ARC_OK) {
+    settle(shape, side, renewed, xy);
+    arc_shape_find_compliance_change(shape, side);
+  }
+  side->ahead = 1;
   free(xy);
   return status;
 }
@@ -277,13 +299,19 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
       return status;
     }
     for (int b = 0; b < ARC_BODIES; b++) {
-      settle(shape, &shape->side[b], renewed[b]);
-      arc_shape_drift(&shape->side[b]);
+      settle(shape, &shape->side[b], renewed[b], shape->side[b].xy);
+      shape->side[b].compliance_changed = 0;
     }
   }
   shape->geometry = geometry;
   shape->refresh = refresh;
   return ARC_OK;
+}
+
+void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections) {
+  if (corrections == shape->corrections) return;
+  shape->corrections = corrections;
+  for (int b = 0; b < ARC_BODIES; b++) arc_shape_find_compliance_change(shape, &shape->side[b]);
 }
 
 arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
@@ -302,7 +330,7 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, c
     memcpy(side->xy, put.xy, 2 * (size_t)side->n * sizeof *put.xy);
     side->even = even;
     for (int i = 0; i < side->n; i++) side->h[i] = h[i] + even;
-    settle(shape, side, renewed);
+    settle(shape, side, renewed, side->xy);
   }
   free(put.xy);
   return status;
@@ -321,8 +349,8 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
   side->even = worn.even;
   for (int i = 0; i < side->n; i++) side->h[i] += depth;
   if (felt) {
-    settle(shape, side, renewed);
-    arc_shape_drift(side);
+    settle(shape, side, renewed, side->xy);
+    arc_shape_find_compliance_change(shape, side);
   } else {
     arc_shape_read_nodes(side);
   }
@@ -331,7 +359,7 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
 
 arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
-  return (arc_profile){side->n, side->x0, side->h, side->y, side->x, side->way};
+  return (arc_profile){side->n, side->x0, side->h, side->y, side->x, side->shift};
 }
 
 double arc_meshed_depth(const arc_shape *shape, arc_body body) {

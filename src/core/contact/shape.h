@@ -13,24 +13,26 @@
 typedef struct shape_side {
   const elastic_body *body;
   int n;
-  double *h;       /* [n] wear depth, scalar sum [mm] */
-  double *x0, *y;  /* [n] unworn x; present height, even wear included [mm] */
-  double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
-  double *settled; /* [2 n] surface nodes at the last condensation */
-  double *x, *way; /* [n] present x; distance from the unworn position [mm] */
-  double *level;   /* [n] present height of the surface at the x of `settled` [mm] */
-  double *drift;  /* [n x ARC_THINNING_SPAN] by which the compliance is off since then, between node
-                     i and those up to ARC_THINNING_REACH away */
-  double *room;   /* [4 n] workspace */
-  int drifted;    /* 1 if there is a drift */
-  double even;    /* [mm] even wear */
-  compliance own; /* of the worn box; n = 0: the unworn compliance is used */
+  double *h;                 /* [n] wear depth, scalar sum [mm] */
+  double *x0, *y;            /* [n] unworn x; present height, even wear included [mm] */
+  double *xy;                /* [2 n] present surface nodes, even wear left out [mm] */
+  double *settled;           /* [2 n] surface nodes at the last condensation */
+  double *x, *shift;         /* [n] present x; distance from the unworn position [mm] */
+  double *level;             /* [n] present height of the surface at the x of `settled` [mm] */
+  double *compliance_change; /* [n x ARC_THINNING_SPAN] change of the compliance since then, between
+                                node i and nodes up to ARC_THINNING_REACH away */
+  double *work;              /* [4 n] workspace */
+  int compliance_changed;    /* 1 if it is not zero */
+  double even;               /* [mm] even wear */
+  int ahead;                 /* 1: the compliance is of the middle of the present update */
+  compliance own;            /* of the worn box; n = 0: the unworn compliance is used */
 } shape_side;
 
 struct arc_shape {
   shape_handle handle;
   arc_geometry geometry;
   double refresh;
+  arc_corrections corrections;
   long version; /* of both compliances: equal versions mean equal bits, for all shapes of a model */
   shape_side side[ARC_BODIES];
 };
@@ -51,7 +53,7 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
   chord[1] = b[1] - a[1];
 }
 
-/* --- surface.c --- */
+/* --- surface.c -------------------------------------------------------------------------------- */
 
 /* Surface nodes [2 n] moved by `depth` [n] along their present normals. */
 void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
@@ -72,9 +74,9 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
  * ones of layers (wear_box.c). */
 double arc_shape_box_depth(const shape_side *side);
 
-/* How far node `row` of column i of the wear box sinks [mm] with a surface that has sunk so far,
- * and worn evenly besides: rows on interfaces of layers stay with these, which `even` brings
- * nearer, until the surface has come to them; between them nodes go linearly (wear_box.c). */
+/* Displacement of node `row` of column i of the wear box [mm] for a given displacement of the
+ * surface and even wear: rows on interfaces of layers remain on them, which `even` moves nearer,
+ * until the surface reaches them; between them it is linear (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
 /* The even wear [mm] that affects the stiffness: through layers, if the wear box reaches below all
@@ -105,8 +107,8 @@ arc_status arc_shape_check_depth(const shape_side *side, const double *depth, ar
  * 1 / cos of the slope, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
-/* The length of surface that depth at node i takes [mm]: along the surface, or along x where depths
- * are heights (frozen). */
+/* The length of surface that wears with node i [mm]: along the surface, or along x if depths are
+ * heights (frozen). */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
 /* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span: the
@@ -114,12 +116,12 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i);
  * has second order in the depth of an update. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
-/* --- compliance_update.c --- */
+/* --- compliance_update.c ---------------------------------------------------------------------- */
 
-/* Brings `drift` up to date with the present nodes. */
-void arc_shape_drift(shape_side *side);
+/* Brings `compliance_change` up to date with the present nodes. */
+void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
 
-/* --- shape.c --- */
+/* --- shape.c ---------------------------------------------------------------------------------- */
 
 /* Functions of the kind for meshed surfaces: see arc_shape_create etc. */
 arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
@@ -140,8 +142,20 @@ double arc_shape_risen(const arc_shape *shape, arc_body body);
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
-/* Puts the surface of one body where its unworn nodes come by ways along x and y [surface] [mm],
- * with depths h [surface] and even wear beyond them, and renews the compliance of moving geometry.
+/* With the corrections of the elements' errors, or without. */
+void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections);
+static inline int shape_is_corrected(const arc_shape *shape) {
+  return shape->corrections == ARC_CORRECTIONS_ALL;
+}
+/* Called before an update wears the surface of one body. If the surface will move too far for its
+ * compliance, computes the compliance with `depth` [n] added, the middle of the update; the end of
+ * the update keeps it. If such a surface is not valid, the compliance is unchanged. ARC_MEMORY,
+ * ARC_NUMERIC. */
+arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
+                                arc_error *error);
+
+/* Sets the surface of one body by displacements of its unworn nodes along x and y [surface] [mm],
+ * with depths h [surface] and additional even wear, and renews the compliance of moving geometry.
  * Errors as arc_shape_wear: the shape is unchanged. */
 arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
                          const double *h, double even, arc_error *error);

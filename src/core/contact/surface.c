@@ -55,7 +55,7 @@ void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   const shape_side *side = &shape->side[body];
   if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;
-  double *span = side->room, *area = span + n, *turn = area + n, *before = turn + n;
+  double *span = side->work, *area = span + n, *turn = area + n, *before = turn + n;
   for (int i = 0; i < n; i++) {
     span[i] = arc_shape_span(shape, body, i);
     area[i] = depth[i] * span[i];

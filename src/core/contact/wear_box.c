@@ -22,7 +22,7 @@ static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double need
   return rows > mesh->rows ? (int)rows : 0;
 }
 
-/* --- layers under a surface that stays where it is -------------------------------------------- */
+/* --- layers under a fixed surface */
 
 /* Rows down to a depth [mm] in a column of the unworn box. */
 static int rows_above(const elastic_body *body, const double *column, double depth) {
@@ -33,7 +33,7 @@ static int rows_above(const elastic_body *body, const double *column, double dep
 }
 
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
-  static const double thinnest_row = 0.02; /* of the usual height: what is left of worn layers */
+  static const double thinnest_row = 0.02; /* of the usual height: remains of worn layers */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
   const double *column = arc_body_top(body, i);
@@ -77,7 +77,7 @@ int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
   const double deep = depth_of_layers(mesh);
   if (shape->geometry == ARC_FROZEN || side->even <= noticed * deep || reaches_below_layers(side))
     return 0;
-  /* rows on interfaces lie up to a tenth off where cells are coarse */
+  /* rows on interfaces may be a tenth of their height off where cells are coarse */
   const int rows = deeper_rows(shape, mesh, 1.1 * deep + mesh->def.height);
   const int most = rows < ARC_SHAPE_MOST_ROWS ? rows : ARC_SHAPE_MOST_ROWS;
   return most > mesh->rows ? most : 0;

@@ -223,12 +223,12 @@ static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) 
   return status;
 }
 
-static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *error) {
+static arc_status condense_unworn(elastic_body *b, work_progress *seen, arc_error *error) {
   double *box = malloc(2 * (size_t)b->box_count * sizeof *box);
   if (!box) return out_of_memory(b, error);
   memcpy(box, b->box_at, 2 * (size_t)b->box_count * sizeof *box);
   arc_status status = arc_body_condense(b, box, 0, &b->unworn, error);
-  if (status == ARC_OK) status = arc_watch_stage(seen);
+  if (status == ARC_OK) status = arc_work_stage(seen);
   if (status == ARC_OK) status = find_thinning(b, box, error);
   free(box);
   return status;
@@ -261,18 +261,18 @@ static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body 
 }
 
 /* Builds everything except the mesh. */
-static arc_status make(elastic_body *b, work_watch *seen, arc_error *error) {
-  arc_status status = arc_watch_stage(seen);
+static arc_status make(elastic_body *b, work_progress *seen, arc_error *error) {
+  arc_status status = arc_work_stage(seen);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
   if (status == ARC_OK) status = arc_body_find_strata(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);
-  if (status == ARC_OK) status = arc_watch_stage(seen);
+  if (status == ARC_OK) status = arc_work_stage(seen);
   if (status == ARC_OK) status = condense_unworn(b, seen, error);
-  return status == ARC_OK ? arc_watch_stage(seen) : status;
+  return status == ARC_OK ? arc_work_stage(seen) : status;
 }
 
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
-                           work_watch *seen, elastic_body **result, arc_error *error) {
+                           work_progress *seen, elastic_body **result, arc_error *error) {
   *result = NULL;
   elastic_body *b = calloc(1, sizeof *b);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));

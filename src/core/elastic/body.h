@@ -8,7 +8,7 @@
 #define ELASTIC_BODY_H
 
 #include "archard/model.h"
-#include "core/base/watch.h"
+#include "core/base/worker_thread.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/compliance.h"
 #include "core/elastic/element.h"
@@ -24,7 +24,7 @@ typedef struct stratum {
 typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
-  elasticity d;                          /* of its own material, under all layers */
+  elasticity d;                          /* of the body's own material, below all layers */
   elasticity layer[ARC_MOST_LAYERS + 1]; /* by the layer of an element */
   arc_space space;
   chart chart;
@@ -46,22 +46,22 @@ typedef struct elastic_body {
   int *stratum_start; /* [surface] index of the first one of a node */
 } elastic_body;
 
-/* How the compliance answers where the wear box gets thinner at one column: to be added to the
- * normal compliance between the nodes `a` and `b` columns away from it, per share of its thickness
- * lost. Reaches ARC_THINNING_REACH columns: what is left of the box is as stiff as before to a
- * contact, and only the elements' own error changes. Found at the unworn centre; of revolution for
- * a circumference of 1 mm, halfway between the axis and the edge. */
+/* Change of the compliance as the wear box becomes thinner at one column: the term added to the
+ * normal compliance between the nodes `a` and `b` columns away, per share of thickness lost. It is
+ * limited to ARC_THINNING_REACH columns: for a contact the worn box is as stiff as before, and only
+ * the error of the elements changes. Computed at the unworn centre; for bodies of revolution per 1
+ * mm of circumference, halfway between the axis and the edge. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). A mesh
- * that is given (*given not NULL) is taken over and nulled, on failure too. On failure *body is
- * NULL. */
+/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: none). Takes
+ * ownership of a given mesh (*given not NULL) and sets *given to NULL, also on failure. On failure
+ * *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
-                           work_watch *seen, elastic_body **body, arc_error *error);
+                           work_progress *seen, elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
@@ -73,8 +73,8 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
   return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
 }
 
-/* Share of the surface's way that row `row` of wear-box column i takes: by its depth, which goes by
- * rows but where layers have rows of their own. */
+/* Displacement of row `row` of wear-box column i as a share of the surface's: by its depth, in
+ * equal parts per row except where layers have their own rows. */
 static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   const int rows = body->mesh->rows;
   if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
@@ -94,9 +94,9 @@ static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];
 }
 
-/* Triangles that share one dilatation with triangle e, the first of its cell: e, e + 2, ...; none
- * locks alone then. 1 for elements that stand for themselves, as all of a mesh from outside do, 0
- * for the later ones of a cell. */
+/* Number of triangles with a common dilatation, of which e is the first of its cell: e, e + 2, ...;
+ * together they do not lock. 1 for single elements, as all of an imported mesh are, 0 for the later
+ * ones of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
 /* The element with the corners corner[4] (-1 fourth: triangle) of the body, among nodes xy. */

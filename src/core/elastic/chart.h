@@ -28,8 +28,8 @@ static inline double arc_revolution_weight(const revolution *r, double x) {
   return (r->axis > 0 ? 2 : 1) * pi * fabs(r->axis + x);
 }
 
-/* The area from the axis to x [mm2], in which surfaces of revolution are what others are in x: u_y
- * is linear in it. In the plane, x. */
+/* The area from the axis to x [mm2], which replaces x for surfaces of revolution: u_y is linear in
+ * it. In the plane, x. */
 static inline double arc_revolution_area(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return x;
@@ -40,7 +40,8 @@ typedef struct chart {
   int polar;
   double radius; /* [mm] R */
   double side;   /* 1: the lower body is hollow, -1: the upper one is */
-  double pin;    /* [mm] radius of what is in the hole, which rests on it at an angle: the load's */
+  double pin;    /* [mm] radius of the body in the hole, which is in contact in the direction of the
+                    load */
   revolution revolved;
 } chart;
 
@@ -51,8 +52,8 @@ chart arc_chart_of(const arc_model_def *def);
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
-/* The point nearest to s of `count` in the chart, of which every `step`-th is asked; the middle one
- * where another is as near. */
+/* The nearest to s of every `step`-th of `count` points in the chart; of two equally near ones the
+ * middle one. */
 int arc_chart_nearest(const double *sz, int step, int count, double s);
 
 /* Directions of s and z at s: along[2], across[2]. */

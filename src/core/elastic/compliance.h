@@ -10,11 +10,11 @@
 typedef struct compliance {
   int n;
   double *yy, *xy, *yx, *xx;
-  /* The surface it was condensed on, where nodes have moved: slopes dy/dx [n], and the response of
-   * gaps to pressures along its normals, yy - m xy - yx m + m xx m. Left to whoever knows the
-   * surface; along is yy where the surface is flat. */
+  /* Data of the condensed surface with moved nodes: slopes dy/dx [n], and the response of gaps to
+   * pressures along its normals, yy - m xy - yx m + m xx m. The caller computes them; along is yy
+   * for flat surfaces. */
   double *slope, *along;
-  double *level; /* [n] yy - xx but for the elements' error; NULL: shear goes by xx */
+  double *level; /* [n] yy - xx without the elements' error; NULL: xx is the compliance for shear */
 } compliance;
 
 /* Displacement of node r along the surface under a unit of shear at node k. */
@@ -32,11 +32,11 @@ void arc_compliance_free(compliance *c);
 compliance arc_compliance_share(const compliance *c);
 /* Fills `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
-/* Has shear answered as pressure is, for bodies of one material. A uniform half-plane moves along
- * its surface under shear as it moves across under pressure. Elements find shear that changes from
- * node to node too stiff, the more the taller they are: 1.25 widths high they give way half as much
- * as under such pressure. So within a few columns yy stands for xx, but for the difference that
- * bodies of finite size make. */
+/* Levels the compliance for shear to that for pressure, for bodies of one material. A uniform
+ * half-plane has the same tangential displacements under shear as normal ones under pressure.
+ * Elements are too stiff for shear that alternates from node to node, more so if they are tall: at
+ * 1.25 times their width displacements are half of those under such pressure. So within a few
+ * columns yy replaces xx, apart from the difference due to the finite size of bodies. */
 void arc_compliance_level(compliance *c);
 /* Memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);

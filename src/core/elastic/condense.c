@@ -278,7 +278,7 @@ static int first_of_panel(const condensation *c, int j, int count) {
   return first;
 }
 
-/* V V' of one panel of columns with itself and those before it, which it joins. */
+/* V V' of one panel of columns with itself and the previous panels; appends the panel to them. */
 static void add_panel(condensation *c, int j) {
   const int n = 2 * c->ns, count = n - j < panel ? n - j : panel;
   const int start = first_of_panel(c, j, count);
@@ -393,7 +393,7 @@ static void box_displacements(const elastic_body *b, const condensation *c, cons
   for (int i = 0; i < c->ni; i++) inner[i] = c->side[together * i];
 }
 
-/* Forces [2 n] from the chart's directions to those of space. */
+/* Converts forces [2 n] from the chart's directions to x and y. */
 static void turn_forces(const elastic_body *b, const double *box_at, const double *f, double *to) {
   const int n = b->mesh->surface;
   for (int i = 0; i < n; i++) {

@@ -1,9 +1,7 @@
-/* How wide unworn bodies touch: the estimate that meshes are made by.
- *
- * A load presses a half width into a pair of half-planes: in closed form by Hertz for arcs and by
- * Persson in holes; of other shapes that touch in one place it is an integral over their gap.
- * Layers, and bases that are near, count by the modulus that the bodies show to a wave of about the
- * contact's length. */
+/* Estimate of the contact width of unworn bodies, from which meshes are sized. For half-planes it
+ * is in closed form by Hertz for arcs and by Persson in holes; for other shapes with one contact it
+ * is an integral over their gap. Layers and near bases are included by the modulus of the bodies
+ * for a wave of about the contact's length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
 #include "core/mesh/body_shape.h"
@@ -119,7 +117,7 @@ contact_pair arc_model_pair(const arc_model_def *def) {
   return g;
 }
 
-/* --- the load that a width takes -------------------------------------------------------------- */
+/* --- load of a given width */
 
 /* Contact modulus of the pair for a contact of this half width [MPa]. */
 static double modulus_at(const contact_pair *g, double half_width) {
@@ -134,9 +132,9 @@ static double press_into_hole(const contact_pair *g, double half_width) {
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Half-planes that touch over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and round
- * spots, P / E* = twice that of s^2 g' / sqrt(a^2 - s^2). Over t = sqrt(a^2 - s^2) both are smooth.
- * `wide` is what the half width has beyond what touches without load. */
+/* Half-planes in contact over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and round
+ * spots, P / E* = twice that of s^2 g' / sqrt(a^2 - s^2). Both are smooth over t = sqrt(a^2 - s^2).
+ * `wide` is the half width in addition to the part in contact without load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -170,8 +168,8 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* The half width of the cylinder, or ball, whose contact grows as fast with the load: as sharp are
- * the pressure's edges. P goes as its square, or cube. */
+/* The half width of the cylinder, or ball, whose contact grows at the same rate with the load,
+ * which has pressure edges of the same sharpness. P is proportional to its square, or cube. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);
@@ -180,7 +178,7 @@ static double edge_at(const contact_pair *g, double wide) {
   return fmin(a, (g->round ? 3 : 2) * p / growth * wide);
 }
 
-/* --- what is estimated ------------------------------------------------------------------------ */
+/* --- estimates */
 
 /* A wave of a pressed surface ripples the pressure by pi E* / length times its amplitude: one that
  * does so by less than this share of the mean is none. */
@@ -191,8 +189,8 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
                   : load / (2 * half_width * line_length(g->def));
 }
 
-/* Whose profile is rough under a load, by what its form makes of that: only its form counts for the
- * width then. The length of the shortest waves [mm]. */
+/* Body whose profile is rough under the load, judged by the contact of its form; the width is then
+ * that of the form only. Returns the length of the shortest waves [mm]. */
 static double find_waves(contact_pair *g, double load) {
   double shortest = INFINITY;
   for (int b = 0; b < ARC_BODIES; b++)

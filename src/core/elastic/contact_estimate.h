@@ -5,30 +5,30 @@
 #include "archard/model.h"
 #include "core/mesh/waves.h"
 
-/* What a pair comes to under a load. All in mm. */
+/* Contact of a pair under a load. All in mm. */
 typedef struct contact_estimate {
   double half_width; /* see arc_model_half_width */
   double flat;       /* width that touches without load, of it */
   double at;         /* x of its middle: profiles may touch beside x = 0 */
-  double edge;       /* half width of the cylinder's, or ball's, contact whose pressure has edges as
-                        sharp; the half width itself but where rounded edges or kinks touch */
-  double wave;       /* length of the shortest waves that are felt; INFINITY: none are */
+  double edge; /* half width of the cylinder or ball whose pressure has edges of the same sharpness;
+                  equal to the half width except for rounded edges or kinks */
+  double wave; /* length of the shortest waves that are felt; INFINITY: none are */
 } contact_estimate;
 
-/* What the unworn surfaces of a pair are to each other. Made once, it serves any number of loads;
- * `at`, `form` and, of profiles, `least` belong to one of them. */
+/* Relative shape of the unworn surfaces of a pair. Created once for any number of loads; `at`,
+ * `form` and, for profiles, `least` belong to one load. */
 typedef struct contact_pair {
   const arc_model_def *def; /* must outlive it */
-  int round;                /* whether the contact is a spot on the axis of revolution */
+  int round;                /* true: the contact is a spot on the axis of revolution */
   arc_body_def solid[ARC_BODIES];
   double crest[ARC_BODIES];
   body_waves waves[ARC_BODIES];
   double hole, clearance;  /* [mm] radius of the hole, 0: none */
   double least;            /* [mm] half width that touches without load */
-  double most;             /* [mm] what is taken for the widest contact */
-  double form[ARC_BODIES]; /* [mm] radius that stands for a rough profile; 0: its own heights */
+  double most;             /* [mm] assumed largest contact */
+  double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its own heights */
   double at;               /* [mm] where they touch */
-  double load;             /* [N] asked for last, NAN: none yet; and the answer */
+  double load;             /* [N] last load, NAN: none yet; and its result */
   contact_estimate answer;
 } contact_pair;
 contact_pair arc_model_pair(const arc_model_def *def);
@@ -36,7 +36,7 @@ contact_pair arc_model_pair(const arc_model_def *def);
 contact_estimate arc_pair_estimate(contact_pair *pair, double load);
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
 
-/* Whether the contact is a spot on the axis of revolution. */
+/* True if the contact is a spot on the axis of revolution. */
 int arc_model_is_round(const arc_model_def *def);
 
 #endif

@@ -1,13 +1,13 @@
-/* Elements of the plane, CPE3, CPE4, CPE4I and their like in plane stress, and of revolution, CAX3
- * and CAX4, whose quadrilaterals share one dilatation where CPE4I is asked for. Engineering
- * strains; Voigt order xx, yy, xy. */
+/* Plane elements CPE3, CPE4, CPE4I and the same in plane stress; elements of revolution CAX3 and
+ * CAX4, whose quadrilaterals have one common dilatation if CPE4I is chosen. Engineering strains;
+ * Voigt order xx, yy, xy. */
 #ifndef ELASTIC_ELEMENT_H
 #define ELASTIC_ELEMENT_H
 
 #include "core/elastic/chart.h"
 
-/* D [MPa]: sigma = D epsilon; c11 and c12 of all normal strains, in plane stress of those in the
- * plane; c22 of that along y, which is c11 but where materials lie above each other. */
+/* D [MPa]: sigma = D epsilon; c11 and c12 for all normal strains, in plane stress for those in the
+ * plane; c22 for the strain along y, equal to c11 except where materials lie above each other. */
 typedef struct elasticity {
   double c11, c12, c33, c22;
   double nu;
@@ -21,7 +21,7 @@ elasticity arc_elasticity_in(arc_space space, arc_material material);
  * 0.14 % of the pressure at 20 um (nu up to 0.4), else CPE4I. Other kinds are as they are. */
 arc_element arc_element_for(arc_element kind, double nu);
 
-/* Bulk modulus [MPa], and D without it: what resists changes of shape alone. */
+/* Bulk modulus [MPa], and D without it (the deviatoric part). */
 double arc_elasticity_bulk(elasticity d);
 elasticity arc_elasticity_deviatoric(elasticity d);
 
@@ -47,14 +47,14 @@ double arc_triangle_swelling(const element *e, double gradient[6]);
 /* Stress at the centre of the element from corner displacements u [2 corners]: xx, yy, xy [MPa]. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* Those of revolution (element_revolved.c), as the ones above. */
+/* The same for elements of revolution (element_revolved.c). */
 void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* Gradients (gradients.c) of the corner functions: of a triangle, and at a point of a
- * quadrilateral; both return the Jacobian's determinant. Those of functions of xi and eta from
- * their slopes there. Those of the two bubbles, by the determinant at the point. */
+/* Gradients (gradients.c) of the corner functions, for a triangle and at a point of a
+ * quadrilateral; both return the Jacobian's determinant. Gradients of functions of xi and eta from
+ * their slopes there. Gradients of the two bubbles, divided by the determinant at the point. */
 double arc_triangle_gradients(const element *e, double g[][2]);
 double arc_quad_gradients(const element *e, double xi, double eta, double g[][2]);
 void arc_quad_to_space(const element *e, double xi, double eta, int n, double slope[][2],

@@ -13,8 +13,8 @@ typedef struct point {
   double strain[8][components];
 } point;
 
-/* Strains at a point by the functions n of u_x, their gradients, and those of the functions of u_y.
- */
+/* Strains at a point from the functions n of u_x, their gradients, and the gradients of the
+ * functions of u_y. */
 static void fill_strains(const element *e, const double *n, double ux[][2], double uy[][2],
                          double area, point *p) {
   double x = 0;
@@ -58,8 +58,8 @@ static void bend_edge(const element *e, int a, int b, int along, const double at
   }
 }
 
-/* u_x is bilinear. u_y, which is even in r, is linear in r^2 along the edges: what curves there, as
- * under any pressure, would else be too stiff by as much as 5 % at the axis. */
+/* u_x is bilinear. u_y, which is even in r, is linear in r^2 along the edges: with a linear u_y the
+ * curvature under a pressure at the axis would be up to 5 % too stiff. */
 static void quad_point(const element *e, double xi, double eta, point *p) {
   const double at[2] = {xi, eta};
   double n[4], ux[4][2], uy[4][2], slope[4][2];

@@ -196,25 +196,25 @@ static int solve_system(factor *f, int system, cholmod_dense *from) {
 /* Setting the last rows to zero between the two solves excludes the last unknowns. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
   const size_t n = f->l->n, first = n - (size_t)f->last;
-  double *room = calloc(n, sizeof *room);
-  if (!room) return arc_fail(error, ARC_MEMORY, "out of memory for displacements");
+  double *rhs_values = calloc(n, sizeof *rhs_values);
+  if (!rhs_values) return arc_fail(error, ARC_MEMORY, "out of memory for displacements");
   cholmod_dense rhs = {.nrow = n,
                        .ncol = 1,
                        .nzmax = n,
                        .d = n,
-                       .x = room,
+                       .x = rhs_values,
                        .xtype = CHOLMOD_REAL,
                        .dtype = CHOLMOD_DOUBLE};
   static const int system[] = {CHOLMOD_P, CHOLMOD_L, CHOLMOD_Lt, CHOLMOD_Pt};
   arc_status status = ensure_workspace(f, 1) ? ARC_OK : why(f, error);
-  memcpy(room, b, first * sizeof *b);
+  memcpy(rhs_values, b, first * sizeof *b);
   for (int k = 0; k < 4 && status == ARC_OK; k++) {
     if (!solve_system(f, system[k], &rhs)) status = why(f, error);
-    if (status == ARC_OK) memcpy(room, f->x->x, n * sizeof *room);
-    if (system[k] == CHOLMOD_L) memset(&room[first], 0, (size_t)f->last * sizeof *room);
+    if (status == ARC_OK) memcpy(rhs_values, f->x->x, n * sizeof *rhs_values);
+    if (system[k] == CHOLMOD_L) memset(&rhs_values[first], 0, (size_t)f->last * sizeof *rhs_values);
   }
-  if (status == ARC_OK) memcpy(b, room, first * sizeof *b);
-  free(room);
+  if (status == ARC_OK) memcpy(b, rhs_values, first * sizeof *b);
+  free(rhs_values);
   return status;
 }
 

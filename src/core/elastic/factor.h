@@ -26,8 +26,8 @@ void arc_factor_destroy(factor **f);
 /* Computes the Schur complement of the last unknowns: schur [last x last]. ARC_MEMORY. */
 arc_status arc_factor_schur(const factor *f, double *schur, arc_error *error);
 
-/* b := A^-1 b with A the matrix of the other unknowns alone, b [n - last]. Not for use by two
- * threads at once on one factor. */
+/* b := A^-1 b with A the matrix of the other unknowns only, b [n - last]. Two threads must not use
+ * one factor at the same time. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error);
 
 /* Memory of the factor [bytes]. */

@@ -1,5 +1,5 @@
-/* What lies under the surface of a mesh from outside: along the chart's z through its elements,
- * from each node of the surface on, which layer from where to where. */
+/* Layers below the surface of an imported mesh: for each node of the surface the range of each
+ * layer along the chart's z. */
 #include "core/elastic/imported_layers.h"
 #include "core/base/list.h"
 

@@ -159,7 +159,7 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
                   arc_body_name(mesh->body), least, most);
 }
 
-/* In a hole the chart goes by the radii that are given: both surfaces lie about there. */
+/* In a hole the chart has the given radii: both surfaces are near this arc. */
 static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
   static const double most = 0.05; /* of the radius */
   const chart c = arc_chart_of(def);
@@ -180,8 +180,8 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
-/* The definition says of a given pair what it says of the program's own; its materials are those of
- * the bulk. */
+/* Derives the definition of an imported pair as of a generated one; its materials are those of the
+ * bulk. */
 static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
   arc_model_def fit = *def;
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;

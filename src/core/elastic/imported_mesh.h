@@ -1,5 +1,4 @@
-/* Meshes from outside: whether they suit a definition (imported_shape.c: what else a body says
- * of its shape). */
+/* Imported meshes: checks against the definition (imported_shape.c: fields of the shape). */
 #ifndef ELASTIC_IMPORTED_MESH_H
 #define ELASTIC_IMPORTED_MESH_H
 

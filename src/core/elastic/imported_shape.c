@@ -1,9 +1,9 @@
-/* What bodies may say of their shape beside a mesh from outside, which has it. */
+/* Fields of the shape that are allowed with an imported mesh, which defines the shape itself. */
 #include "core/elastic/imported_mesh.h"
 
 #include <string.h>
 
-/* In a hole the radii tell along which arc contact is solved. */
+/* In a hole the radii define the arc along which contact is solved. */
 static int tells_arc(const arc_model_def *def, const char *name) {
   return arc_model_is_hole(def) &&
          (strcmp(name, "radius") == 0 || strcmp(name, "inner") == 0 || strcmp(name, "outer") == 0);

@@ -1,10 +1,8 @@
-/* How stiff layered bodies are to waves of pressure: a section of them, from the base upwards, in
- * closed form.
- *
- * Under a pressure that goes as cos(q x), displacements go as u sin(q x) and v cos(q x), and
- * stresses on level planes as q times tau sin(q x) and sigma cos(q x). Over the depth, in units of
- * 1 / q, these four follow s' = A s within a layer, and (A^2 - 1)^2 = 0: exp(A d) has four terms.
- * Through a layer goes what displacements the stresses on its lower face come with. */
+/* Compliance of layered bodies for waves of pressure: a section of them, from the base upwards, in
+ * closed form. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x), and stresses
+ * on level planes q times tau sin(q x) and sigma cos(q x). Over the depth, in units of 1 / q, these
+ * four satisfy s' = A s within a layer, and (A^2 - 1)^2 = 0, so exp(A d) has four terms. From layer
+ * to layer the relation of displacements to stresses on its lower face is propagated. */
 #include "core/elastic/layered.h"
 #include "core/base/dense.h"
 #include "core/mesh/body_shape.h"
@@ -14,12 +12,12 @@
 
 enum { half = 2, whole = 4 }; /* displacements, or stresses; both */
 
-/* A depth [1 / q] beyond which nothing of what lies below is felt. */
+/* A depth [1 / q] below which layers have no influence. */
 static const double deep = 20;
 
 typedef double square[whole * whole];
 
-/* The A of a material. In a thin plate that gives way sideways, a modulus of E and a lesser nu. */
+/* The A of a material. For plane stress with the modulus E and a smaller nu. */
 static void find_rates(arc_space space, arc_material m, square a) {
   const double G = m.E / (2 * (1 + m.nu));
   const double across = space == ARC_PLANE_STRESS ? m.nu : m.nu / (1 - m.nu);
@@ -48,8 +46,8 @@ static void find_way_up(const square a, double d, square up) {
   }
 }
 
-/* c [2 x 2]: displacements that come with stresses, on the lower face of a layer of depth d, then
- * on its upper one. */
+/* c [2 x 2]: compliance (displacements per stress) on the lower face of a layer of depth d, then on
+ * its upper one. */
 static void climb(arc_space space, arc_material m, double d, double c[half * half]) {
   square a, up;
   double displaced[half * half], pressed[half * half];
@@ -74,7 +72,7 @@ static void climb(arc_space space, arc_material m, double d, double c[half * hal
   }
 }
 
-/* Solid arcs have no base: what is far away is all around. */
+/* Solid arcs have no base: they are treated as half-planes. */
 static double depth_of(const arc_body_def *b) {
   return arc_body_is_core(b) ? INFINITY : arc_body_depth(b);
 }

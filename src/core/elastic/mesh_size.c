@@ -1,6 +1,6 @@
-/* Meshes that fit: what is "auto" in a model's definition, found for the contact it is to hold. All
- * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
- * error is the same for every contact. */
+/* Automatic meshes: the values of "auto" in a model's definition for its contact. All lengths of
+ * the paper's mesh are scaled with the half width of the contact, so that the error is the same for
+ * every contact. */
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/mesh/mesh.h"
@@ -38,8 +38,8 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
-/* Columns that a contact with sharp edges gets by itself: elements are as small all over the zone,
- * and as deep as it is wide. */
+/* Largest automatic number of columns of a contact with sharp edges: elements have the same size
+ * over the whole zone, which is as deep as wide. */
 static const double most_columns = 320;
 
 /* The contact's edges as fine as the paper's, spots twice as fine, whose pressure at the axis would
@@ -123,7 +123,7 @@ void arc_model_fit_alone(arc_model_def *def) {
       def->mesh.zone[b] = fmin(zone[b], arc_model_widest_zone(def, (arc_body)b));
 }
 
-/* --- what it costs ---------------------------------------------------------------------------- */
+/* --- cost */
 
 /* Found on meshes of 20 to 2.5 um: per node the stiffness and its factor; beside them dense blocks
  * over the wear box. */

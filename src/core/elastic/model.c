@@ -73,7 +73,7 @@ static double now(void) {
 typedef struct build {
   elastic_model *model;
   arc_mesh *given[ARC_BODIES]; /* NULL: to be made */
-  work_watch progress;
+  work_progress progress;
   arc_error error;
 } build;
 
@@ -131,18 +131,18 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
 }
 
 /* Takes ownership of given meshes (NULL: none). */
-static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
-                                const arc_callbacks *callbacks, arc_model **result,
-                                arc_error *error) {
+static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
+                                       const arc_callbacks *callbacks, arc_model **result,
+                                       arc_error *error) {
   build *b = begin_build(def);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
   for (int i = 0; i < ARC_BODIES && given; i++) {
     b->given[i] = given[i];
     given[i] = NULL;
   }
-  const watched_work work = {build_bodies, discard, &b->progress};
+  const worker_task work = {build_bodies, discard, &b->progress};
   int left_behind;
-  const arc_status status = arc_watched(&work, b, "model", callbacks, &left_behind);
+  const arc_status status = arc_worker_thread_run(&work, b, "model", callbacks, &left_behind);
   if (left_behind) return arc_fail(error, status, "stopped while a model was built");
   if (status == ARC_OK) {
     *result = &b->model->handle;
@@ -179,7 +179,7 @@ arc_status arc_elastic_build(const arc_model_def *wanted, const arc_callbacks *c
   arc_model_def def = *wanted;
   arc_status status = settle(&def, error);
   if (status == ARC_OK) status = refuse_memory(&def, error);
-  return status == ARC_OK ? build_watched(&def, NULL, callbacks, result, error) : status;
+  return status == ARC_OK ? build_with_callbacks(&def, NULL, callbacks, result, error) : status;
 }
 
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
@@ -188,7 +188,7 @@ arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_B
   *result = NULL;
   arc_model_def settled;
   arc_status status = arc_given_settle(def, given, &settled, error);
-  if (status == ARC_OK) status = build_watched(&settled, given, callbacks, result, error);
+  if (status == ARC_OK) status = build_with_callbacks(&settled, given, callbacks, result, error);
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
   return status;
 }
@@ -230,7 +230,7 @@ double arc_model_felt_modulus(const arc_model *m, double q) {
  */
 static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
   const elastic_body *body = meshed(m)->body[which];
-  if (m->def.geometry == ARC_PLANE_STRESS) return; /* thin plates give way sideways */
+  if (m->def.geometry == ARC_PLANE_STRESS) return; /* plane stress */
   if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
   arc_warn(callbacks,
            "CPE4 elements lock at nu = %g of the %s: pressures may be far too high; use "
@@ -267,8 +267,8 @@ static double hollow_slope(const arc_model *m, arc_body which, double half_width
   return (which == ARC_PLATE ? rise : -rise) / half_width;
 }
 
-/* A mesh from outside does not tell that it is a hole, where slopes are not small: the pressure in
- * the middle is 0.3 % low at 0.15, 2 % at 0.4. */
+/* An imported mesh is not known to be a hole, where slopes are not small: the pressure in the
+ * middle is 0.3 % low at 0.15, 2 % at 0.4. */
 static void warn_hollow(const arc_model *m, double half_width, const arc_callbacks *callbacks) {
   const double steep = 0.15;
   if (!arc_model_is_given(m) || meshed(m)->body[ARC_PLATE]->chart.polar || !(half_width > 0))

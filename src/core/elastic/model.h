@@ -21,7 +21,7 @@ long arc_model_next_version(arc_model *model);
  * with the layers that bodies from outside have. */
 double arc_model_felt_modulus(const arc_model *model, double q);
 
-/* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_watched,
+/* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_with_callbacks,
  * arc_model_release and arc_model_bytes. */
 arc_status arc_elastic_check(const arc_model_def *def, arc_error *error);
 arc_status arc_elastic_build(const arc_model_def *def, const arc_callbacks *callbacks,

@@ -28,7 +28,7 @@ double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BOD
   return arc_contact_modulus(space, material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
 }
 
-/* --- what bodies are called ------------------------------------------------------------------- */
+/* --- names of bodies */
 
 static const char *kind_of(const arc_model_def *def, arc_body body) {
   return arc_solid_names[arc_model_solid(def, body).kind];
@@ -82,7 +82,7 @@ static arc_status check_names(const arc_model_def *def, arc_error *error) {
                   name);
 }
 
-/* --- what makes a pair ------------------------------------------------------------------------ */
+/* --- definition of a pair */
 
 static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, arc_error *error) {
   if (!arc_body_is_round(pin) || arc_body_is_hollow(pin))
@@ -156,6 +156,10 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
                       "\"axisymmetric\"), got \"%s\"",
                       arc_model_role_name((arc_body)b), arc_solid_names[def->body[b].kind],
                       arc_space_names[def->geometry]);
+  if (def->periodic)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'periodic': expected geometry = \"3-D\" beside it, got \"%s\"",
+                    arc_space_names[def->geometry]);
   if (def->geometry != ARC_AXISYMMETRIC && def->axis == 0) return ARC_OK;
   if (def->geometry != ARC_AXISYMMETRIC)
     return arc_fail(error, ARC_ARGUMENT,

@@ -1,9 +1,8 @@
-/* Input decks: one mesh with its sets for a preprocessor, and the whole problem of a contact, which
- * CalculiX runs as it is. The plate's nodes and elements follow the cylinder's; numbers start at 1.
- *
- * The whole problem is a slab one element thick, held along z on both faces: plane strain in the
- * formulation of the model. CalculiX makes such slabs of its own plane elements, and has none of
- * these with incompatible modes. */
+/* Input decks: one mesh with its sets for a preprocessor, or the complete problem of a contact for
+ * CalculiX. The plate's nodes and elements follow the cylinder's; numbers start at 1. The complete
+ * problem is a slab one element thick, fixed along z on both faces: plane strain with the model's
+ * elements. CalculiX also expands its plane elements to such slabs, but has no plane elements with
+ * incompatible modes. */
 #include "core/elastic/model.h"
 #include "core/export/output.h"
 #include "core/mesh/body_shape.h"
@@ -13,12 +12,12 @@
 
 typedef struct numbering {
   int node, element; /* added to 0-based numbers */
-  int layer;         /* added to nodes of one face of the slab for those of the other; 0: plane */
+  int layer;         /* offset between the nodes of the two faces of the slab; 0: plane */
 } numbering;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/* CalculiX reads 20 characters of a number: what follows is lost, an exponent too. 13 digits fit
+/* CalculiX reads 20 characters of a number and ignores the rest, even an exponent. 13 digits fit
  * with sign, point and any exponent. */
 enum { DECK_WIDTH = 20 };
 
@@ -43,7 +42,7 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* Decks of revolution have radii for x, and no side left of the axis. */
+/* Decks of revolution have radii instead of x, and only the side right of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }
@@ -54,7 +53,7 @@ static int element_is_written(const arc_mesh *m, const int *corner) {
   return 1;
 }
 
-/* The first column of the wear box that is. */
+/* The first column of the wear box in the deck. */
 static int first_column(const arc_mesh *m) {
   int column = 0;
   while (!is_written(m, m->surface_node[column])) column++;
@@ -90,8 +89,8 @@ static void write_set(FILE *out, const arc_mesh *m, const char *name, const int 
   }
 }
 
-/* The face of each top element of the wear box that lies on the surface: the one between surface
- * nodes. A solid's first two faces are those of the slab. */
+/* The surface faces of the top elements of the wear box: those between surface nodes. The first two
+ * faces of a solid are those of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
   for (int column = first_column(m); column + 1 < m->surface; column++) {
@@ -120,7 +119,7 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
 static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
   if (mesh->rows > 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "expected a mesh of archard's own for an input deck, got one from outside, which "
+                  "expected a mesh by archard for an input deck, got an imported one, which "
                   "has no wear box");
 }
 
@@ -136,7 +135,7 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
   return arc_output_close(&file, error);
 }
 
-/* --- the whole problem ------------------------------------------------------------------------ */
+/* --- the complete problem --------------------------------------------------------------------- */
 
 typedef struct deck {
   FILE *out;
@@ -151,7 +150,7 @@ static const arc_mesh *mesh_of(const deck *d, int body) {
   return arc_model_mesh(d->model, (arc_body)body);
 }
 
-/* The node that stands for the rigid base of the plate, after all others. */
+/* The node of the rigid base of the plate, after all others. */
 static int base_node(const deck *d) {
   return 2 * d->nodes + 1;
 }
@@ -170,7 +169,7 @@ static void write_material(FILE *out, const char *name, arc_material material) {
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
 }
 
-/* Layers have sets of their own, and what is below them too. */
+/* Each layer has its own set, and so has the body below. */
 static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   const arc_body_def *solid = &d->def->body[m->body];
   const int layers = arc_body_layers(solid);
@@ -185,7 +184,7 @@ static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   }
 }
 
-/* The nodes as worn, where the body has moved to. */
+/* Worn nodes at the present position of the body. */
 static void place_nodes(const deck *d, const arc_mesh *m) {
   const placing to = arc_chart_placing(&arc_model_body(d->model, m->body)->chart, m->body,
                                        arc_contact_definition(d->contact)->x, 0);
@@ -207,7 +206,7 @@ static void write_solid(const deck *d, int body, numbering at) {
     write_material(d->out, name, d->def->material[body]);
 }
 
-/* The plate's base goes up and down as one. */
+/* The plate's base moves along y as a rigid body. */
 static void write_base(const deck *d) {
   const arc_mesh *m = mesh_of(d, ARC_PLATE);
   const int first = mesh_of(d, ARC_CYLINDER)->nodes + 1;
@@ -230,7 +229,8 @@ static void write_contact(const deck *d) {
                   "plate-contact, cylinder-contact\n");
 }
 
-/* Holds the support of a body along x: its whole set, or by node where the middle alone is held. */
+/* Fixes the support of a body along x: its whole set, or single nodes if only the middle is fixed.
+ */
 static void hold_sideways(const deck *d, const arc_mesh *m, int first) {
   if (m->solid.hold != ARC_HOLD_FREE) {
     fprintf(d->out, "%s-fixed, 1, 1\n", arc_body_name(m->body));
@@ -249,8 +249,8 @@ static void write_supports(const deck *d) {
   hold_sideways(d, lower, upper->nodes + 1);
 }
 
-/* A load alone would find nothing to press against: the bodies are brought together first, by the
- * approach that belongs to the load. */
+/* Under a load alone the bodies would not touch: the first step prescribes the approach of this
+ * load. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
   write_supports(d);

@@ -9,21 +9,21 @@ enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3, CURVES = 2 };
 static const char *const role_names[] = {"upper", "lower"};
 static const char *const curve_names[] = {"contact", "fixed"};
 
-/* A surface: what is of one material in a body. */
+/* A surface: the part of a body with one material. */
 typedef struct msh_part {
-  int body, material; /* -1: its own, which has no name */
+  int body, material; /* -1: the body's own, without a name */
 } msh_part;
 enum { PARTS = ARC_BODIES * (ARC_MESH_MATERIALS + 1) };
 
-/* What is written: surface p + 1 is part p, curves 2 b + 1 and 2 b + 2 of body b its contact and
- * its fixed part. Groups have the numbers of what they hold. */
+/* Numbering of the file: surface p + 1 is part p; curves 2 b + 1 and 2 b + 2 of body b are its
+ * contact and its fixed part. Groups have the numbers of their entities. */
 typedef struct msh_output {
   FILE *out;
   const arc_mesh *mesh[ARC_BODIES]; /* NULL: left out */
-  char *fixed[ARC_BODIES];          /* [nodes] whether it is fixed */
+  char *fixed[ARC_BODIES];          /* [nodes] true: fixed */
   int lines[ARC_BODIES][CURVES];    /* of each curve */
   msh_part part[PARTS];
-  int parts, nodes, elements, bodies; /* all that are written */
+  int parts, nodes, elements, bodies; /* numbers of written entities */
 } msh_output;
 
 /* --- the surfaces ----------------------------------------------------------------------------- */
@@ -40,7 +40,7 @@ static int part_of(const msh_output *o, int body, int material) {
   return p;
 }
 
-/* In the order of materials: those that have elements, and names that have none. */
+/* Parts in the order of materials: those with elements, and names without elements. */
 static void find_parts(msh_output *o, int body) {
   const arc_mesh *m = o->mesh[body];
   for (int material = -1; material < ARC_MESH_MATERIALS; material++) {
@@ -62,10 +62,10 @@ static void write_part_name(const msh_output *o, const msh_part *p) {
 
 /* --- the curves ------------------------------------------------------------------------------- */
 
-/* Counts the lines of a curve, and writes them where a number for the first is given. */
+/* Counts the lines of a curve; with `tag`, the number of the next line, writes them as well. */
 typedef struct line_sink {
   FILE *out;
-  int *tag; /* NULL: counted alone */
+  int *tag; /* NULL: only counted */
   int first, count;
 } line_sink;
 
@@ -78,7 +78,7 @@ static void add_contact(const arc_mesh *m, line_sink *s) {
   for (int i = 1; i < m->surface; i++) add_line(s, m->surface_node[i - 1], m->surface_node[i]);
 }
 
-/* Edges between fixed nodes, wherever they are. */
+/* Edges between fixed nodes. */
 static void add_fixed(const arc_mesh *m, const char *fixed, line_sink *s) {
   for (int e = 0; e < m->elements; e++) {
     const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
@@ -128,7 +128,7 @@ static void write_names(const msh_output *o) {
   fprintf(o->out, "$EndPhysicalNames\n");
 }
 
-/* Number and extent, which is that of the whole body for all of its parts. */
+/* Number and extent of an entity; the extent is that of the whole body. */
 static void write_extent(const msh_output *o, int tag, int body) {
   const double *xy = o->mesh[body]->xy;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -177,8 +177,8 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-/* The end of the elements from e on that make one block: of one kind and material. Blocks keep the
- * order of elements: what is assembled of them has the same bits. */
+/* End of the block of elements that begins at e: elements of one type and material. Blocks keep the
+ * order of elements, so that assembled sums have the same bits. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;
@@ -251,7 +251,7 @@ static arc_status write_text(char **text, msh_output *o, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for writing a mesh");
 }
 
-/* Finds what is to be written; what it leaves is to be freed in any case. */
+/* Collects the data of the file; the caller frees them also after an error. */
 static arc_status begin(msh_output *o, const arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   arc_status status = ARC_OK;
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)

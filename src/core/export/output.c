@@ -1,4 +1,4 @@
-/* Complete files or none. */
+/* Files that are written completely or not at all. */
 #include "core/export/output.h"
 
 #include <errno.h>
@@ -15,19 +15,19 @@ arc_number_text arc_number_to_text(double value) {
   return result;
 }
 
-static arc_status fail(const arc_place *place, arc_error *error) {
-  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", arc_place_asked(place),
+static arc_status fail(const arc_atomic_file *temporary, arc_error *error) {
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", arc_atomic_file_name(temporary),
                   strerror(errno));
 }
 
 arc_status arc_output_open(output_file *file, const char *path, arc_error *error) {
   *file = (output_file){0};
-  arc_status status = arc_place_take(path, &file->place, error);
+  arc_status status = arc_atomic_file_create(path, &file->temporary, error);
   if (status != ARC_OK) return status;
-  file->stream = fopen(arc_place_path(file->place), "w");
+  file->stream = fopen(arc_atomic_file_path(file->temporary), "w");
   if (file->stream) return ARC_OK;
-  status = fail(file->place, error);
-  arc_place_drop(&file->place);
+  status = fail(file->temporary, error);
+  arc_atomic_file_discard(&file->temporary);
   return status;
 }
 
@@ -35,9 +35,9 @@ arc_status arc_output_close(output_file *file, arc_error *error) {
   int bad = ferror(file->stream);
   if (fflush(file->stream) != 0) bad = 1;
   if (fclose(file->stream) != 0) bad = 1;
-  if (!bad) return arc_place_publish(&file->place, error);
-  const arc_status status = fail(file->place, error);
-  arc_place_drop(&file->place);
+  if (!bad) return arc_atomic_file_publish(&file->temporary, error);
+  const arc_status status = fail(file->temporary, error);
+  arc_atomic_file_discard(&file->temporary);
   return status;
 }
 

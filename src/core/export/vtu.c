@@ -1,5 +1,5 @@
-/* VTK unstructured grids in XML. The numbers stand behind the description as they are in memory,
- * those of each array with the count of their bytes before them. */
+/* VTK unstructured grids in XML. The binary data follow the XML description; each array is preceded
+ * by its number of bytes. */
 #include "core/export/output.h"
 
 #include <stdint.h>
@@ -34,14 +34,14 @@ typedef struct grid {
   const arc_contact *contact; /* NULL: the mesh alone */
   array list[MOST_ARRAYS];    /* by section */
   int count;
-  int failed; /* memory for one was not there */
+  int failed; /* true: an allocation failed */
 } grid;
 
 static void grid_free(grid *g) {
   for (int i = 0; i < g->count; i++) free(g->list[i].data);
 }
 
-/* Adds an array of zeros; its numbers, or NULL. */
+/* Adds an array of zeros; returns its values, or NULL. */
 static void *add(grid *g, array a) {
   a.data = calloc(a.tuples * (size_t)a.components, type_sizes[a.type]);
   if (a.data)
@@ -59,7 +59,7 @@ static double *add_numbers(grid *g, const char *name, const char *unit, int comp
                         .tuples = (size_t)g->mesh->nodes});
 }
 
-/* --- what stands at the nodes ----------------------------------------------------------------- */
+/* --- arrays at the nodes ---------------------------------------------------------------------- */
 
 static void add_scalar(grid *g, const char *name, const char *unit, const double *value) {
   double *to = add_numbers(g, name, unit, 1);
@@ -102,7 +102,8 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-/* From the surface on, or by the names in a mesh from outside; what is of no layer comes last. */
+/* Numbers of layers from the surface downwards, or of materials of an imported mesh; elements
+ * without a layer are last. */
 static void add_layers(grid *g) {
   const arc_mesh *m = g->mesh;
   if (!m->layer || arc_body_layers(&m->solid) == 0) return;
@@ -160,7 +161,7 @@ static void describe(FILE *out, const array *a, uint64_t offset) {
     fprintf(out, "/>\n");
 }
 
-/* Offsets count from behind the mark before the numbers. */
+/* Offsets are relative to the mark before the data. */
 static void describe_section(FILE *out, const grid *g, section part) {
   uint64_t offset = 0;
   fprintf(out, "<%s>\n", section_names[part]);

@@ -13,8 +13,7 @@ enum { sweep_limit = 1000 };
 /* Gaps may be off by this share of the elastic displacement. */
 static const double settled = 1e-13;
 
-/* --- the shear problem of an increment ----------------------------------------------------------
- */
+/* --- the shear problem of an increment -------------------------------------------------------- */
 
 /* Limits the force to that of friction, as only an intermediate iterate may exceed it. */
 static void set_total(friction_task *k) {
@@ -31,7 +30,7 @@ static void set_total(friction_task *k) {
 
 /* Sets up the shear problem for the present forces, starting from the states in w->slip. */
 static void set_shear(friction_task *k) {
-  const pose *p = k->p;
+  const contact_problem *p = k->p;
   shear_problem *s = &k->w->shear;
   s->n = p->active;
   s->at = p->set;
@@ -44,7 +43,7 @@ static void set_shear(friction_task *k) {
     const double up = p->slope[p->lo + at] * (p->approach - k->approach);
     s->bound[i] = k->step->mu * p->f[at];
     s->drive[i] = k->dx + up + k->w->before[at] - k->w->dragged[at];
-    s->way[i] = (k->w->slip[at] > 0) - (k->w->slip[at] < 0);
+    s->direction[i] = (k->w->slip[at] > 0) - (k->w->slip[at] < 0);
   }
   k->over = 0;
   if (s->by_force) set_total(k);
@@ -58,7 +57,7 @@ static void take_shear(friction_task *k) {
   memset(w->slip, 0, (size_t)g->count * sizeof *w->slip);
   for (int i = 0; i < w->shear.n; i++) {
     w->t[w->shear.at[i]] = w->shear.t[i];
-    w->slip[w->shear.at[i]] = w->shear.way[i] != 0 ? w->shear.slip[i] : 0;
+    w->slip[w->shear.at[i]] = w->shear.direction[i] != 0 ? w->shear.slip[i] : 0;
   }
 }
 
@@ -125,7 +124,7 @@ static int is_closing_in(const friction_task *k, double before) {
 }
 
 int arc_friction_sweeps(friction_task *k, int limit) {
-  int trial = k->w->patience;
+  int trial = k->w->sweeps_before_newton;
   k->w->newton = k->w->sweeps = 0;
   arc_tangential_gaps(k->g, k->w->t, k->w->sheared);
   k->held = carried_by_shear(k);
@@ -148,36 +147,38 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* As in pose.c: once more with what the drift of the compliance adds under the forces found. */
-static int add_drift(friction_task *k) {
-  pose *p = k->p;
+/* As in contact_problem.c: once more with what the change of the compliance adds under the forces
+ * found. */
+static int add_compliance_change(friction_task *k) {
+  contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;
   double *gap = k->w->work;
   memcpy(gap, p->gap, bytes);
   memcpy(p->gap, k->w->gap, bytes);
-  const int drifts = arc_pose_add_drift(p);
+  const int changed = arc_contact_problem_add_compliance_change(p);
   memcpy(k->w->gap, p->gap, bytes);
   memcpy(p->gap, gap, bytes);
-  return drifts;
+  return changed;
 }
 
 /* --- increments ------------------------------------------------------------------------------- */
 
 /* The approach at which the bodies touch [mm]. */
-static double touch(const pose *p) {
+static double touch(const contact_problem *p) {
   double least = p->gap[0];
   for (int c = 1; c < p->count; c++) least = fmin(least, p->gap[c]);
   return least;
 }
 
-/* Starts an unsolved pose from the nodes in contact before. */
-static void set_of(pose *p, const friction_state *s) {
+/* Starts an unsolved problem from the nodes in contact before. */
+static void set_of(contact_problem *p, const friction_state *s) {
   for (int c = 0; c < p->count; c++)
     if (s->f[p->lo + c] > 0) p->set[p->active++] = c;
 }
 
-/* Reuses the factor of the shear problem on the same pose. */
-static void take_grip(tangential_compliance *g, const pose *p, friction_workspace *w) {
+/* Reuses the factor of the shear problem on the same problem. */
+static void reuse_factor(tangential_compliance *g, const contact_problem *p,
+                         friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
   if (w->compliance != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
   w->compliance = g;
@@ -186,11 +187,11 @@ static void take_grip(tangential_compliance *g, const pose *p, friction_workspac
 }
 
 static void begin(friction_task *k) {
-  pose *p = k->p;
+  contact_problem *p = k->p;
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   const double at = k->step->by_force ? k->from->x : k->step->x;
-  take_grip(g, p, w);
+  reuse_factor(g, p, w);
   if (p->active == 0) set_of(p, k->from);
   arc_tangential_relative(p, k->from->u, w->work, w->before);
   for (int i = 0; i < p->count; i++) {
@@ -206,14 +207,14 @@ static void begin(friction_task *k) {
 }
 
 double arc_friction_slip(const friction_task *k, int candidate) {
-  const pose *p = k->p;
+  const contact_problem *p = k->p;
   const double up = p->slope[p->lo + candidate] * (p->approach - k->approach);
   return k->dx + k->w->shear.shift + up + k->w->before[candidate] - k->w->dragged[candidate];
 }
 
 /* Slip of the open candidates. */
 static void slip_of_open(friction_task *k) {
-  const pose *p = k->p;
+  const contact_problem *p = k->p;
   friction_workspace *w = k->w;
   arc_tangential_drag_all(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
@@ -224,7 +225,7 @@ static void slip_of_open(friction_task *k) {
 }
 
 static void take_forces(const friction_task *k, friction_state *s) {
-  const pose *p = k->p;
+  const contact_problem *p = k->p;
   friction_workspace *w = k->w;
   const size_t bytes = (size_t)s->nc * sizeof *s->f;
   double *before = k->w->work;
@@ -238,7 +239,7 @@ static void take_forces(const friction_task *k, friction_state *s) {
     s->f[i] = p->f[c];
     s->t[i] = w->t[c];
     s->slip[i] = w->slip[c];
-    s->way[i] += w->slip[c];
+    s->slip_path[i] += w->slip[c];
     s->tangential += w->t[c] - p->slope[i] * p->f[c];
     s->energy += k->step->mu * (before[i] + p->f[c]) / 2 * fabs(w->slip[c]);
   }
@@ -258,7 +259,7 @@ static void commit(friction_task *k, friction_state *s) {
 
 /* Handles separation. */
 static void lift(friction_task *k, friction_state *s) {
-  pose *p = k->p;
+  contact_problem *p = k->p;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);
   memset(k->w->t, 0, (size_t)p->count * sizeof *k->w->t);
   memset(k->w->slip, 0, (size_t)p->count * sizeof *k->w->slip);
@@ -279,7 +280,7 @@ static arc_status slides(const friction_task *k, arc_error *error) {
                   k->step->tangential, k->step->line, k->step->mu);
 }
 
-arc_status arc_friction_solve(pose *p, tangential_compliance *g, friction_workspace *w,
+arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
                               const friction_step *step, friction_state *s, arc_error *error) {
   friction_task k = {.p = p, .g = g, .w = w, .step = step, .from = s};
   if (step->line == 0 && (!step->by_force || step->tangential == 0)) {
@@ -290,15 +291,16 @@ arc_status arc_friction_solve(pose *p, tangential_compliance *g, friction_worksp
   if (step->by_force && step->line == 0) return slides(&k, error);
   begin(&k);
   int solved = solve(&k);
-  if (solved == 1 && add_drift(&k)) solved = solve(&k);
-  if (solved != 1) return arc_pose_broke_down(p, error);
+  if (solved == 1 && add_compliance_change(&k)) solved = solve(&k);
+  if (solved != 1) return arc_contact_problem_fail(p, error);
   if (k.over) return slides(&k, error);
-  const arc_status status = arc_pose_check_zone(p, error);
+  const arc_status status = arc_contact_problem_check_zone(p, error);
   if (status == ARC_OK) commit(&k, s);
   return status;
 }
 
-void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body, double *force) {
+void arc_friction_forces_on(const contact_problem *p, friction_workspace *w, arc_body body,
+                            double *force) {
   double *fx = w->work, *fy = fx + p->nc;
   memset(fx, 0, 2 * (size_t)p->nc * sizeof *fx);
   for (int k = 0; k < p->count; k++) {
@@ -310,7 +312,7 @@ void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body,
     memcpy(force, fx, 2 * (size_t)p->nc * sizeof *fx);
     return;
   }
-  arc_pose_to_plate(p, fx, force);
-  arc_pose_to_plate(p, fy, &force[p->np]);
+  arc_contact_problem_to_plate(p, fx, force);
+  arc_contact_problem_to_plate(p, fy, &force[p->np]);
   for (int l = 0; l < 2 * p->np; l++) force[l] *= -1;
 }

@@ -1,6 +1,6 @@
-/* A given tangential force by the motion that leads to it. With pressures held, all nodes may slip,
- * to either side, under one force and a whole range of motions; slopes make one of them right,
- * through the pressures. The force grows with the motion, so that it can be bracketed. */
+/* Computes the motion for a given tangential force. At constant pressures, if all nodes slip, one
+ * force belongs to a whole range of motions; slopes make the motion unique through the pressures.
+ * The force increases with the motion, so it can be bracketed. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -30,10 +30,9 @@ typedef struct range {
   double x[2], off[2]; /* motions with smaller and larger forces */
 } range;
 
-/* Steps away from the first motion, twice as far each time, until the force has passed the given
- * one. */
+/* Doubles the distance from the first motion until the force has passed the given one. */
 static int enclose(friction_task *k, range *r) {
-  const pose *p = k->p;
+  const contact_problem *p = k->p;
   const double from = k->dx, off = excess(k, from);
   if (isnan(off)) return 0;
   double step = 1e-3 * fabs(p->approach - p->gap[p->set[p->active / 2]]);
@@ -51,7 +50,7 @@ static int enclose(friction_task *k, range *r) {
   return 0;
 }
 
-/* Secants within the bracket, and its middle every third time. */
+/* Secant steps within the bracket, and bisection every third time. */
 static int narrow(friction_task *k, range *r) {
   const double enough = close_enough * k->step->line;
   for (int i = 1; i <= halvings; i++) {

@@ -1,12 +1,11 @@
-/* What surfaces under one load remember of the forces that sheared them.
- *
- * Pushed one way, nodes slip one after the other, those last that stick best. Where the plate turns
- * all stick, and the same nodes slip the other way in the same order, each after twice the force.
- * Once the force is back where an inner loop began that loop is forgotten, as if it had never been
- * (Masing's and Madelung's rules): what is to come depends on the forces at which the plate turned
- * and that no later way has passed. The first way, on surfaces without shear, is half such a way
- * from the other side. Where there was shear that another load has left, nothing is known of the
- * first way; of those after it, as long as the force stays where it was since. */
+/* Memory of the tangential forces under a constant load. During a motion in one direction nodes
+ * slip one after the other. At a reversal all nodes stick; then the same nodes slip
+ * back in the same order, each after twice the force. When the force is back at the start of an
+ * inner loop, that loop is removed (rules of Masing and Madelung): later states depend only on the
+ * forces at reversals that no later motion has passed. The first motion, on surfaces without shear,
+ * is half of such a motion from the opposite reversal. If another load has left shear, the first
+ * motion has no reference; later ones do, as long as the force stays within its range since then.
+ */
 #include "core/friction/friction.h"
 
 #include <math.h>

@@ -1,10 +1,9 @@
-/* Pressures and shear of an increment at once: semismooth Newton on the sets (touches or not;
- * sticks, slips along or against x). The matrix of a set is not symmetric, as shear follows
- * pressure where it slips. Quick from good sets, but not sure to end: friction.c starts it and goes
- * on without it.
- *
- * Unknowns: forces f in contact, then shear t of the nodes that stick; approach and the plate's
- * motion under a given tangential force come out of the resultants. */
+/* Pressures and shear of an increment together: semismooth Newton on the sets (contact or not;
+ * stick, slip along or against x). The matrix of a set is not symmetric, since shear follows
+ * pressure where nodes slip. The method converges fast from good sets but need not converge:
+ * friction.c starts it and continues without it on failure. Unknowns: forces f in contact, then
+ * shear t of the nodes that stick; approach and the plate's motion under a given tangential force
+ * follow from the resultants. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -13,43 +12,43 @@
 
 enum { newton_limit = 10, right_hand_sides = 3 };
 
-typedef struct coupled {
+typedef struct newton_system {
   friction_task *k;
-  int na, ns, n;    /* in contact, sticking, unknowns */
-  int *way, *stuck; /* [nc] by candidate; [ns] candidates that stick */
-  double *a, *b;    /* [n x n], [n x 3]: base, by approach, by motion */
-} coupled;
+  int na, ns, n;          /* in contact, sticking, unknowns */
+  int *direction, *stuck; /* [nc] by candidate; [ns] candidates that stick */
+  double *a, *b;          /* [n x n], [n x 3]: base, by approach, by motion */
+} newton_system;
 
-static void take_room(coupled *c) {
+static void set_workspace(newton_system *c) {
   friction_workspace *w = c->k->w;
   const size_t n = 2 * (size_t)w->nc;
   c->a = w->coupled;
   c->b = w->coupled + n * n;
-  c->way = w->pivots + n;
-  c->stuck = c->way + w->nc;
+  c->direction = w->pivots + n;
+  c->stuck = c->direction + w->nc;
 }
 
-static void list_sets(coupled *c) {
-  const pose *p = c->k->p;
+static void list_sets(newton_system *c) {
+  const contact_problem *p = c->k->p;
   c->na = p->active;
   c->ns = 0;
   for (int i = 0; i < p->active; i++)
-    if (c->way[p->set[i]] == 0) c->stuck[c->ns++] = p->set[i];
+    if (c->direction[p->set[i]] == 0) c->stuck[c->ns++] = p->set[i];
   c->n = c->na + c->ns;
 }
 
-static double slope_at(const coupled *c, int candidate) {
+static double slope_at(const newton_system *c, int candidate) {
   return c->k->p->slope[c->k->p->lo + candidate];
 }
 
-/* Force at a slipping node pulls mu times as much along. */
-static double pull_at(const coupled *c, int candidate) {
-  return c->way[candidate] * c->k->step->mu;
+/* A force at a slipping node causes shear of mu times its value. */
+static double pull_at(const newton_system *c, int candidate) {
+  return c->direction[candidate] * c->k->step->mu;
 }
 
 /* Column of the force at `from`: gaps of the nodes in contact, then r of those that stick. */
-static void fill_force(coupled *c, int column, int from) {
-  const pose *p = c->k->p;
+static void fill_force(newton_system *c, int column, int from) {
+  const contact_problem *p = c->k->p;
   const tangential_compliance *g = c->k->g;
   const double pull = pull_at(c, from);
   double *a = &c->a[dense_at(0, column, c->n)];
@@ -61,15 +60,15 @@ static void fill_force(coupled *c, int column, int from) {
                    pull * g->tt[dense_at(c->stuck[i], from, p->count)];
 }
 
-static void fill_shear(coupled *c, int column, int from) {
-  const pose *p = c->k->p;
+static void fill_shear(newton_system *c, int column, int from) {
+  const contact_problem *p = c->k->p;
   const tangential_compliance *g = c->k->g;
   double *a = &c->a[dense_at(0, column, c->n)];
   for (int i = 0; i < c->na; i++) a[i] = g->nt[dense_at(p->set[i], from, p->count)];
   for (int i = 0; i < c->ns; i++) a[c->na + i] = g->tt[dense_at(c->stuck[i], from, p->count)];
 }
 
-static void fill_sides(coupled *c) {
+static void fill_sides(newton_system *c) {
   const friction_task *k = c->k;
   double *base = c->b, *approach = base + c->n, *motion = approach + c->n;
   for (int i = 0; i < c->na; i++) {
@@ -87,7 +86,7 @@ static void fill_sides(coupled *c) {
 }
 
 /* Contribution of an unknown to the load and the tangential force. */
-static void share_of(const coupled *c, int unknown, double *load, double *tangential) {
+static void share_of(const newton_system *c, int unknown, double *load, double *tangential) {
   const int shear = unknown >= c->na;
   const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];
   const double m = slope_at(c, at), pull = pull_at(c, at);
@@ -96,7 +95,7 @@ static void share_of(const coupled *c, int unknown, double *load, double *tangen
 }
 
 /* Solves for approach and motion from the resultants. Returns 0 if they are undetermined. */
-static int find_rigid(coupled *c, double rigid[2]) {
+static int find_rigid(newton_system *c, double rigid[2]) {
   double sum[right_hand_sides][2] = {{0}};
   for (int u = 0; u < c->n; u++) {
     double share[2];
@@ -114,9 +113,9 @@ static int find_rigid(coupled *c, double rigid[2]) {
   return isfinite(rigid[0]) && isfinite(rigid[1]);
 }
 
-static int solve_on_sets(coupled *c) {
+static int solve_on_sets(newton_system *c) {
   friction_task *k = c->k;
-  pose *p = k->p;
+  contact_problem *p = k->p;
   friction_workspace *w = k->w;
   double rigid[2];
   if (c->na == 0) return 0;
@@ -134,8 +133,8 @@ static int solve_on_sets(coupled *c) {
 }
 
 /* Forces, gaps and slip of all candidates. */
-static void spread(coupled *c) {
-  const pose *p = c->k->p;
+static void spread(newton_system *c) {
+  const contact_problem *p = c->k->p;
   tangential_compliance *g = c->k->g;
   friction_workspace *w = c->k->w;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);
@@ -155,24 +154,24 @@ static void spread(coupled *c) {
 }
 
 /* State (stick or slip direction) of a node in contact. */
-static int next_way(const coupled *c, int at) {
+static int next_direction(const newton_system *c, int at) {
   friction_workspace *w = c->k->w;
-  const int way = c->way[at];
-  if (way != 0) return way * w->slip[at] < 0 ? 0 : way;
+  const int direction = c->direction[at];
+  if (direction != 0) return direction * w->slip[at] < 0 ? 0 : direction;
   if (fabs(w->t[at]) <= c->k->step->mu * c->k->p->f[at]) return 0;
   return w->t[at] > 0 ? 1 : -1;
 }
 
 /* True if a set changed. */
-static int update_sets(coupled *c) {
-  pose *p = c->k->p;
+static int update_sets(newton_system *c) {
+  contact_problem *p = c->k->p;
   int n = 0, changed = 0;
   for (int i = 0, s = 0; i < p->count; i++) {
     const int was = s < p->active && p->set[s] == i, is = was ? p->f[i] > 0 : p->open[i] < 0;
     s += was;
-    const int way = was && is ? next_way(c, i) : 0;
-    changed = changed || is != was || (is && way != c->way[i]);
-    c->way[i] = way;
+    const int direction = was && is ? next_direction(c, i) : 0;
+    changed = changed || is != was || (is && direction != c->direction[i]);
+    c->direction[i] = direction;
     if (is) p->joined[n++] = i;
   }
   if (!changed) return 0;
@@ -181,15 +180,15 @@ static int update_sets(coupled *c) {
   return 1;
 }
 
-static int iterate(coupled *c) {
-  const pose *p = c->k->p;
+static int iterate(newton_system *c) {
+  const contact_problem *p = c->k->p;
   friction_workspace *w = c->k->w;
   for (int i = 0; i < newton_limit; i++) {
     list_sets(c);
     if (!solve_on_sets(c)) return 0;
     spread(c);
     for (int s = 0; s < p->active; s++)
-      w->slip[p->set[s]] = c->way[p->set[s]] != 0 ? arc_friction_slip(c->k, p->set[s]) : 0;
+      w->slip[p->set[s]] = c->direction[p->set[s]] != 0 ? arc_friction_slip(c->k, p->set[s]) : 0;
     w->iterations++;
     if (!update_sets(c)) return 1;
   }
@@ -197,7 +196,7 @@ static int iterate(coupled *c) {
 }
 
 /* Restores sets and shear for the sweeps. */
-static void save(const coupled *c, double *t, double *slip, int *set) {
+static void save(const newton_system *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);
   memcpy(set, c->k->p->set, (size_t)c->k->p->active * sizeof *set);
@@ -206,16 +205,16 @@ static void save(const coupled *c, double *t, double *slip, int *set) {
 int arc_friction_newton(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
-  pose *p = k->p;
-  coupled c = {.k = k};
+  contact_problem *p = k->p;
+  newton_system c = {.k = k};
   double *t = w->work, *slip = t + g->nc, *sheared = slip + g->nc;
   const double shift = w->shear.shift;
   const int active = p->active;
-  take_room(&c);
+  set_workspace(&c);
   int *set = w->pivots + 4 * (size_t)g->nc;
   save(&c, t, slip, set);
   memcpy(sheared, w->sheared, (size_t)g->count * sizeof *sheared);
-  for (int i = 0; i < g->count; i++) c.way[i] = (w->slip[i] > 0) - (w->slip[i] < 0);
+  for (int i = 0; i < g->count; i++) c.direction[i] = (w->slip[i] > 0) - (w->slip[i] < 0);
   w->newton = iterate(&c);
   if (w->newton) return 1;
   memcpy(w->t, t, (size_t)g->count * sizeof *t);

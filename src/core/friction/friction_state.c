@@ -18,8 +18,8 @@ arc_status arc_friction_create(friction_state *s, const arc_model *model, double
   if (!s->f) return ARC_MEMORY;
   s->t = s->f + nc;
   s->slip = s->t + nc;
-  s->way = s->slip + nc;
-  s->u[ARC_CYLINDER] = s->way + nc;
+  s->slip_path = s->slip + nc;
+  s->u[ARC_CYLINDER] = s->slip_path + nc;
   s->u[ARC_PLATE] = s->u[ARC_CYLINDER] + 2 * nc;
   return ARC_OK;
 }

@@ -8,9 +8,9 @@ static arc_status create_shear(shear_problem *s, size_t n) {
   const carve_part parts[] = {{&s->bound, n}, {&s->drive, n},  {&s->t, n},    {&s->slip, n},
                               {&s->ones, n},  {&s->target, n}, {&s->held, n}, {&s->pulled, n}};
   s->factor = malloc(n * n * sizeof(double));
-  s->way = calloc(3 * n, sizeof(int));
-  if (!ARC_CARVE(parts) || !s->factor || !s->way) return ARC_MEMORY;
-  s->list = s->way + n;
+  s->direction = calloc(3 * n, sizeof(int));
+  if (!ARC_CARVE(parts) || !s->factor || !s->direction) return ARC_MEMORY;
+  s->list = s->direction + n;
   s->pick = s->list + n;
   return ARC_OK;
 }
@@ -22,7 +22,8 @@ static size_t coupled_size(size_t nc) {
 arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *w = (friction_workspace){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
+  *w =
+      (friction_workspace){.nc = (int)nc, .np = (int)np, .sweeps_before_newton = 4, .by_force = 50};
   const carve_part parts[] = {{&w->gap, nc},     {&w->sheared, nc},        {&w->before, nc},
                               {&w->t, nc},       {&w->slip, nc},           {&w->reserve, nc},
                               {&w->dragged, nc}, {&w->work, 4 * (nc + np)}};
@@ -41,7 +42,7 @@ void arc_friction_workspace_free(friction_workspace *w) {
   free(w->pivots);
   free(w->shear.bound);
   free(w->shear.factor);
-  free(w->shear.way);
+  free(w->shear.direction);
   *w = (friction_workspace){0};
 }
 

@@ -1,9 +1,7 @@
-/* Shear forces under given bounds: a symmetric box-constrained problem.
- *
- * A primal-dual active set (semismooth Newton) over sticking, slipping along and against x, from
- * the last ones. Should it cycle, or leave a given force nothing to hold on to, a primal active-set
- * method takes over: its objective falls with every set, so no set comes back.
- */
+/* Shear forces under given bounds: a symmetric box-constrained problem. A primal-dual active set
+ * (semismooth Newton) over stick and slip along and against x, from the last sets. If sets repeat,
+ * or if no node can carry a given force, a primal active-set method replaces it; its objective
+ * decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -12,7 +10,7 @@
 
 enum { newton_limit = 20 };
 
-/* pulled [by candidate] := A_tt t at the nodes, and between them. */
+/* pulled [by candidate] := A_tt t at all candidates from the first to the last node. */
 static void pull(shear_problem *s, const double *t) {
   const int first = s->at[0], last = s->at[s->n - 1] + 1;
   memset(&s->pulled[first], 0, (size_t)(last - first) * sizeof *s->pulled);
@@ -23,7 +21,7 @@ static void pull(shear_problem *s, const double *t) {
 static int list_stuck(shear_problem *s) {
   int n = 0, same = 1;
   for (int i = 0; i < s->n; i++) {
-    if (s->way[i] != 0) continue;
+    if (s->direction[i] != 0) continue;
     same = same && n < s->stuck && s->list[n] == s->at[i];
     s->list[n] = s->at[i];
     s->pick[n++] = i;
@@ -51,7 +49,7 @@ int arc_shear_factorise(shear_problem *s) {
 static void find_shift(shear_problem *s) {
   double rest = s->total, sum = 0;
   for (int i = 0; i < s->n; i++)
-    if (s->way[i] != 0) rest -= s->way[i] * s->bound[i];
+    if (s->direction[i] != 0) rest -= s->direction[i] * s->bound[i];
   for (int k = 0; k < s->stuck; k++) {
     rest -= s->target[k];
     sum += s->ones[k];
@@ -59,13 +57,13 @@ static void find_shift(shear_problem *s) {
   s->shift = rest / sum;
 }
 
-/* target [stuck] that stops the stuck nodes, while the others pull with all they have. -1: broke
- * down, 0: nothing holds the given force. */
+/* target [stuck]: forces that prevent slip of the stuck nodes, with the others at their bounds. -1:
+ * broke down, 0: no node can carry the given force. */
 static int solve_on_ways(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
   if (s->stuck == 0) return !s->by_force;
-  for (int j = 0; j < s->n; j++) s->held[j] = s->way[j] * s->bound[j];
+  for (int j = 0; j < s->n; j++) s->held[j] = s->direction[j] * s->bound[j];
   pull(s, s->held);
   for (int k = 0; k < s->stuck; k++) s->target[k] = s->drive[s->pick[k]] - s->pulled[s->list[k]];
   arc_dense_cholesky_solve(s->stuck, 1, s->factor, s->stuck, s->target, s->stuck);
@@ -76,7 +74,7 @@ static int solve_on_ways(shear_problem *s) {
 }
 
 static void take_target(shear_problem *s) {
-  for (int i = 0; i < s->n; i++) s->t[i] = s->way[i] * s->bound[i];
+  for (int i = 0; i < s->n; i++) s->t[i] = s->direction[i] * s->bound[i];
   for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
 }
 
@@ -84,20 +82,20 @@ static void take_target(shear_problem *s) {
 static void measure_slip(shear_problem *s) {
   pull(s, s->t);
   for (int i = 0; i < s->n; i++)
-    s->slip[i] = s->way[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
+    s->slip[i] = s->direction[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
 }
 
 /* True if a state changed. */
 static int update_ways(shear_problem *s) {
   int changed = 0;
   for (int i = 0; i < s->n; i++) {
-    int way = s->way[i];
-    if (way != 0)
-      way = way * s->slip[i] < 0 ? 0 : way;
+    int direction = s->direction[i];
+    if (direction != 0)
+      direction = direction * s->slip[i] < 0 ? 0 : direction;
     else if (fabs(s->t[i]) > s->bound[i])
-      way = s->t[i] > 0 ? 1 : -1;
-    changed = changed || way != s->way[i];
-    s->way[i] = way;
+      direction = s->t[i] > 0 ? 1 : -1;
+    changed = changed || direction != s->direction[i];
+    s->direction[i] = direction;
   }
   return changed;
 }
@@ -119,13 +117,13 @@ static void start_inside(shear_problem *s) {
   double all = 0;
   for (int i = 0; i < s->n; i++) all += s->bound[i];
   for (int i = 0; i < s->n; i++) {
-    s->way[i] = 0;
+    s->direction[i] = 0;
     s->t[i] = s->by_force ? s->bound[i] * (s->total / all) : 0;
   }
 }
 
-/* Towards the target as far as the bounds allow; a node that reaches its bound slips from then on.
- * Returns 1 where the way was free, 0 where one blocked, -1 on breakdown. */
+/* Moves towards the target as far as the bounds allow; a node that reaches its bound slips from
+ * then on. Returns 1 for a full step, 0 if a bound was reached, -1 on breakdown. */
 static int advance(shear_problem *s) {
   const int solved = solve_on_ways(s);
   if (solved <= 0) return solved < 0 ? -1 : 1;
@@ -144,8 +142,8 @@ static int advance(shear_problem *s) {
   }
   if (blocking < 0) return 1;
   const int i = s->pick[blocking];
-  s->way[i] = s->target[blocking] > 0 ? 1 : -1;
-  s->t[i] = s->way[i] * s->bound[i];
+  s->direction[i] = s->target[blocking] > 0 ? 1 : -1;
+  s->t[i] = s->direction[i] * s->bound[i];
   return 0;
 }
 
@@ -156,7 +154,7 @@ static int most_wrong(const shear_problem *s) {
   for (int i = 0; i < s->n; i++) most = fmax(most, fabs(s->drive[i] + s->shift));
   double least = -1e-14 * most;
   for (int i = 0; i < s->n; i++)
-    if (s->way[i] * s->slip[i] < least) least = s->way[i] * s->slip[i], worst = i;
+    if (s->direction[i] * s->slip[i] < least) least = s->direction[i] * s->slip[i], worst = i;
   return worst;
 }
 
@@ -170,7 +168,7 @@ static int descend(shear_problem *s) {
     measure_slip(s);
     const int worst = most_wrong(s);
     if (worst < 0) return 1;
-    s->way[worst] = 0;
+    s->direction[worst] = 0;
   }
   return 0;
 }
@@ -179,7 +177,7 @@ static int descend(shear_problem *s) {
 static int is_free(shear_problem *s) {
   for (int i = 0; i < s->n; i++)
     if (s->bound[i] > 0) return 0;
-  for (int i = 0; i < s->n; i++) s->t[i] = 0, s->way[i] = 1;
+  for (int i = 0; i < s->n; i++) s->t[i] = 0, s->direction[i] = 1;
   s->shift = 0;
   measure_slip(s);
   return 1;

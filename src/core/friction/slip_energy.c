@@ -1,32 +1,28 @@
-/* The energy that slip dissipates between the nodes.
- *
- * Where a plate is pushed further and further under one load, on surfaces without shear, nodes come
- * to slip one by one from the edge of the contact inwards: node j once the force has risen by D_j.
- * From then on the plate gives way by C_j more per force. Up to a rise of D they dissipate
- *
- *   sum_j D_j C_j (D - D_j)
- *
- * Surfaces slip steadily: that sum should be an integral, and by Euler's and Maclaurin's
- * formula what it is off comes of its two ends alone, the edge of the contact and that of the zone
- * that sticks, and of where between two nodes each of them is. Measured by the force between one
- * node's slip and the next one's, that is known well: the inner node slips once its reserve r is
- * gone, by r / e at a share e of the force, and the outer one slips, by s at a rate of c per force,
- * since s / c. Beyond the edge of the contact mu times the gap stands for s, as what normal load
- * is to pressures and gaps, force is to shear and slip. What is left are terms of fourth order in
- * the element. A way after a turn is twice one of half its length from surfaces without shear
- * (friction_hysteresis.c): the ends are always those of such a way, whatever forces were before.
- * Between bodies unlike each other pressures follow the shear and nodes may slip in another order:
- * there the ends are worth less, but still far more than nothing. */
+/* Energy dissipated by slip between the nodes. The plate is pushed in one direction under a
+ * constant load, on surfaces without shear. The nodes slip one by one from the edge of the contact
+ * inwards, node j when the force has risen by D_j; from then on the tangential compliance is larger
+ * by C_j. Up to a rise of D they dissipate sum_j D_j C_j (D - D_j). Surfaces slip continuously: the
+ * sum approximates an integral, and by the Euler-Maclaurin formula its error depends only on its
+ * two ends, the edge of the contact and the edge of the stick zone, and on their positions between
+ * nodes. These positions are measured by the force between the slip of two neighbouring nodes: the
+ * inner node slips after its reserve r is used, that is after r / e at a share e of the force, and
+ * the outer one has slipped by s at a rate of c per force, that is since s / c. Beyond the edge of
+ * the contact mu times the gap replaces s, because force and slip behave as load and gap. Terms of
+ * fourth order in the element size are left. A motion after a reversal is twice one of half its
+ * length from surfaces without shear (friction_hysteresis.c), so the ends are those of such a
+ * motion for any history of forces. Between bodies of different materials pressures depend on shear
+ * and nodes may slip in another order: the correction is then less accurate, but still an
+ * improvement. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Ends of the sum, on all sides: those it starts at, or those it has come to. */
+/* Lower or upper ends of the sum, on all sides. */
 typedef struct sum_ends {
   friction_task *k;
-  double unit; /* what a unit of motion takes to hold the nodes that stick [N/mm2] */
+  double unit; /* force per unit of motion on the nodes that stick [N/mm2] */
   friction_terms terms;
 } sum_ends;
 
@@ -39,12 +35,13 @@ static double slip_rate(const sum_ends *e, int at) {
   return fabs(1 - held) / e->unit;
 }
 
-/* Slip of the node beside one of those in contact, with the gap there in terms of slip [mm]. */
+/* Slip of the neighbour of a node in contact; outside the contact, the gap converted to slip [mm].
+ */
 static double slipped(const sum_ends *e, int in, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int next = in + side, out = h->at[in] + side;
   const double *column = &h->a[dense_at(0, out, h->ld)];
-  if (next >= 0 && next < h->n && h->at[next] == out) return h->way[next] * h->slip[next];
+  if (next >= 0 && next < h->n && h->at[next] == out) return h->direction[next] * h->slip[next];
   double slip = h->shift;
   for (int i = 0; i < h->n; i++) slip -= column[h->at[i]] * h->t[i];
   return slip + e->k->step->mu * e->k->p->open[out];
@@ -57,11 +54,10 @@ static double until_slip(const sum_ends *e, int q) {
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Whether nodes follow each other as they do where surfaces meet smoothly, by the steps from here
- * to the next node and to the one after that, as it seems from here: their ratio is 1.2 to 1.9 for
- * contacts of three nodes or forty, wherever between nodes they end, and up to 2.7 where the
- * plate's nodes are halfway between the cylinder's. 1, less at kinks of the surfaces, 0 at scars'
- * edges. */
+/* Share of the correction, from the forces until the next node and the one after it slip. Their
+ * ratio is 1.2 to 1.9 for smooth contacts of three to forty nodes, at any position of the edges
+ * between nodes, and up to 2.7 if the plate's nodes are halfway between the cylinder's. Returns 1,
+ * less at kinks of the surfaces, 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
@@ -81,7 +77,7 @@ static void add_end(sum_ends *e, int q, int side) {
   e->terms.odd += weight * step * phase * (phase - 0.5) * (phase - 1) / 3;
 }
 
-/* Both sides of every zone that sticks, by the ways of the shear problem. */
+/* Both sides of every stick zone, from the directions of the shear problem. */
 static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
   sum_ends e = {.k = k};
@@ -96,7 +92,7 @@ static int find_terms(friction_task *k, friction_terms *terms) {
 }
 
 /* The shear problem of a force along x on surfaces without shear, under the present pressures. The
- * nodes that slip are looked for from those of the solution. */
+ * search for slipping nodes starts from those of the solution. */
 static int shear_unsheared(friction_task *k, double force) {
   shear_problem *h = &k->w->shear;
   double carried = 0;
@@ -107,15 +103,15 @@ static int shear_unsheared(friction_task *k, double force) {
   for (int i = 0; i < h->n; i++) {
     h->bound[i] = k->step->mu * k->p->f[h->at[i]];
     h->drive[i] = 0;
-    h->way[i] = force > 0 && k->w->slip[h->at[i]] != 0;
+    h->direction[i] = force > 0 && k->w->slip[h->at[i]] != 0;
     carried += h->bound[i];
   }
   if (force < (1 - 1e-9) * carried) return arc_shear_solve(h) == 1;
-  for (int i = 0; i < h->n; i++) h->way[i] = 1;
+  for (int i = 0; i < h->n; i++) h->direction[i] = 1;
   return 1;
 }
 
-/* What the sum up to `rise` is off [N], both ends under the present pressures. */
+/* Error of the sum up to `rise` [N], with both ends under the present pressures. */
 static int sum_error(friction_task *k, double rise, double *energy) {
   friction_terms start, end;
   if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
@@ -124,7 +120,8 @@ static int sum_error(friction_task *k, double rise, double *energy) {
   return 1;
 }
 
-/* Which way the next node slips, from a candidate to one side; 0 where the contact ends first. */
+/* Direction of slip of the nearest slipping node on one side of a candidate; 0 if the contact ends
+ * first. */
 static int way_beside(const friction_task *k, int from, int side, int *apart) {
   const double *slip = k->w->slip, *f = k->p->f;
   int c = from;
@@ -133,8 +130,8 @@ static int way_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Where nothing is known of the plate's ways: up to the bound on the side to which those slip that
- * are nearest, or up to the nearer bound. */
+/* Without a known history: the reserve up to the bound in the direction of the nearest slipping
+ * nodes, or up to the nearer bound. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;
@@ -142,21 +139,21 @@ static void guess_reserve(friction_task *k) {
     int left, right, apart[2];
     left = way_beside(k, c, -1, &apart[0]);
     right = way_beside(k, c, 1, &apart[1]);
-    const int way = apart[0] < apart[1] ? left : right;
-    const double against = way != 0 ? way * w->t[c] : fabs(w->t[c]);
+    const int direction = apart[0] < apart[1] ? left : right;
+    const double against = direction != 0 ? direction * w->t[c] : fabs(w->t[c]);
     w->reserve[c] = w->slip[c] == 0 ? fmax(0, mu * k->p->f[c] - against) : 0;
   }
 }
 
-/* By the shear problem just solved. */
+/* From the shear problem just solved. */
 static void take_reserve(friction_task *k) {
   const shear_problem *h = &k->w->shear;
   memset(k->w->reserve, 0, (size_t)k->p->count * sizeof *k->w->reserve);
   for (int i = 0; i < h->n; i++)
-    if (h->way[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
+    if (h->direction[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
 }
 
-/* The sum's error is that of a way on surfaces without shear, twice after a turn. */
+/* The error of the sum is that of a motion on surfaces without shear, doubled after a reversal. */
 static void add_way(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;
@@ -172,7 +169,7 @@ static void add_way(friction_task *k, friction_state *s) {
 
 void arc_friction_between(friction_task *k, friction_state *s) {
   guess_reserve(k);
-  if (s->memory.sense == 0) return;
+  if (s->memory.sense == 0 || !shape_is_corrected(k->p->shape)) return;
   arc_friction_close_loops(s);
   add_way(k, s);
 }

@@ -1,6 +1,6 @@
-/* The tangential part of a pose's contact matrix, and displacements of both surfaces. Tangents go
- * with the normals of mortar.c: the plate's own at its nodes, the one it shows the cylinder there.
- */
+/* The tangential part of a problem's contact matrix, and displacements of both surfaces. Tangents
+ * correspond to the normals of mortar.c: the plate's own at its nodes, the tangent of the opposite
+ * point at the cylinder's. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
@@ -29,8 +29,8 @@ size_t arc_tangential_bytes(const tangential_compliance *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Adds `weight` times what a unit of shear at a body's node `at` does by xx to its nodes first ..
- * first + count - 1: gaps n, tangential displacements t. */
+/* Adds `weight` times the response to a unit of shear at a body's node `at` by xx to its nodes
+ * first .. first + count - 1: gaps n, tangential displacements t. */
 ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
                                   int at, double weight, double *restrict n, double *restrict t) {
   const size_t from = dense_at(first, at, c->n);
@@ -44,16 +44,17 @@ ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int
   }
 }
 
-/* What the displacement of node l along the surface under a unit of shear at node `at` is beyond
- * that of xx. */
+/* Difference of the displacement of node l along the surface under a unit of shear at node `at`
+ * from that of xx. */
 static double beyond_xx(const compliance *c, int l, int at) {
   return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
 }
 
-/* The same by the compliance for shear, that is another one near the diagonal. */
-static void respond(const compliance *c, const double *slopes, int first, int count, int at,
-                    double weight, double *n, double *t) {
+/* The same by the compliance for shear, which differs near the diagonal. */
+static void respond(const compliance *c, int corrected, const double *slopes, int first, int count,
+                    int at, double weight, double *n, double *t) {
   respond_wide(c, slopes, first, count, at, weight, n, t);
+  if (!corrected) return;
   for (int l = at - ARC_SHEAR_REACH; l <= at + ARC_SHEAR_REACH; l++) {
     if (l < first || l >= first + count) continue;
     const double ux = weight * beyond_xx(c, l, at);
@@ -62,19 +63,22 @@ static void respond(const compliance *c, const double *slopes, int first, int co
   }
 }
 
-/* What shear at candidate k does to the plate's surface, by plate node, and to the cylinder's. */
-static void pull_at(const pose *p, int k, double *const plate[2], double *const cylinder[2]) {
+/* Response to shear at candidate k of the plate's surface, by plate node, and of the cylinder's. */
+static void pull_at(const contact_problem *p, int k, double *const plate[2],
+                    double *const cylinder[2]) {
   const compliance *c = shape_compliance(&p->shape->side[ARC_PLATE]);
+  const int corrected = shape_is_corrected(p->shape);
   memset(plate[0], 0, 2 * (size_t)(p->np + p->nc) * sizeof *plate[0]);
   for (int q = 0; q < p->width; q++) {
     const double weight = p->b[k * p->width + q];
-    if (weight != 0) respond(c, c->slope, 0, p->np, p->first[k] + q, weight, plate[0], plate[1]);
+    if (weight != 0)
+      respond(c, corrected, c->slope, 0, p->np, p->first[k] + q, weight, plate[0], plate[1]);
   }
-  respond(shape_compliance(&p->shape->side[ARC_CYLINDER]), p->slope, p->lo, p->count, p->lo + k, 1,
-          cylinder[0], cylinder[1]);
+  respond(shape_compliance(&p->shape->side[ARC_CYLINDER]), corrected, p->slope, p->lo, p->count,
+          p->lo + k, 1, cylinder[0], cylinder[1]);
 }
 
-static void fill_column(tangential_compliance *g, const pose *p, int k, double *work) {
+static void fill_column(tangential_compliance *g, const contact_problem *p, int k, double *work) {
   double *plate[2] = {work, work + p->np}, *cylinder[2] = {plate[1] + p->np, NULL};
   cylinder[1] = cylinder[0] + p->nc;
   pull_at(p, k, plate, cylinder);
@@ -90,7 +94,7 @@ static void fill_column(tangential_compliance *g, const pose *p, int k, double *
   }
 }
 
-void arc_tangential_update(tangential_compliance *g, const pose *p, double *work) {
+void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work) {
   if (g->version == p->version && g->x == p->x) return;
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
   g->count = p->count;
@@ -128,7 +132,8 @@ void arc_tangential_drag_all(const tangential_compliance *g, const double *f, co
 
 /* --- displacements ---------------------------------------------------------------------------- */
 
-void arc_tangential_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r) {
+void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIES], double *work,
+                             double *r) {
   const double *slope = shape_compliance(&p->shape->side[ARC_PLATE])->slope;
   for (int l = 0; l < p->np; l++) work[l] = u[ARC_PLATE][l] + slope[l] * u[ARC_PLATE][p->np + l];
   for (int k = 0; k < p->count; k++) {
@@ -140,16 +145,16 @@ void arc_tangential_relative(const pose *p, double *const u[ARC_BODIES], double 
   }
 }
 
-/* Adds what shear at node k moves the nodes near it along the surface beyond xx. */
+/* Adds the displacements along the surface of nodes near k under shear at k that differ from xx. */
 static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
   for (int l = k - ARC_SHEAR_REACH; l <= k + ARC_SHEAR_REACH && shear != 0; l++)
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
 }
 
 /* u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces only along
- * x, as nothing else is asked. force [2 n] is room. */
-static void displace(const compliance *c, const double *slope, int flat, const double *f,
-                     const double *t, double *force, double *u) {
+ * x, the only component used. force [2 n] is workspace. */
+static void displace(const compliance *c, int corrected, const double *slope, int flat,
+                     const double *f, const double *t, double *force, double *u) {
   double *fx = force, *fy = force + c->n;
   for (int k = 0; k < c->n; k++) {
     fx[k] = t[k] - slope[k] * f[k];
@@ -158,23 +163,23 @@ static void displace(const compliance *c, const double *slope, int flat, const d
   memset(u, 0, 2 * (size_t)c->n * sizeof *u);
   add_middle(c->n, 0, c->n, c->xx, fx, u);
   add_middle(c->n, 0, c->n, c->xy, fy, u);
-  for (int k = 0; k < c->n; k++) add_beyond_xx(c, k, fx[k], u);
+  for (int k = 0; k < c->n && corrected; k++) add_beyond_xx(c, k, fx[k], u);
   if (flat) return;
   add_middle(c->n, 0, c->n, c->yx, fx, u + c->n);
   add_middle(c->n, 0, c->n, c->yy, fy, u + c->n);
 }
 
-void arc_tangential_displace(const pose *p, int flat, const double *f, const double *t,
+void arc_tangential_displace(const contact_problem *p, int flat, const double *f, const double *t,
                              double *const u[ARC_BODIES], double *work) {
   const compliance *cylinder = shape_compliance(&p->shape->side[ARC_CYLINDER]);
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
   double *fp = work, *tp = work + p->np, *force = tp + p->np;
-  displace(cylinder, p->slope, flat, f, t, force, u[ARC_CYLINDER]);
-  arc_pose_to_plate(p, f, fp);
-  arc_pose_to_plate(p, t, tp);
+  displace(cylinder, shape_is_corrected(p->shape), p->slope, flat, f, t, force, u[ARC_CYLINDER]);
+  arc_contact_problem_to_plate(p, f, fp);
+  arc_contact_problem_to_plate(p, t, tp);
   for (int l = 0; l < p->np; l++) {
     fp[l] = -fp[l];
     tp[l] = -tp[l];
   }
-  displace(plate, plate->slope, flat, fp, tp, force, u[ARC_PLATE]);
+  displace(plate, shape_is_corrected(p->shape), plate->slope, flat, fp, tp, force, u[ARC_PLATE]);
 }

@@ -1,11 +1,11 @@
-/* What bodies may be called. */
+/* Checks of the names of bodies. */
 #include "core/mesh/body_name.h"
 #include "archard/mesh.h"
 
 #include <ctype.h>
 #include <string.h>
 
-/* What names would hide: roles, kinds, sums, and what stands beside meshes. */
+/* Reserved names: roles, kinds, sums, and the other keys of tables of meshes. */
 static int is_taken(const char *name) {
   static const char *const words[] = {"upper", "lower", "plate", "total", "both", "all", NULL};
   for (int i = 0; words[i]; i++)
@@ -27,8 +27,9 @@ arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_erro
     return arc_fail(error, ARC_ARGUMENT, "field '%sname': expected " ARC_BODY_NAME ", got \"%s\"",
                     path, b->name);
   if (!is_taken(b->name)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field '%sname': expected a name of its own, got \"%s\", which stands for "
-                  "something else",
-                  path, b->name);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field '%sname': expected a name that is no kind of body, no field of mesh and none "
+      "of upper, lower, plate, total, both and all, got \"%s\"",
+      path, b->name);
 }

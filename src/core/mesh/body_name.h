@@ -1,12 +1,12 @@
-/* What bodies may be called. */
+/* Checks of the names of bodies. */
 #ifndef MESH_BODY_NAME_H
 #define MESH_BODY_NAME_H
 
 #include "archard/body.h"
 
-/* Whether a name is a word, ARC_BODY_NAME but for its length. */
+/* True if a name has the form of ARC_BODY_NAME, of any length. */
 int arc_body_is_word(const char *name);
-/* Names that are words, and stand for nothing else. */
+/* Checks that all names are words and not reserved. ARC_INVALID: the field and the name. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
 
 #endif

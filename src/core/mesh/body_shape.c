@@ -1,4 +1,4 @@
-/* Shapes of bodies in numbers, by the functions of their kinds; blocks, and layers. */
+/* Dimensions of bodies, computed by the functions of their kinds; blocks and layers. */
 #include "core/mesh/body_shape.h"
 #include "core/mesh/body_name.h"
 
@@ -33,7 +33,7 @@ const arc_setting arc_layer_settings[] = {
   {                                                                                                \
     .name = #axis, .unit = "mm", .kind = ARC_NUMBER, .forms = ARC_SERIES | ARC_OPTIONAL,           \
     .offset = offsetof(arc_body_def, axis), .series = offsetof(arc_body_def, axis##_series),       \
-    ARC_RANGE_ANY, .text = "Where the points of a map are along " #axis "."                        \
+    ARC_RANGE_ANY, .text = "Positions of the points of a map along " #axis "."                     \
   }
 
 #define ARC_SETTING_OF arc_body_def
@@ -192,7 +192,7 @@ static const char *const block_fields[] = {"width", "height", NULL}, *const no_f
         NULL, NULL                                                                                 \
   }
 const body_shape arc_body_shape_block = RECTANGLE(block_fields);
-/* Stand for others until they are resolved. */
+/* Placeholders that are resolved to other kinds. */
 const body_shape arc_body_shape_usual = RECTANGLE(no_fields);
 const body_shape arc_body_shape_gmsh = RECTANGLE(no_fields);
 
@@ -215,7 +215,7 @@ double arc_body_interface(const arc_body_def *b, int layer) {
   return depth;
 }
 
-/* --- what cannot be --------------------------------------------------------------------------- */
+/* --- validation ------------------------------------------------------------------------------- */
 
 static arc_status check_layers(const arc_body_def *b, const char *path, arc_error *error) {
   const int layers = arc_body_layers(b);

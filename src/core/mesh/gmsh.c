@@ -1,5 +1,5 @@
-/* A pair of bodies from a Gmsh file: node numbers become indices, both bodies are made, and stand
- * as they should. */
+/* Reads a pair of bodies from a Gmsh file: converts node numbers to indices, builds both meshes,
+ * and checks their relative position. */
 #include "core/mesh/gmsh_body.h"
 #include "core/mesh/gmsh_groups.h"
 
@@ -35,7 +35,7 @@ static arc_status find_corners(const msh_file *f, const numbered *list, msh_elem
   return ARC_OK;
 }
 
-/* Corners as indices in place of numbers. */
+/* Replaces the node numbers of corners by indices. */
 static arc_status index_corners(msh_file *f, arc_error *error) {
   const msh_node *node = f->nodes.data;
   numbered *list = malloc(((size_t)f->nodes.count + 1) * sizeof *list);
@@ -54,13 +54,14 @@ static arc_status index_corners(msh_file *f, arc_error *error) {
   return status;
 }
 
-/* --- how the bodies stand --------------------------------------------------------------------- */
+/* --- relative position of the bodies ---------------------------------------------------------- */
 
 static const double *surface_at(const arc_mesh *m, int i) {
   return &m->xy[2 * m->surface_node[i]];
 }
 
-/* Height of a surface at x by its polygon; *i walks to the edge with x. NAN beside the surface. */
+/* Height of a surface at x, linear between its nodes; *i is the last edge, moved on to the edge at
+ * x. NAN outside the surface. */
 static double height_at(const arc_mesh *m, double x, int *i) {
   while (*i + 2 < m->surface && surface_at(m, *i + 1)[0] < x) ++*i;
   const double *p = surface_at(m, *i), *q = surface_at(m, *i + 1);
@@ -79,7 +80,7 @@ static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, dou
   }
 }
 
-/* Nodes need not stand where the bodies touch first: what an edge leaves out is no gap. */
+/* The first contact may lie between nodes; differences of that size are no gap. */
 static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   double gap = INFINITY, x = 0;
   for (int b = 0; b < ARC_BODIES; b++) least_gap(mesh[b], mesh[1 - b], &gap, &x);
@@ -107,7 +108,8 @@ static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   enum { samples = 201 };
   double weight = 0, sum = 0;
   int above = 0, below = 0;
-  for (int k = 0; k < samples; k++) { /* the second Legendre polynomial takes out the rest */
+  for (int k = 0; k < samples;
+       k++) { /* the second Legendre polynomial is orthogonal to the linear part */
     const double t = 2.0 * k / (samples - 1) - 1, x = (from + to) / 2 + t * (to - from) / 2;
     const double gap = height_at(upper, x, &above) - height_at(lower, x, &below);
     const double legendre = t * t - (samples + 1.0) / (3.0 * (samples - 1));
@@ -146,7 +148,7 @@ static arc_status make_pair(msh_file *f, arc_mesh *mesh[ARC_BODIES], arc_error *
   return ARC_OK;
 }
 
-/* Both meshes of a file whose text is there. */
+/* Builds both meshes from the text of a file. */
 static arc_status read_pair(msh_file *file, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
   arc_status status = arc_msh_read(file, error);
   if (status != ARC_OK) return status;

@@ -1,4 +1,4 @@
-/* One body of a Gmsh file: its elements, nodes and materials, and whether they make a mesh. */
+/* Builds one body of a Gmsh file: its elements, nodes and materials, with checks of the mesh. */
 #include "core/mesh/gmsh_body.h"
 #include "core/mesh/gmsh_boundary.h"
 #include "core/mesh/gmsh_groups.h"
@@ -29,7 +29,7 @@ static arc_status refuse_type(const msh_body *b, const msh_element *e) {
                   b->file->text.path, e->tag, arc_msh_role(b->mesh->body), e->type);
 }
 
-/* Its elements in the order of the file. */
+/* Collects its elements in the order of the file. */
 static arc_status pick_elements(msh_body *b) {
   arc_mesh *m = b->mesh;
   const unsigned own = arc_msh_bit(m->body, MSH_BODY);
@@ -91,7 +91,7 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* What has no name is of the body's own material. */
+/* Elements without a named group have the body's own material. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -110,7 +110,7 @@ static arc_status fill_materials(msh_body *b) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Largest of the coordinates: what the body's rounding is measured by. */
+/* Largest coordinate: the scale of rounding errors. */
 static double extent(const arc_mesh *m) {
   double most = 0;
   for (int k = 0; k < 2 * m->nodes; k++) most = fmax(most, fabs(m->xy[k]));
@@ -179,27 +179,28 @@ static arc_status check_shapes(const msh_body *b) {
   return status;
 }
 
-/* --- nodes at one place ----------------------------------------------------------------------- */
+/* --- coincident nodes ------------------------------------------------------------------------- */
 
-typedef struct place {
+typedef struct grid_cell {
   double x, y; /* of a cell */
   int node;
-} place;
+} grid_cell;
 
-static int compare_places(const void *a, const void *b) {
-  const place *p = a, *q = b;
+static int compare_positions(const void *a, const void *b) {
+  const grid_cell *p = a, *q = b;
   if (p->x != q->x) return p->x < q->x ? -1 : 1;
   if (p->y != q->y) return p->y < q->y ? -1 : 1;
   return (p->node > q->node) - (p->node < q->node);
 }
 
-/* Two nodes of one cell of a grid that stands off by a share of its spacing; 0: there are none. */
-static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y, place *list,
-                      int twins[2]) {
+/* Searches two close nodes in one cell of a grid that is shifted by a share of its spacing; 0:
+ * there are none. */
+static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y,
+                      grid_cell *list, int twins[2]) {
   for (int n = 0; n < m->nodes; n++)
-    list[n] = (place){floor(m->xy[2 * n] / spacing + off_x),
-                      floor(m->xy[2 * n + 1] / spacing + off_y), n};
-  qsort(list, (size_t)m->nodes, sizeof *list, compare_places);
+    list[n] = (grid_cell){floor(m->xy[2 * n] / spacing + off_x),
+                          floor(m->xy[2 * n + 1] / spacing + off_y), n};
+  qsort(list, (size_t)m->nodes, sizeof *list, compare_positions);
   for (int n = 1; n < m->nodes; n++) {
     if (list[n].x != list[n - 1].x || list[n].y != list[n - 1].y) continue;
     twins[0] = list[n - 1].node, twins[1] = list[n].node;
@@ -208,19 +209,20 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Nodes closer than half of this share of the extent fall into one cell of one of four grids. */
+/* Nodes closer than half of this share of the extent are in one cell of at least one of four grids.
+ */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;
   const double spacing = 1e-9 * extent(m);
   int twins[2], found = 0;
-  place *list = malloc((size_t)m->nodes * sizeof *list);
+  grid_cell *list = malloc((size_t)m->nodes * sizeof *list);
   if (!list) return out_of_memory(b);
   for (int grid = 0; grid < 4 && !found; grid++)
     found = find_twins(m, spacing, grid % 2 * 0.5, grid / 2 * 0.5, list, twins);
   free(list);
   if (!found) return ARC_OK;
   return arc_fail(b->error, ARC_GEOMETRY,
-                  "%s: nodes %lld and %lld of '%s' are at one place, (%.6g, %.6g) mm: the body has "
+                  "%s: nodes %lld and %lld of '%s' coincide at (%.6g, %.6g) mm: the body has "
                   "a crack there; merge them (Coherence Mesh)",
                   b->file->text.path, arc_msh_tag(b, twins[0]), arc_msh_tag(b, twins[1]),
                   arc_msh_role(m->body), m->xy[2 * twins[0]], m->xy[2 * twins[0] + 1]);
@@ -233,7 +235,7 @@ static int root_of(int *parent, int node) {
   return node;
 }
 
-/* A node that no path of edges leads to from node 0; -1: there is none. */
+/* A node that is not connected with node 0 by edges; -1: there is none. */
 static int find_loose(const arc_mesh *m, int *parent) {
   for (int n = 0; n < m->nodes; n++) parent[n] = n;
   for (int e = 0; e < m->elements; e++)

@@ -1,11 +1,12 @@
-/* The boundary of a body from outside: its polygon, the candidate surface, the fixed nodes. */
+/* Boundary of a body from a Gmsh file: its polygon, the candidate surface, the fixed nodes. */
 #include "core/mesh/gmsh_boundary.h"
 #include "core/mesh/gmsh_groups.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Nodes of a contact curve: as few as the mesher allows, as many as dense compliances bear. */
+/* Limits of the number of nodes of a contact curve: the minimum of archard's mesher, and a maximum
+ * for dense compliances. */
 enum { fewest_surface = 5, most_surface = 5000 };
 
 typedef struct edge {
@@ -20,13 +21,13 @@ static const char *role(const msh_body *b) {
   return arc_msh_role(b->mesh->body);
 }
 
-static const double *place(const msh_body *b, int node) {
+static const double *position(const msh_body *b, int node) {
   return &b->mesh->xy[2 * node];
 }
 
-/* --- edges that only one element has ---------------------------------------------------------- */
+/* --- edges of the boundary: those of one element only ----------------------------------------- */
 
-/* By their ends, whichever comes first. */
+/* Order of edges by their two nodes, in any direction. */
 static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
@@ -52,7 +53,7 @@ static int list_edges(const arc_mesh *m, edge *list) {
 
 static arc_status refuse_overlap(const msh_body *b, const edge *p, const edge *q) {
   const msh_element *e = b->file->elements.data;
-  const double *at = place(b, p->from);
+  const double *at = position(b, p->from);
   return arc_fail(b->error, ARC_GEOMETRY,
                   "%s: elements %lld and %lld of '%s' overlap at node %lld, (%.6g, %.6g) mm; a "
                   "surface may be meshed or listed twice",
@@ -65,13 +66,13 @@ static arc_status link_edge(msh_body *b, const edge *e) {
     b->next[e->from] = e->to;
     return ARC_OK;
   }
-  const double *at = place(b, e->from);
+  const double *at = position(b, e->from);
   return arc_fail(b->error, ARC_GEOMETRY,
                   "%s: '%s' is held together by a single node, %lld at (%.6g, %.6g) mm",
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Inner edges belong to two elements, which run along them in opposite directions. */
+/* Two elements share an inner edge and pass it in opposite directions. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
@@ -88,7 +89,7 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   return status;
 }
 
-/* The polygon that the contact belongs to; holes elsewhere are not part of it. */
+/* The boundary polygon with the contact; holes elsewhere are not part of it. */
 static arc_status chain_outline(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->outline_node = malloc((size_t)m->nodes * sizeof(int));
@@ -103,8 +104,8 @@ static arc_status chain_outline(msh_body *b) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Line i of the file, if it belongs to the set of this body: its ends in the mesh, -1 where it has
- * none there. */
+/* Line i of the file, if it belongs to the set of this body: its two nodes in the mesh, -1 for
+ * nodes of other bodies. */
 static const msh_element *line_of(const msh_body *b, int i, msh_set set, int end[2]) {
   const msh_element *e = (const msh_element *)b->file->elements.data + i;
   if (e->dim != 1) return NULL;
@@ -128,10 +129,10 @@ static arc_status refuse_line(const msh_body *b, const msh_element *e, const cha
 
 /* --- the candidate surface -------------------------------------------------------------------- */
 
-/* Outlines run counter-clockwise: along the upper body's surface to the right, along the lower's
- * to the left. */
+/* Outlines are counter-clockwise: along the upper body's surface to the right, along the lower's to
+ * the left. */
 static arc_status check_direction(const msh_body *b, const msh_element *e, int from, int to) {
-  const double *p = place(b, from), *q = place(b, to);
+  const double *p = position(b, from), *q = position(b, to);
   const int upper = b->mesh->body == ARC_CYLINDER;
   const double along = upper ? q[0] - p[0] : p[0] - q[0];
   if (along > 1e-6 * fabs(q[1] - p[1])) return ARC_OK;
@@ -142,7 +143,7 @@ static arc_status check_direction(const msh_body *b, const msh_element *e, int f
                              "'lower' looks up");
 }
 
-/* right[node] = the node of the surface that follows by increasing x, left[] the one before. */
+/* right[node]: the next node of the surface by increasing x, left[]: the previous one. */
 static arc_status link_surface(const msh_body *b, int *right, int *left) {
   arc_status status = ARC_OK;
   int end[2], count = 0;
@@ -166,7 +167,7 @@ static arc_status link_surface(const msh_body *b, int *right, int *left) {
 }
 
 static arc_status refuse_pieces(const msh_body *b, int first, int second) {
-  const double *p = place(b, first), *q = place(b, second);
+  const double *p = position(b, first), *q = position(b, second);
   return arc_fail(b->error, ARC_GEOMETRY,
                   "%s: '%s.contact' is in pieces: expected one curve, got one that begins at "
                   "(%.6g, %.6g) mm and another at (%.6g, %.6g) mm",
@@ -218,7 +219,7 @@ static arc_status mark_fixed(const msh_body *b, const edge *list, int edges, cha
   }
   for (int i = 0; i < b->mesh->surface; i++) {
     const int node = b->mesh->surface_node[i];
-    const double *at = place(b, node);
+    const double *at = position(b, node);
     if (fixed[node])
       return arc_fail(b->error, ARC_GEOMETRY,
                       "%s: node %lld at (%.6g, %.6g) mm is both in '%s.contact' and in '%s.fixed'; "

@@ -1,4 +1,4 @@
-/* The boundary of a body out of a Gmsh file. */
+/* Boundary of a body from a Gmsh file. */
 #ifndef MESH_GMSH_BOUNDARY_H
 #define MESH_GMSH_BOUNDARY_H
 
@@ -11,16 +11,16 @@ typedef struct msh_body {
   int *local;  /* [nodes of the file] number in the mesh, or -1 */
   int *origin; /* [nodes] index in the file */
   int *source; /* [elements] index in the file */
-  int *next;   /* [nodes] the node that follows on the boundary, or -1 */
+  int *next;   /* [nodes] next node on the boundary, or -1 */
   arc_error *error;
 } msh_body;
 
-/* Number of a node of the mesh in the file, and its place. */
+/* Number of a node of the mesh in the file, and its coordinates. */
 static inline long long arc_msh_tag(const msh_body *b, int node) {
   return ((const msh_node *)b->file->nodes.data)[b->origin[node]].tag;
 }
 
-/* Boundary, candidate surface, fixed nodes. */
+/* Determines the boundary, the candidate surface and the fixed nodes. */
 arc_status arc_msh_boundary(msh_body *b);
 
 #endif

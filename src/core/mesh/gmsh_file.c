@@ -1,11 +1,11 @@
-/* The sections of a Gmsh file, 2.2 and 4.1, as they stand there. */
+/* Reads the sections of a Gmsh file, versions 2.2 and 4.1. */
 #include "core/mesh/gmsh_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* As many as the mesher makes, and four times that: more is a mistake, not a wish. */
+/* Four times the limit of archard's mesher; a larger number is an error of the file. */
 enum { most_items = 4000000 };
 
 static arc_status out_of_memory(const msh_file *f, arc_error *error) {
@@ -14,7 +14,7 @@ static arc_status out_of_memory(const msh_file *f, arc_error *error) {
 
 /* --- items and their counts ------------------------------------------------------------------- */
 
-/* Goes to the line of item `i` of `count`; the section must not end before. */
+/* Reads the line of item `i` of `count`; an error if the section ends before. */
 static arc_status next_item(msh_file *f, const char *what, long long i, long long count,
                             arc_error *error) {
   if (!arc_msh_line(&f->text))
@@ -87,8 +87,8 @@ static arc_status read_name(msh_file *f, arc_error *error) {
   if (!group) return out_of_memory(f, error);
   group->dim = (int)dim;
   group->tag = tag;
-  const size_t room = sizeof group->name - 1;
-  memcpy(group->name, f->text.at + 1, length < room ? length : room);
+  const size_t capacity = sizeof group->name - 1;
+  memcpy(group->name, f->text.at + 1, length < capacity ? length : capacity);
   for (char *c = group->name; *c; c++)
     if ((unsigned char)*c < ' ') *c = '?';
   return ARC_OK;
@@ -105,7 +105,7 @@ static arc_status read_names(msh_file *f, arc_error *error) {
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* Number, extent, groups, and bounds that nobody needs. */
+/* Number, extent, groups, and unused boundary entities. */
 static arc_status read_entity(msh_file *f, int dim, arc_error *error) {
   long long tag, count = 0, group;
   if (!arc_msh_whole(&f->text, &tag) || !skip_reals(f, dim == 0 ? 3 : 6) ||
@@ -146,17 +146,17 @@ static arc_status add_node(msh_file *f, arc_error *error) {
   return ARC_OK;
 }
 
-static arc_status read_place(msh_file *f, int index, arc_error *error) {
+static arc_status read_position(msh_file *f, int index, arc_error *error) {
   msh_node *node = (msh_node *)f->nodes.data + index;
   for (int d = 0; d < 3; d++) {
     if (!arc_msh_real(&f->text, &node->x[d]))
       return bad_item(f, "three finite coordinates of a node", error);
-    node->x[d] += 0.0; /* zero has no sign: it is written without */
+    node->x[d] += 0.0; /* zeros have no sign, as in written files */
   }
   return ARC_OK;
 }
 
-/* The numbers of a block, then the places. */
+/* Node numbers of a block, then its coordinates. */
 static arc_status read_node_block(msh_file *f, long long count, arc_error *error) {
   const int first = f->nodes.count;
   arc_status status = ARC_OK;
@@ -165,11 +165,11 @@ static arc_status read_node_block(msh_file *f, long long count, arc_error *error
       status = add_node(f, error);
   for (int i = 0; status == ARC_OK && i < count; i++)
     if ((status = next_item(f, "nodes of a block", i, count, error)) == ARC_OK)
-      status = read_place(f, first + i, error);
+      status = read_position(f, first + i, error);
   return status;
 }
 
-/* The line before a block: three numbers of it and how many items, of `left` still to come. */
+/* The header of a block: three numbers and the number of its items, at most `left`. */
 static arc_status read_block(msh_file *f, long long i, long long blocks, const char *what,
                              long long left, long long head[3], long long *count,
                              arc_error *error) {
@@ -179,7 +179,7 @@ static arc_status read_block(msh_file *f, long long i, long long blocks, const c
   return read_count(f, what, left, count, error);
 }
 
-/* blocks, items, and the range of their numbers, which nobody needs. */
+/* blocks, items, and the unused range of their numbers. */
 static arc_status read_counts(msh_file *f, const char *what, long long *blocks, long long *count,
                               arc_error *error) {
   arc_status status = next_item(f, "counts", 0, 1, error);
@@ -191,7 +191,7 @@ static arc_status read_counts(msh_file *f, const char *what, long long *blocks, 
 static arc_status expect_all(const msh_file *f, const char *what, long long left,
                              arc_error *error) {
   if (left == 0) return ARC_OK;
-  return arc_msh_fail(&f->text, error, "the blocks hold %lld %s less than their count says", left,
+  return arc_msh_fail(&f->text, error, "the blocks contain %lld %s less than their count", left,
                       what);
 }
 
@@ -201,7 +201,8 @@ static arc_status read_nodes(msh_file *f, arc_error *error) {
   const long long all = left;
   for (long long i = 0; f->version == 2 && status == ARC_OK && i < all; i++) {
     if ((status = next_item(f, "nodes", i, all, error)) != ARC_OK) break;
-    if ((status = add_node(f, error)) == ARC_OK) status = read_place(f, f->nodes.count - 1, error);
+    if ((status = add_node(f, error)) == ARC_OK)
+      status = read_position(f, f->nodes.count - 1, error);
     left--;
   }
   for (long long i = 0; status == ARC_OK && i < blocks; i++) {
@@ -214,7 +215,7 @@ static arc_status read_nodes(msh_file *f, arc_error *error) {
 
 /* --- elements --------------------------------------------------------------------------------- */
 
-/* Dimension of the elements of a type; 3: solids, and what nobody asks for. */
+/* Dimension of the elements of a type; 3: solids and unknown types. */
 static int dimension_of(long long type) {
   static const char plane[] = {2, 3, 9, 10, 16, 20, 21, 22, 23, 24, 25, 36, 37, 0};
   static const char line[] = {1, 8, 26, 27, 28, 0};
@@ -223,7 +224,7 @@ static int dimension_of(long long type) {
   return strchr(line, (char)type) ? 1 : strchr(plane, (char)type) ? 2 : 3;
 }
 
-/* Corners that are read of it: those of elements of higher order are not. */
+/* Number of corners that are read; 0 for elements of higher order. */
 static int corners_of(int type) {
   return type == MSH_LINE ? 2 : type == MSH_TRIANGLE ? 3 : type == MSH_QUAD ? 4 : 0;
 }
@@ -239,7 +240,7 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
   if (!read_wholes(f, corners_of(e->type), e->corner))
     return bad_item(f, "the nodes of an element", error);
   if (corners_of(e->type) > 0 && *f->text.at)
-    return bad_item(f, "the end of the line behind the nodes of an element", error);
+    return bad_item(f, "the end of the line after the nodes of an element", error);
   return ARC_OK;
 }
 
@@ -301,7 +302,7 @@ static int find_section(const char *name) {
   return s;
 }
 
-/* Whether the line says that the section ends. */
+/* True if the line ends the section. */
 static int ends(const msh_file *f, const char *name) {
   return strncmp(f->text.at, "$End", 4) == 0 && strcmp(f->text.at + 4, name) == 0;
 }

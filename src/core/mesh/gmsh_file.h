@@ -1,5 +1,5 @@
-/* A Gmsh file: nodes, elements and groups as it has them. No count of a file is believed: arrays
- * grow with what has been read. */
+/* Contents of a Gmsh file: nodes, elements and groups. Counts in the file are not trusted: arrays
+ * grow with the items read. */
 #ifndef MESH_GMSH_FILE_H
 #define MESH_GMSH_FILE_H
 
@@ -14,15 +14,15 @@ typedef struct msh_group {
   char name[64];
 } msh_group;
 
-/* What elements refer to: an entity of the geometry (4.1), or a physical group (2.2). */
+/* Reference of elements: an entity of the geometry (4.1), or a physical group (2.2). */
 typedef struct msh_entity {
   long long tag;
   int dim;
-  unsigned sets;            /* of which it is part, see set_of */
+  unsigned sets;            /* to which it belongs, see set_of */
   int material[ARC_BODIES]; /* index among the body's materials */
 } msh_entity;
 
-/* Entity and physical group that belong together. */
+/* Entity and its physical group. */
 typedef struct msh_member {
   long long tag, group;
   int dim;
@@ -50,7 +50,7 @@ typedef struct msh_file {
   char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* their names */
 } msh_file;
 
-/* Reads the text of a file that is set up but for that. On failure there is nothing to free. */
+/* Parses the text of `file`, whose other members are set. On failure there is nothing to free. */
 arc_status arc_msh_read(msh_file *file, arc_error *error);
 void arc_msh_free(msh_file *file);
 

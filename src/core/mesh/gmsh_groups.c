@@ -1,4 +1,4 @@
-/* Which body, and which of its sets, the physical groups of a Gmsh file mean. */
+/* Assigns the physical groups of a Gmsh file to the sets of both bodies. */
 #include "core/mesh/gmsh_groups.h"
 #include "core/mesh/body_name.h"
 
@@ -14,7 +14,7 @@ const char *arc_msh_role(arc_body body) {
   return roles[body];
 }
 
-/* What follows the body in the name of a group; NULL: it is no group of this body. */
+/* The part of a group's name after the body's; NULL: not a group of this body. */
 static const char *behind_role(const msh_group *g, int body) {
   const size_t n = strlen(roles[body]);
   if (strncmp(g->name, roles[body], n) != 0) return NULL;
@@ -27,7 +27,7 @@ static msh_set set_of(const char *behind) {
   return (msh_set)set;
 }
 
-/* Index of a material among those of the body, where it is entered if it is new; -1: too many. */
+/* Index of a material of the body, which is added if it is new; -1: too many. */
 static int enter_material(msh_file *f, int body, const char *name) {
   int m = 0;
   while (m < f->materials[body] && strcmp(f->material[body][m], name) != 0) m++;
@@ -39,7 +39,7 @@ static int enter_material(msh_file *f, int body, const char *name) {
   return m;
 }
 
-/* Notes what a group says about an entity. */
+/* Stores the body, set or material that a group assigns to an entity. */
 static arc_status note_group(msh_file *f, const msh_group *g, msh_entity *entity,
                              arc_error *error) {
   for (int body = 0; body < ARC_BODIES; body++) {
@@ -54,7 +54,7 @@ static arc_status note_group(msh_file *f, const msh_group *g, msh_entity *entity
     if (set != MSH_BODY || !*behind) continue;
     if (!arc_body_is_word(behind + 1) || strlen(behind + 1) >= ARC_TEXT_SIZE)
       return arc_fail(error, ARC_GEOMETRY,
-                      "%s: expected a material behind '%s.', " ARC_BODY_NAME ", got '%s'",
+                      "%s: expected a material after '%s.', " ARC_BODY_NAME ", got '%s'",
                       f->text.path, roles[body], behind + 1);
     const int material = enter_material(f, body, behind + 1);
     if (material < 0)
@@ -106,7 +106,7 @@ const msh_entity *arc_msh_entity_of(const msh_file *f, const msh_element *elemen
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* In version 2.2 elements name their group: each stands for itself. */
+/* In version 2.2 elements refer to groups directly: each group is its own entity. */
 static arc_status groups_as_members(msh_file *f) {
   const msh_group *g = f->groups.data;
   for (int i = 0; i < f->groups.count; i++) {
@@ -117,7 +117,7 @@ static arc_status groups_as_members(msh_file *f) {
   return ARC_OK;
 }
 
-/* One entity for each run of members with the same number. */
+/* Merges consecutive members with the same number to one entity. */
 static arc_status collect_entities(msh_file *f, arc_error *error) {
   const msh_member *m = f->members.data;
   msh_entity *entity = NULL;
@@ -134,9 +134,9 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
   return ARC_OK;
 }
 
-/* --- what is missing -------------------------------------------------------------------------- */
+/* --- missing groups --------------------------------------------------------------------------- */
 
-/* The names of all groups, as far as there is room. */
+/* The names of all groups, as many as fit. */
 static const char *list_groups(const msh_file *f, char *text, size_t size) {
   const msh_group *g = f->groups.data;
   size_t n = 0;

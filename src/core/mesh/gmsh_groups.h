@@ -1,4 +1,4 @@
-/* To which body, and which of its sets, the nodes and elements of a Gmsh file belong. */
+/* Assignment of nodes and elements of a Gmsh file to bodies and sets. */
 #ifndef MESH_GMSH_GROUPS_H
 #define MESH_GMSH_GROUPS_H
 
@@ -13,7 +13,7 @@ static inline unsigned arc_msh_bit(arc_body body, msh_set set) {
 /* "upper" or "lower". */
 const char *arc_msh_role(arc_body body);
 
-/* Finds what the groups of the file mean; all six are there. ARC_FORMAT, ARC_MEMORY. */
+/* Assigns the groups of the file; all six are required. ARC_FORMAT, ARC_MEMORY. */
 arc_status arc_msh_sort_groups(msh_file *file, arc_error *error);
 /* The entity of an element; NULL: one without a group. */
 const msh_entity *arc_msh_entity_of(const msh_file *file, const msh_element *element);

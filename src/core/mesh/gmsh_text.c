@@ -1,4 +1,4 @@
-/* The text of a Gmsh file: whole in memory, cut into lines and numbers. */
+/* Text of a Gmsh file in memory, and its division into lines and numbers. */
 #include "core/mesh/gmsh_text.h"
 
 #include <ctype.h>
@@ -22,7 +22,7 @@ arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
   return status;
 }
 
-/* An own copy: lines are ended in it. */
+/* Copies the text, since reading writes zero bytes at the ends of lines. */
 arc_status arc_msh_copy(msh_text *t, const char *name, const char *from, size_t length,
                         arc_error *error) {
   *t = (msh_text){.path = name, .data = malloc(length + 1)};
@@ -46,7 +46,7 @@ static void skip_space(msh_text *t) {
   while (is_space(*t->at)) t->at++;
 }
 
-/* Ends a line before the white space at its end. */
+/* Removes white space at the end of a line. */
 static void trim(const char *line, char *stop) {
   while (stop > line && is_space(stop[-1])) stop--;
   *stop = 0;
@@ -66,7 +66,7 @@ int arc_msh_line(msh_text *t) {
   return 0;
 }
 
-/* Takes what a conversion has read up to `stop`, if that is a whole word. */
+/* Accepts the number that ends at `stop`, if it is a whole word. */
 static int take(msh_text *t, char *stop) {
   if (stop == t->at || (*stop && !is_space(*stop))) return 0;
   t->at = stop;

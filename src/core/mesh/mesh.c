@@ -1,5 +1,5 @@
-/* One mesher for both bodies: sizes to quadtree, leaves to elements, the half body to the whole
- * one. */
+/* Mesher of both bodies: from sizes to a quadtree, from its leaves to elements, from the half body
+ * to the whole. */
 #include "core/mesh/mesh.h"
 #include "core/mesh/body_shape.h"
 #include "core/mesh/outline.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A finer mesh than this is a mistake, not a wish. */
+/* Limit of the number of elements: larger values are input errors. */
 enum { most_elements = 1000000 };
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
@@ -73,14 +73,14 @@ arc_mesh_def arc_mesh_default(void) {
 }
 
 /* The two nested partitions, half widths and depths [mm]: 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
- * x 0.5 in 4.2 x 1.5 mm for the plate. The contact's width, which the cylinder's zone stands for,
- * is the measure of all but the plate's own width, which grows with the stroke. */
+ * x 0.5 in 4.2 x 1.5 mm for the plate. All of them are proportional to the contact's width, that
+ * is, to the cylinder's zone, except the plate's own width, which grows with the stroke. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Rows of the wear box: those asked for, and more where it would end within layers much thinner
- * than they, which have rows of their own. */
+/* Rows of the wear box: the given number, and more if it ended within layers much thinner than the
+ * rows, which have rows of their own. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -105,7 +105,7 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* Whether an interface runs through the inside of a cell. */
+/* True if an interface cuts a cell. */
 static int straddles(const body_map *m, const quad_cell *c) {
   for (int l = 0; l < m->layers; l++)
     if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
@@ -154,7 +154,7 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Elements that whole bodies may be wide and deep: places are counted in them, as integers. */
+/* Limit of the width and depth of bodies in elements: positions are integers in this unit. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
@@ -180,7 +180,7 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
   const double most_rows =
-      floor(radius / 4 / def->height * (1 + 1e-9)); /* of what just fits, too */
+      floor(radius / 4 / def->height * (1 + 1e-9)); /* also for sizes at the limit */
   if (def->rows < 1 || def->rows > most_rows)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -196,7 +196,7 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
   return ARC_OK;
 }
 
-/* --- from logical elements of the half body to the whole mesh --- */
+/* --- from logical elements of the half body to the whole mesh --------------------------------- */
 
 static int compare_keys(const void *a, const void *b) {
   const mesh_key *p = a, *q = b;
@@ -204,7 +204,7 @@ static int compare_keys(const void *a, const void *b) {
   return (p->i > q->i) - (p->i < q->i);
 }
 
-/* A point of the other half; whole arcs are closed: their ends are one. */
+/* A point of the other half; on full circles the two ends coincide. */
 static mesh_key mirrored(const body_map *m, mesh_key key) {
   const int seam = arc_body_map_closed(m) && key.i == 2 * (m->columns << m->root_level);
   return (mesh_key){seam ? key.i : -key.i, key.j};
@@ -277,7 +277,7 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
   }
 }
 
-/* The wear box of the whole body comes first, column by column from left to right. */
+/* Order of elements: the wear box of the whole body first, column by column from left to right. */
 static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key *keys, int half) {
   const int box = half * mesh->rows;
   int at = 0;
@@ -294,8 +294,7 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
-/* A half cylinder is held by its flat, a disc by the hub in its middle, others by their base or
- * rim. */
+/* Fixed nodes: the flat of a half cylinder, the hub of a disc, the base or rim of other bodies. */
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);

@@ -1,4 +1,4 @@
-/* The boundary polygon: edges that belong to one element only, chained. */
+/* Boundary polygon: the chain of edges that belong to one element only. */
 #include "core/mesh/outline.h"
 #include "core/mesh/body_shape.h"
 
@@ -25,8 +25,8 @@ static int all_edges(const arc_mesh *mesh, edge *list) {
   return n;
 }
 
-/* next[node] = the node that follows it on the boundary, -1 inside. Returns a node of the boundary
- * of the surface, or -1. */
+/* next[node]: the next node on the boundary, -1 inside. Returns a node of the boundary of the
+ * surface, or -1. */
 static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
   const int n = all_edges(mesh, list);
   qsort(list, (size_t)n, sizeof *list, compare_undirected);

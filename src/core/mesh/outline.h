@@ -4,9 +4,8 @@
 
 #include "archard/mesh.h"
 
-/* Chains the edges that only one element has into the boundary polygon; of a ring, whose boundary
- * is two, that with the surface. ARC_MEMORY or ARC_GEOMETRY.
- */
+/* Chains the edges that belong to one element only into the boundary polygon; for a ring, which has
+ * two, the one with the surface. ARC_MEMORY or ARC_GEOMETRY. */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

@@ -1,4 +1,4 @@
-/* A 2:1-balanced quadtree. Leans on nothing but base. */
+/* A 2:1-balanced quadtree. */
 #include "core/mesh/quadtree.h"
 
 #include <stdlib.h>
@@ -37,7 +37,7 @@ static arc_status split(quadtree *tree, int at) {
   return ARC_OK;
 }
 
-/* Unit cells just outside the middle of each edge, twice an edge: the two halves may differ. */
+/* Unit cells outside the middle of each edge, two per edge, because its halves may differ. */
 static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) {
   const int w = 1 << c->level, half = w / 2;
   int finest = c->level;

@@ -17,7 +17,7 @@ typedef struct quadtree {
   quad_cell *cell;
 } quadtree;
 
-/* The coarsest level allowed for a cell; asked before each split. */
+/* The coarsest level allowed for a cell; called before each split. */
 typedef int (*quad_level_fn)(const void *context, const quad_cell *cell);
 
 /* Splits until no leaf is coarser than allowed and neighbours across an edge differ by at most one
@@ -26,11 +26,10 @@ arc_status arc_quadtree_build(quadtree *tree, int root_level, int columns, int l
                               quad_level_fn coarsest, const void *context);
 void arc_quadtree_free(quadtree *tree);
 
-/* The leaf that holds the unit cell (i, j); NULL outside. */
+/* The leaf that contains the unit cell (i, j); NULL outside. */
 const quad_cell *arc_quadtree_leaf(const quadtree *tree, int i, int j);
 
-/* Which edges of a leaf have a hanging node in their middle: bit 0 j-min, 1 i-max, 2 j-max, 3
- * i-min. */
+/* Edges of a leaf that have a hanging node: bit 0 j-min, 1 i-max, 2 j-max, 3 i-min. */
 unsigned arc_quadtree_hanging(const quadtree *tree, const quad_cell *leaf);
 
 #endif

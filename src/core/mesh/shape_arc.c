@@ -9,7 +9,7 @@ static double own_radius(const arc_body_def *b) {
   return b->radius;
 }
 
-/* --- cylinders: half arcs, held by their flat ------------------------------------------------- */
+/* --- cylinders: half discs, fixed at their flat ----------------------------------------------- */
 
 static const char *const cylinder_fields[] = {"radius", "hold", NULL};
 
@@ -32,8 +32,7 @@ const body_shape arc_body_shape_cylinder = {cylinder_fields,
                                             NULL,
                                             &arc_body_shape_disc};
 
-/* --- balls, which have no mesh: half-spaces of two radii ---------------------------------------
- */
+/* --- balls, which have no mesh: half-spaces of two radii -------------------------------------- */
 
 static const char *const ball_fields[] = {"radius", "radius_z", NULL};
 
@@ -90,6 +89,10 @@ static body_limits ring_limits(const arc_body_def *b) {
 
 static arc_status check_ring(const arc_body_def *b, const char *path, arc_error *error) {
   if (b->inner > 0 && b->outer > b->inner * 1.02 && isfinite(b->outer)) return ARC_OK;
+  if (b->inner > 0 && b->outer == 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field '%souter': expected the outer radius, more than %g mm, got none", path,
+                    b->inner * 1.02);
   return arc_fail(
       error, ARC_ARGUMENT,
       "fields '%sinner' and '%souter': expected 0 < inner < outer / 1.02 mm, got %g and "

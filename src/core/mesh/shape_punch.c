@@ -5,13 +5,13 @@
 
 static const char *const fields[] = {"flat", "radius", "height", NULL};
 
-/* Without a height: as high as the model's radius, or twice its own where that is more. */
+/* Default height: the model's radius, or twice its own if this is larger. */
 static void resolve(arc_body_def *b, double radius) {
   if (b->height == 0) b->height = fmax(radius, 2 * b->radius);
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Over the flat, and as far into the edges as into a cylinder. */
+/* The flat, and the same share of the edges as of a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",
@@ -25,7 +25,7 @@ static double inset(const arc_body_def *b, double crest, double x) {
   (void)crest;
   if (beyond <= 0) return 0;
   if (beyond >= b->radius) return b->radius;
-  /* R - sqrt(R^2 - s^2), written so that nothing cancels */
+  /* R - sqrt(R^2 - s^2), without cancellation */
   return beyond * beyond / (b->radius + sqrt((b->radius - beyond) * (b->radius + beyond)));
 }
 

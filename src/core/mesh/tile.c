@@ -1,5 +1,5 @@
-/* Leaves of the quadtree become quadrilaterals, or triangles where an edge has a hanging node.
- * Every pattern is its own mirror image, so that mirrored bodies get mirrored elements. */
+/* Converts leaves of the quadtree to quadrilaterals, or to triangles if an edge has a hanging node.
+ * Every pattern is its own mirror image, so that mirrored bodies have mirrored elements. */
 #include "core/mesh/tile.h"
 
 #include <stdlib.h>
@@ -21,8 +21,8 @@ static arc_status add_triangle(mesh_builder *b, mesh_key p, mesh_key q, mesh_key
   return add(b, p, q, r, r);
 }
 
-/* The corners and hanging nodes of a leaf in order around it; middles[e] tells where edge e's
- * middle stands, or -1. */
+/* The corners and hanging nodes of a leaf in order; middles[e] is the index of the hanging node of
+ * edge e, or -1. */
 static int walk_around(const quad_cell *c, unsigned hanging, mesh_key point[8]) {
   const int w = 2 << c->level, i = 2 * c->i, j = 2 * c->j, h = w / 2;
   const mesh_key corner[4] = {{i, j}, {i + w, j}, {i + w, j + w}, {i, j + w}};
@@ -35,8 +35,8 @@ static int walk_around(const quad_cell *c, unsigned hanging, mesh_key point[8]) 
   return n;
 }
 
-/* One hanging node: three triangles around it. The walk is rotated so that the hanging node comes
- * first. */
+/* One hanging node: three triangles around it. The order is rotated such that the hanging node is
+ * the first. */
 static arc_status close_one(mesh_builder *b, const mesh_key point[5], int middle) {
   for (int t = 1; t <= 3; t++) {
     const arc_status status =
@@ -67,8 +67,8 @@ static arc_status add_leaf(mesh_builder *b, const quadtree *tree, const quad_cel
   return close_one(b, point, middle + 1);
 }
 
-/* A solid arc's last line of cells ends on a small circle: triangles from there to the
- * centre, whose key is (0, last line + 1). */
+/* The last row of cells of a solid arc ends on a small circle, which triangles connect to the
+ * centre, whose key is (0, last row + 1). */
 static arc_status add_core(mesh_builder *b, const quadtree *tree, const quad_cell *leaf) {
   const int last = tree->lines << tree->root_level, w = 1 << leaf->level;
   if (!b->map.core || leaf->j + w != last) return ARC_OK;

@@ -5,7 +5,7 @@
 #include "core/mesh/map.h"
 #include "core/mesh/quadtree.h"
 
-/* Logical points are keyed in half units, so that a cell's middle has one too. */
+/* Keys of logical points are in half units, so that the middle of a cell has a key as well. */
 typedef struct mesh_key {
   int i, j;
 } mesh_key;

@@ -1,4 +1,4 @@
-/* What a profile consists of: its form, a parabola, and the waves on it. */
+/* Decomposition of a profile into its form, a parabola, and waves. */
 #include "core/mesh/waves.h"
 #include "core/mesh/body_shape.h"
 
@@ -21,7 +21,7 @@ static double form_at(const form *f, double x) {
   return sum;
 }
 
-/* Share of a point in integrals over x. */
+/* Weight of a point in integrals over x. */
 static double weight(const arc_series *y, int i) {
   const double from = y->distance[i > 0 ? i - 1 : 0],
                to = y->distance[i + 1 < y->count ? i + 1 : i];
@@ -45,12 +45,13 @@ static form form_of(const arc_series *y) {
   return f;
 }
 
-/* Turns between peaks and valleys that are higher than a tenth of the whole. */
+/* Counts changes between peaks and valleys that are higher than a tenth of the total range. */
 static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
   int turns = 0, way = 0;
-  double from = 0, to = 0, at = 0; /* the first and the last turn; the outermost point since */
+  double from = 0, to = 0,
+         at = 0; /* the first and the last extremum; the extreme point since then */
   double last = 0;
   for (int i = 0; i < y->count; i++) {
     const double x = y->distance[i], r = y->value[i] - form_at(f, x), step = r - last;

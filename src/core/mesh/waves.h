@@ -1,15 +1,14 @@
-/* What a profile consists of: its form, and the waves on it. */
+/* Decomposition of a profile into its form and waves. */
 #ifndef MESH_WAVES_H
 #define MESH_WAVES_H
 
 #include "archard/body.h"
 
-/* What a profile consists of; INFINITY, and no height, for others. */
+/* Form and waves of a profile; INFINITY and zero height for other bodies. */
 typedef struct body_waves {
-  double form;   /* radius of the parabola that fits best [mm]: negative where that is hollow,
-                    INFINITY where it is flat */
-  double length; /* of the waves on it [mm], INFINITY: there are none */
-  double height; /* from valleys to peaks [mm] */
+  double form;   /* radius of the best-fit parabola [mm]: negative if hollow, INFINITY if flat */
+  double length; /* wavelength [mm], INFINITY: no waves */
+  double height; /* height from valleys to peaks [mm] */
 } body_waves;
 body_waves arc_body_waves(const arc_body_def *body);
 

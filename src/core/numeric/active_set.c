@@ -1,5 +1,5 @@
-/* Primal-dual active set: conjugate gradients on a set until the residual has fallen, then the set
- * is revised, until it stands and the residual is small. */
+/* Primal-dual active set method: conjugate gradients on a set reduce the residual, then the set is
+ * revised, until the set does not change and the residual is small. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
@@ -38,8 +38,8 @@ static unsigned long long hash_of(const pass *s) {
   return hash;
 }
 
-/* Leaves the gaps in w->g, and the rigid unknowns in delta. The loads, which projections hold to
- * the rounding of their many steps, are restored. */
+/* Stores the gaps in w->g and the rigid unknowns in delta. Restores the loads, which the
+ * projections conserve to the rounding of their many steps. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
   arc_active_run(s, arc_active_restore_load);
@@ -56,7 +56,7 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);
   if (status == ARC_OK) status = arc_active_begin(s, error);
-  /* pressures to start from may displace nothing, on periodic surfaces */
+  /* initial pressures may cause no displacement on periodic surfaces */
   if (status == ARC_OK) s->limit = fmax(s->limit, s->problem->tolerance * arc_active_rms(s));
   for (int sets = 0; sets < most_sets && status == ARC_OK;) {
     const double wanted = fmax(s->limit / 2, share * arc_active_rms(s));

@@ -1,14 +1,9 @@
-/* Contact as a convex problem with rigid unknowns:
- *
- *   g = A p + gap - N delta >= 0,  p >= 0,  p g = 0,  sum over cells of area N p = load
- *
- * for several blocks at once (positions of a stroke), each of the same cells, with `modes` rigid
- * unknowns delta and loads of its own. A may couple the blocks; it is self-adjoint and positive in
- * <p, q> = sum over blocks of weight, over cells of area p q.
- *
- * A primal-dual active set with conjugate gradients inside; the loads are held by projection.
- * Should sets come back, steps of Polonsky and Keer's method take over, which lower the energy.
- */
+/* Contact as a convex problem with rigid unknowns: g = A p + gap - N delta >= 0, p >= 0, p g = 0,
+ * sum over cells of area N p = load for several blocks at once (positions of a stroke), each of the
+ * same cells, with `modes` rigid unknowns delta and its own loads. A may couple the blocks; it is
+ * self-adjoint and positive in <p, q> = sum over blocks of weight, over cells of area p q. The
+ * method is a primal-dual active set with conjugate gradients; projections conserve the loads. If
+ * sets repeat, steps of Polonsky and Keer's method, which decrease the energy, replace it. */
 #ifndef NUMERIC_ACTIVE_SET_H
 #define NUMERIC_ACTIVE_SET_H
 
@@ -16,7 +11,7 @@
 
 enum { ARC_MOST_MODES = 3 };
 
-/* to := A from, all blocks [blocks * cells]. ARC_OK or the reason to stop. */
+/* to := A from, all blocks [blocks * cells]. Returns ARC_OK or the error that ends the solution. */
 typedef arc_status (*operator_fn)(void *context, const double *from, double *to);
 
 typedef struct active_problem {
@@ -30,15 +25,15 @@ typedef struct active_problem {
   operator_fn precondition; /* approximate inverse of A, positive definite; NULL: none */
   void *context;            /* of both */
   double tolerance;         /* of gaps, relative to the largest displacement A p */
-  work_team *team;          /* shares the work on blocks; NULL: none */
+  work_team *team;          /* threads for the blocks; NULL: none */
 } active_problem;
 
-/* Work of a solution. */
+/* Cost of a solution. */
 typedef struct active_count {
   int iterations;   /* steps of conjugate gradients */
   int applications; /* of A */
   int sets;         /* active sets */
-  int guarded;      /* steps of the method that takes over */
+  int guarded;      /* steps of Polonsky and Keer's method */
 } active_count;
 
 typedef struct active_work active_work;
@@ -47,9 +42,10 @@ typedef struct active_work active_work;
 active_work *arc_active_work_create(int blocks, int cells, int modes, int preconditioned);
 void arc_active_work_destroy(active_work **work);
 
-/* Solves from p [blocks][cells], which in every block is positive somewhere and sets the first
- * active set. p and delta [blocks][modes] are the solution; the gaps g stay in the workspace.
- * ARC_NOT_CONVERGED, ARC_NUMERIC, or what `apply` returns: p is spoilt then. *count is added to. */
+/* Solves with the initial p [blocks][cells], which is positive in some cell of every block and
+ * determines the first active set. p and delta [blocks][modes] are the solution; the gaps are in
+ * the workspace. ARC_NOT_CONVERGED, ARC_NUMERIC, or the error of `apply`: p is undefined then. Adds
+ * to *count. */
 arc_status arc_active_set_solve(const active_problem *problem, active_work *work, double *p,
                                 double *delta, active_count *count, arc_error *error);
 

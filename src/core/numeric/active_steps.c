@@ -1,4 +1,4 @@
-/* What the active set is made of: loads, residuals and conjugate gradients on a set. */
+/* Parts of the active set method: loads, residuals and conjugate gradients on a set. */
 #include "core/base/dense.h"
 #include "core/numeric/active_work.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { most_steps = 400 /* of conjugate gradients before the set is looked at again */ };
+enum { most_steps = 400 /* steps of conjugate gradients between checks of the set */ };
 
 /* --- workspace -------------------------------------------------------------------------------- */
 
@@ -98,12 +98,12 @@ double arc_active_gap(const pass *s, int block, int cell) {
   return gap;
 }
 
-/* --- small systems of the rigid unknowns --------------------------------------------------------
- */
+/* --- small systems of the rigid unknowns ------------------------------------------------------ */
 
 enum { square = ARC_MOST_MODES * ARC_MOST_MODES };
 
-/* inverse := of a positive a [m x m], which is spoilt; non-zero: singular. */
+/* inverse := inverse of a positive a [m x m], which is overwritten; returns non-zero if it is
+ * singular. */
 static int invert(int m, double *a, double *inverse) {
   if (m == 1) {
     inverse[0] = 1 / a[0];
@@ -122,7 +122,7 @@ static void times(int m, const double *inverse, const double *b, double *x) {
   }
 }
 
-/* N' y on the cells of `area`, inverted; y: the modes themselves or others [modes][cells]. */
+/* Inverse of N' y on the cells of `area`; y: the modes themselves or others [modes][cells]. */
 static int invert_gram(const pass *s, const double *area, const double *y, double *inverse) {
   const int m = s->problem->modes, n = s->problem->cells;
   double a[square];
@@ -170,8 +170,7 @@ void arc_active_restore_load(void *context, int block, int worker) {
   }
 }
 
-/* --- tasks of one block -------------------------------------------------------------------------
- */
+/* --- tasks of one block ----------------------------------------------------------------------- */
 
 void arc_active_mark(void *context, int block, int worker) {
   const pass *s = context;
@@ -181,7 +180,7 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* After g = A p: adds the gap, and notes the largest displacement. */
+/* After g = A p: adds the gap and stores the largest displacement. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);
@@ -235,7 +234,7 @@ static void mask(void *context, int block, int worker) {
     if (s->w->area[k] == 0) s->w->z[k] = 0;
 }
 
-/* Takes the loads out of the preconditioned residual, along y; r z. */
+/* Projects the loads out of the preconditioned residual along y; computes r z. */
 static void project_oblique(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
@@ -274,8 +273,7 @@ static void advance(void *context, int block, int worker) {
   arc_active_residual(context, block, worker);
 }
 
-/* --- all blocks ---------------------------------------------------------------------------------
- */
+/* --- all blocks ------------------------------------------------------------------------------- */
 
 arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count) {
   count->applications++;
@@ -339,7 +337,7 @@ double arc_active_rms(const pass *s) {
   return sqrt(arc_active_total(s) / area);
 }
 
-/* z from r; their product. */
+/* Computes z from r; returns their product. */
 static arc_status precondition(const pass *s, double *product) {
   if (s->w->y) {
     const arc_status status = s->problem->precondition(s->problem->context, s->w->r, s->w->z);

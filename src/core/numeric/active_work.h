@@ -1,4 +1,4 @@
-/* Inside the active set: its workspace, and the steps that both methods take. */
+/* Internals of the active set method: its workspace, and steps common to both methods. */
 #ifndef NUMERIC_ACTIVE_WORK_H
 #define NUMERIC_ACTIVE_WORK_H
 
@@ -14,19 +14,19 @@ struct active_work {
   double *d;                /* direction */
   double *q;                /* A d */
   double *area;             /* of cells in the set, 0 elsewhere */
-  double *z;                /* preconditioned residual; r itself without */
-  double *y;                /* [blocks][modes][cells] preconditioned modes; NULL without */
-  double *mode, *whole;     /* N and areas where the problem leaves them out */
+  double *z;                /* preconditioned residual; r without a preconditioner */
+  double *y; /* [blocks][modes][cells] preconditioned modes; NULL without a preconditioner */
+  double *mode, *whole;     /* default N and areas */
   double *gram, *oblique;   /* [blocks][modes][modes] inverses of N' N and N' y on the set */
   double *delta;            /* [blocks][modes] */
   double *sum;              /* [blocks] of a pass over the blocks */
   double *largest;          /* [blocks] displacement or overlap */
   int *changes;             /* [blocks] cells that enter or leave */
-  int *singular;            /* [blocks] whether the set cannot hold the rigid unknowns */
+  int *singular;            /* [blocks] true if the set does not determine the rigid unknowns */
   unsigned long long *hash; /* [blocks] of the set */
 };
 
-/* What a task on a block sees. */
+/* Arguments of a task on a block. */
 typedef struct pass {
   const active_problem *problem;
   active_work *w;
@@ -59,14 +59,14 @@ void arc_active_factor(void *context, int block, int worker);
 void arc_active_residual(void *context, int block, int worker);
 void arc_active_curvature(void *context, int block, int worker);
 
-/* Takes the modes out of x [cells] on the set of a block, and zeroes it elsewhere. */
+/* Projects the modes out of x [cells] on the set of a block, and sets x to zero elsewhere. */
 void arc_active_project(const pass *s, int block, double *x);
-/* ARC_NUMERIC where a block's set cannot hold the rigid unknowns. */
+/* ARC_NUMERIC if a block's set does not determine the rigid unknowns. */
 arc_status arc_active_check(const pass *s, arc_error *error);
 arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count);
-/* Restores the loads; g = A p + gap. *limit: what gaps are judged by. */
+/* Restores the loads; g = A p + gap. *limit: tolerance of gaps. */
 arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error);
-/* After a change of the set: what belongs to it, and the residual. */
+/* Computes the data of a changed set and the residual. */
 arc_status arc_active_begin(const pass *s, arc_error *error);
 /* Root mean square of the residual whose squares are in w->sum. */
 double arc_active_rms(const pass *s);

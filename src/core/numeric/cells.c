@@ -88,7 +88,7 @@ ARC_WIDE static double residual(int n, const double *area, const double *g, doub
   return total(s);
 }
 
-/* What is compiled for several processors cannot be seen from other files. */
+/* Functions compiled for several processors are not visible in other files. */
 double arc_cells_sum(int n, const double *a) {
   return add_up(n, a);
 }

@@ -1,4 +1,4 @@
-/* Loops over cell values. Sums are of eight partial ones, whatever the width of the registers. */
+/* Loops over cell values. Sums have eight partial sums, for any width of the registers. */
 #ifndef NUMERIC_CELLS_H
 #define NUMERIC_CELLS_H
 

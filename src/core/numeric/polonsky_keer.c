@@ -1,5 +1,6 @@
-/* Polonsky and Keer's conjugate gradients for contact, by which the active set is guarded: every
- * step clips, so that the energy falls and no set comes back. Two applications of A a step. */
+/* Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set method:
+ * every step clips negative pressures, so that the energy decreases and no set repeats. Two
+ * applications of A per step. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>

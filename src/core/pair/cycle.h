@@ -27,12 +27,12 @@ typedef struct wear_block {
   int count;          /* points; increments between them */
   double *x;          /* [count] position of the lower body [mm] */
   double *line;       /* [count] load per thickness [N/mm], 0: lifted off */
-  double *pose_x;     /* [count] position of the contact [mm]: x, or 0 for a contact at rest */
+  double *problem_x;  /* [count] position of the contact [mm]: x, or 0 for a contact at rest */
   double *angle;      /* [count] angle of the load [rad]; 0 except in holes */
   double *tangential; /* [count] tangential force per thickness [N/mm]; NULL: x is given */
   int press;          /* with friction: the point at which surfaces are pressed together */
-  int *place;         /* [count] index of the contact problem of a point */
-  int poses;
+  int *problem_of;    /* [count] index of the contact problem of a point */
+  int problems;
   int periodic;
   double load, travel; /* largest [N]; from one end of the motion to the other [mm] */
   double repeat;  /* 2 if a half cycle represents a whole one, 1/2 if both strokes represent one,
@@ -79,16 +79,16 @@ typedef struct wear_window {
 } wear_window;
 
 /* Callbacks of a computation, and its number of contact solutions. */
-typedef struct wear_watch {
+typedef struct wear_progress {
   const arc_callbacks *callbacks;
   int solutions;
-} wear_watch;
+} wear_progress;
 
 /* The equation of a stage of an implicit step, z = known + h k rate(z). Arrays [n]. */
 typedef struct wear_stage {
   arc_wear *run;
   wear_window window; /* without `depth` */
-  wear_watch *watch;
+  wear_progress *progress;
   double k[ARC_BODIES]; /* wear coefficients [mm2/N] of sites that move */
   double *z;            /* depths gained [mm] at the largest coefficient of each body's layers */
   double *known;        /* the fixed part */

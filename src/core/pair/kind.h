@@ -13,7 +13,7 @@ typedef struct arc_growth {
   /* True if a step failed because the run has outgrown its sites, not because of its length. */
   int (*has_outgrown)(const arc_wear *w, arc_status why);
   /* True if the sites needed by the definition fit on the bodies. */
-  int (*has_room)(const arc_wear *w);
+  int (*can_grow)(const arc_wear *w);
   /* Copies the run to more sites, or to those of a given mesh; *result is NULL on failure. */
   arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                      arc_wear **result, arc_error *error);
@@ -33,7 +33,7 @@ typedef struct arc_growth {
 typedef struct arc_kind {
   const char *name;
 
-  /* --- models --- */
+  /* --- models --------------------------------------------------------------------------------- */
 
   /* Checks a definition for `build`. ARC_ARGUMENT, ARC_GEOMETRY. */
   arc_status (*check_model)(const arc_model_def *def, arc_error *error);
@@ -46,7 +46,7 @@ typedef struct arc_kind {
 
   int maps; /* surfaces are maps over x and z, whose cells each contact and run finds */
 
-  /* --- definitions, on the definition of a model --- */
+  /* --- definitions, on the definition of a model ---------------------------------------------- */
 
   /* * Sets defaults of a run; NULL: the defaults of the settings. */
   void (*usual)(arc_wear_def *def);
@@ -63,7 +63,7 @@ typedef struct arc_kind {
   /* * The longest accurate increment [mm] under a load [N]. */
   double (*reach)(const arc_model_def *model, double load);
 
-  /* --- runs --- */
+  /* --- runs ----------------------------------------------------------------------------------- */
 
   /* Sets sites and `own` of a run with definition, surfaces and blocks. ARC_MEMORY: `end` must be
    * called. */
@@ -78,7 +78,7 @@ typedef struct arc_kind {
    */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
-  /* --- surfaces --- */
+  /* --- surfaces ------------------------------------------------------------------------------- */
 
   /* Initial surfaces: unworn, or a copy of `from` of the same model. */
   arc_status (*surfaces)(arc_model *model, const arc_wear_def *def, const arc_shape *from,
@@ -99,6 +99,10 @@ typedef struct arc_kind {
   /* Adds the volumes of depths, and the depths of tracks, before the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
+  /* * Prepares a shape for an update with these depths in its middle: what depends on them is to be
+   * right there. */
+  arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
+                           arc_error *error);
   /* Wears a shape and adds the volumes; depths are limited by layers. On failure the shape must be
    * destroyed. */
   arc_status (*wear)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
@@ -108,17 +112,17 @@ typedef struct arc_kind {
   arc_status (*measure)(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                         arc_error *error);
 
-  /* --- the cycle --- */
+  /* --- the cycle ------------------------------------------------------------------------------ */
 
   /* Computes the wear of a window. */
-  arc_status (*rate)(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
-                     arc_error *error);
+  arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
+                     wear_rate *rate, arc_error *error);
   /* * Sawtooth measure of pressures between neighbouring sites, relative to their mean [-], on the
    * surfaces of the last record. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* * Computes the fretting loop of a cycle. */
-  arc_status (*loop)(arc_wear *w, const wear_window *window, wear_watch *watch, arc_loop **loop,
-                     arc_error *error);
+  arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
+                     arc_loop **loop, arc_error *error);
   wear_tangent *(*tangent)(const arc_wear *w); /* NULL: out of memory */
   void (*end_tangent)(wear_tangent **tangent);
   /* Largest eigenvalue [1/cycle] of k times a tangent. */
@@ -137,22 +141,22 @@ typedef struct arc_kind {
   double (*error)(wear_stage *s, double h, double *defect);
   void (*end_stages)(wear_stage *s, double cycles, wear_depths *depth);
 
-  /* --- how far steps go --- */
+  /* --- lengths of steps */
 
   /* Depth [mm] of wear with the same effect on the contact as its elastic displacement. */
   double (*natural_depth)(const arc_wear *w);
   /* * Integral of k over the distance [mm3/N] that takes `depth` [mm] off a lower body that wears
    * evenly, and that by which layers, even ones or under `scars` too, change the contact by all
    * that an update may; NULL where there are none. */
-  double (*even_dose)(const arc_wear *w, double depth);
-  double (*layer_dose)(const arc_wear *w, int scars);
+  double (*even_k_integral)(const arc_wear *w, double depth);
+  double (*layer_k_integral)(const arc_wear *w, int scars);
   /* * Wear coefficient of the exposed layer at the deepest point of a body, relative to the largest
    * of the body; NULL: 1. */
   double (*open_share)(const arc_wear *w, arc_body body);
 
   const arc_growth *growth; /* NULL: sites do not grow */
 
-  /* --- one contact --- */
+  /* --- one contact ---------------------------------------------------------------------------- */
 
   /* * All or none: see arc_contact_solve, arc_contact_move, arc_contact_surfaces. */
   arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
@@ -164,15 +168,15 @@ typedef struct arc_kind {
   arc_status (*show_contact)(const arc_contact *contact, arc_array **surfaces, size_t *count,
                              arc_error *error);
 
-  /* --- what is read --- */
+  /* --- results */
 
   /* * */
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
   /* Arrays of the present surfaces for arc_wear_surfaces, body by body. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
-  /* All that surfaces need to go on to the same bits, with update and distance 0: one block to be
-   * freed with free(), NULL: out of memory; and back from what may be anybody's numbers: errors as
-   * of arc_wear_resume. */
+  /* The complete state of surfaces, with update and distance 0: one block to be freed with free(),
+   * NULL: out of memory; and its restoration from untrusted numbers, with the errors of
+   * arc_wear_resume. */
   arc_array *(*save)(const arc_shape *shape, size_t *count);
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
                      size_t count, arc_shape **shape, arc_error *error);

@@ -8,13 +8,13 @@ arc_status arc_model_check(const arc_model_def *def, arc_error *error) {
   return arc_kind_of(def)->check_model(def, error);
 }
 
-arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
-                                   arc_model **model, arc_error *error) {
+arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
+                                          arc_model **model, arc_error *error) {
   return arc_kind_of(def)->build(def, callbacks, model, error);
 }
 
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error) {
-  return arc_model_build_watched(def, NULL, model, error);
+  return arc_model_build_with_callbacks(def, NULL, model, error);
 }
 
 arc_model *arc_model_retain(arc_model *model) {

@@ -1,4 +1,4 @@
-/* Numbers that look as if they were in another unit. The limits leave out what is usual:
+/* Warnings for numbers that are probably in another unit. The limits exclude usual values:
  * polyethylene of 500 MPa and diamond of 1.2e6 MPa, the 1e-6 mm2/N of a polymer without filler. */
 #include "core/pair/units.h"
 #include "core/base/callbacks.h"

@@ -1,4 +1,4 @@
-/* The contact object: a solved pose and its results. */
+/* The contact object: a solved problem and its results. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 #include "core/elastic/contact_estimate.h"
@@ -25,7 +25,8 @@ static arc_status out_of_memory(arc_error *error) {
 }
 
 static arc_status allocate(arc_contact *c) {
-  if (arc_pose_create(&c->pose, c->handle.shape->handle.model) != ARC_OK) return ARC_MEMORY;
+  if (arc_contact_problem_create(&c->problem, c->handle.shape->handle.model) != ARC_OK)
+    return ARC_MEMORY;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)c->handle.shape->side[b].n;
     c->count[b] = (int)n;
@@ -36,7 +37,7 @@ static arc_status allocate(arc_contact *c) {
     c->force[b] = c->f[b] + n;
     c->q[b] = c->force[b] + 2 * n;
   }
-  if (!c->rubs) return ARC_OK;
+  if (!c->has_friction) return ARC_OK;
   if (arc_tangential_create(&c->compliance, c->handle.shape->handle.model) != ARC_OK)
     return ARC_MEMORY;
   if (arc_friction_workspace_create(&c->workspace, c->handle.shape->handle.model) != ARC_OK)
@@ -45,26 +46,26 @@ static arc_status allocate(arc_contact *c) {
 }
 
 static void read_pressures(arc_contact *c) {
-  arc_pose_pressures(&c->pose, c->p[ARC_CYLINDER], c->p[ARC_PLATE]);
+  arc_contact_problem_pressures(&c->problem, c->p[ARC_CYLINDER], c->p[ARC_PLATE]);
   for (int b = 0; b < ARC_BODIES; b++) {
-    const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
+    const double *width = b == ARC_CYLINDER ? c->problem.wc : c->problem.wp;
     for (int i = 0; i < c->count[b]; i++) {
-      c->x[b][i] = c->handle.shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->pose.x : 0);
+      c->x[b][i] = c->handle.shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->problem.x : 0);
       c->f[b][i] = c->p[b][i] * width[i];
     }
-    arc_pose_forces_on(&c->pose, (arc_body)b, c->force[b]);
+    arc_contact_problem_forces_on(&c->problem, (arc_body)b, c->force[b]);
   }
 }
 
 /* Shear along the surface, and with it the forces on the nodes. */
 static void read_shear(arc_contact *c) {
-  if (!c->rubs) return;
-  memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->pose.nc * sizeof(double));
-  arc_pose_to_plate(&c->pose, c->state.t, c->q[ARC_PLATE]);
+  if (!c->has_friction) return;
+  memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->problem.nc * sizeof(double));
+  arc_contact_problem_to_plate(&c->problem, c->state.t, c->q[ARC_PLATE]);
   for (int b = 0; b < ARC_BODIES; b++) {
-    const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
+    const double *width = b == ARC_CYLINDER ? c->problem.wc : c->problem.wp;
     for (int i = 0; i < c->count[b]; i++) c->q[b][i] /= width[i];
-    arc_friction_forces_on(&c->pose, &c->workspace, (arc_body)b, c->force[b]);
+    arc_friction_forces_on(&c->problem, &c->workspace, (arc_body)b, c->force[b]);
   }
 }
 
@@ -78,27 +79,27 @@ static double driving_force(const arc_contact *c) {
 /* Sum of the forces along the normals [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
-  for (int k = 0; k < c->pose.count; k++) sum += c->pose.f[k];
+  for (int k = 0; k < c->problem.count; k++) sum += c->problem.f[k];
   return sum;
 }
 
 static void read_result(arc_contact *c) {
   const double thickness = arc_model_definition(c->handle.shape->handle.model)->thickness;
   double edges[2], center, largest;
-  arc_pose_edges(&c->pose, c->handle.shape, edges);
-  arc_pose_peaks(&c->pose, &center, &largest);
+  arc_contact_problem_edges(&c->problem, c->handle.shape, edges);
+  arc_contact_problem_peaks(&c->problem, &center, &largest);
   c->handle.result = (arc_contact_result){
       .p_center = center,
       .p_max = largest,
-      .p_average = arc_pose_average(&c->pose, c->handle.shape, c->handle.def.average),
+      .p_average = arc_contact_problem_average(&c->problem, c->handle.shape, c->handle.def.average),
       .left = edges[0],
       .right = edges[1],
       .half_width = (edges[1] - edges[0]) / 2,
       .normal_force = thickness * normal_force(c),
-      .approach = c->pose.approach,
+      .approach = c->problem.approach,
       .tangential = thickness * driving_force(c),
       .energy = thickness * c->state.energy,
-      .iterations = c->rubs ? c->iterations : c->pose.iterations};
+      .iterations = c->has_friction ? c->iterations : c->problem.iterations};
 }
 
 /* Refuses settings that break the rotational symmetry. */
@@ -123,8 +124,8 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   *result = c;
   if (!c) return out_of_memory(error);
   c->handle.def = *def;
-  c->rubs = def->friction > 0;
-  if (c->rubs && arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
+  c->has_friction = def->friction > 0;
+  if (c->has_friction && arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
                     def->friction);
@@ -134,11 +135,12 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
                     def->load_angle);
   arc_status status = check_revolved(shape->handle.model, def, error);
   if (status == ARC_OK) status = arc_shape_clone(shape, &c->handle.shape, error);
+  if (status == ARC_OK) arc_shape_set_corrections(c->handle.shape, def->corrections);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;
 }
 
-/* Results from the solved pose. */
+/* Results from the solved problem. */
 static void read_all(arc_contact *c) {
   read_pressures(c);
   read_shear(c);
@@ -163,7 +165,7 @@ static double round_zone(double zone, double widest) {
 static int is_off(const arc_contact *c) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (arc_model_body(c->handle.shape->handle.model, ARC_UPPER)->chart.polar) return 0;
-  return 2 * fabs(c->pose.x) >= arc_model_widest_zone(model, ARC_PLATE);
+  return 2 * fabs(c->problem.x) >= arc_model_widest_zone(model, ARC_PLATE);
 }
 
 static arc_status tell_off(const arc_contact *c, arc_error *error) {
@@ -172,11 +174,12 @@ static arc_status tell_off(const arc_contact *c, arc_error *error) {
       error, ARC_ARGUMENT,
       "field 'x': expected less than %g mm to either side, as far as the candidate zone "
       "of the plate can reach, got %g mm",
-      arc_model_widest_zone(model, ARC_PLATE) / 2, c->pose.x);
+      arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* The zones that would hold a contact: as without a model, or twice as wide where these are not
- * wider. 0: the bodies have no room for it and two open elements on either side. */
+/* Zones that are sufficient for a contact: the automatic ones, or twice the present width if these
+ * are not wider. 0: the bodies have no space for the contact and two open elements on either side.
+ */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;
@@ -201,7 +204,7 @@ static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   const arc_error why = *error;
   double zone[ARC_BODIES];
   arc_contact_def here = c->handle.def;
-  here.x = c->pose.x;
+  here.x = c->problem.x;
   if (!find_zones(&here, model, zone))
     return arc_fail(error, ARC_ZONE,
                     "%s; the bodies are too small for it: their zones end at %g and %g mm",
@@ -259,10 +262,12 @@ arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
   if (status != ARC_OK) return status;
   status = arc_contact_create(shape, def, result, error);
   arc_contact *c = *result;
-  if (status == ARC_OK) arc_pose_aim(&c->pose, arc_radians(def->load_angle));
-  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->handle.shape, def->x, error);
-  if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
-  if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);
+  if (status == ARC_OK) arc_contact_problem_set_angle(&c->problem, arc_radians(def->load_angle));
+  if (status == ARC_OK)
+    status = arc_contact_problem_update(&c->problem, c->handle.shape, def->x, error);
+  if (status == ARC_OK && c->has_friction) status = arc_contact_press(c, error);
+  if (status == ARC_OK && !c->has_friction)
+    status = arc_contact_problem_solve(&c->problem, contact_line(c), error);
   if (status == ARC_OK)
     arc_friction_warn(c->handle.shape->handle.model, c->handle.def.friction, "contact", callbacks);
   return arc_contact_finish(result, status, callbacks, error);
@@ -270,7 +275,7 @@ arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
 
 void arc_plane_end_contact(arc_contact *c) {
   if (!c) return;
-  arc_pose_free(&c->pose);
+  arc_contact_problem_free(&c->problem);
   arc_tangential_free(&c->compliance);
   arc_friction_workspace_free(&c->workspace);
   arc_friction_free(&c->state);
@@ -281,12 +286,12 @@ void arc_plane_end_contact(arc_contact *c) {
 
 size_t arc_plane_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
-  return sizeof *c + arc_shape_bytes(c->handle.shape) + arc_pose_bytes(&c->pose) +
+  return sizeof *c + arc_shape_bytes(c->handle.shape) + arc_contact_problem_bytes(&c->problem) +
          6 * nodes * sizeof(double) +
-         (c->rubs
+         (c->has_friction
               ? arc_tangential_bytes(&c->compliance) + arc_friction_workspace_bytes(&c->workspace)
               : 0) +
-         (c->rubs ? arc_friction_bytes(&c->state) : 0);
+         (c->has_friction ? arc_friction_bytes(&c->state) : 0);
 }
 
 arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
@@ -299,7 +304,7 @@ arc_shear arc_contact_shear(const arc_contact *c, arc_body body) {
 
 const double *arc_contact_slip(const arc_contact *c, int *count) {
   *count = c->count[ARC_CYLINDER];
-  return c->state.way;
+  return c->state.slip_path;
 }
 
 arc_status arc_plane_show_contact(const arc_contact *c, arc_array **surfaces, size_t *count,

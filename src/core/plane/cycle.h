@@ -14,18 +14,18 @@ typedef struct wear_point {
   double *f[ARC_BODIES]; /* local factor */
 } wear_point;
 
-/* The present block, its poses and the last two solved points: point i in point[i % 2]. */
+/* The present block, its problems and the last two solved points: point i in point[i % 2]. */
 typedef struct wear_path {
   const wear_block *block; /* NULL: none yet */
-  int poses;
-  pose *pose; /* [poses] */
-  int nodes;  /* surface nodes of both bodies */
+  int problems;
+  contact_problem *problem; /* [problems] */
+  int nodes;                /* surface nodes of both bodies */
   wear_point point[2];
-  wear_point image[2]; /* mirror images of those, where factors of places tell them apart */
+  wear_point image[2]; /* their mirror images, if local factors differ */
 
   /* with friction */
-  int rubs;
-  tangential_compliance *compliance; /* [poses] */
+  int has_friction;
+  tangential_compliance *compliance; /* [problems] */
   friction_workspace workspace;
   friction_state state;
 } wear_path;
@@ -33,8 +33,8 @@ typedef struct wear_path {
 /* Data of a run in the plane. */
 typedef struct plane_cycle {
   wear_path path;
-  pose reference; /* plate at x = 0, nominal load */
-  double *slip;   /* [4 n] of an increment, or of mirror images */
+  contact_problem reference; /* plate at x = 0, nominal load */
+  double *slip;              /* [4 n] of an increment, or of mirror images */
   double
       *down; /* [n] lowering of the surface by the depths of the window, see arc_shape_downward */
   double *width;         /* [n] of the nodes' cells [mm] in the window before */
@@ -57,11 +57,12 @@ struct wear_tangent {
   struct jacobian_group *group;
 };
 
-/* --- path.c --- */
+/* --- path.c ----------------------------------------------------------------------------------- */
 /* Allocates the points. ARC_MEMORY: nothing needs to be freed. */
-arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs);
+arc_status arc_path_create(wear_path *path, const arc_model *model, int has_friction);
 void arc_path_free(wear_path *path);
-/* Creates poses for a block, unless it is the present one. ARC_MEMORY: there is no present block.
+/* Creates problems for a block, unless it is the present one. ARC_MEMORY: there is no present
+ * block.
  */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
                           arc_error *error);
@@ -69,9 +70,9 @@ arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_mo
 void arc_path_clear(const wear_path *path, wear_point *point);
 void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to);
 
-/* --- rate.c --- */
+/* --- rate.c ----------------------------------------------------------------------------------- */
 /* Computes the wear of a window. */
-arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
+arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error);
 /* Total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
@@ -80,26 +81,26 @@ double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_bo
 /* Solves the point window->first only, to check that the contact is inside the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 
-/* Updates the pose of point `at` of the present block for a window. */
+/* Updates the problem of point `at` of the present block for a window. */
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error);
-/* Pressures and wear rates of a solved pose. */
-arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
-                         arc_error *error);
+/* Pressures and wear rates of a solved problem. */
+arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_problem *p,
+                         wear_point *point, arc_error *error);
 
 /* Multiplies a point's q by the local factors. */
-arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *state,
-                                  wear_point *point, arc_error *error);
+arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
+                                       wear_point *point, arc_error *error);
 
 /* Adds work at the cylinder's nodes [MPa mm], a density along x, times local factors to the wear of
  * both bodies: the plate gets the same through the coupling (Eq. 15). on [np] is workspace. */
-void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
-                    double *on, wear_rate *rate);
+void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
+                    const double *work, double *on, wear_rate *rate);
 
-/* --- mirror.c --- */
+/* --- mirror.c --------------------------------------------------------------------------------- */
 /* True if the contact in the second half of a window mirrors that in the first. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
 /* True if the wear does not, because of local factors. */
-int arc_wear_has_places(const arc_wear *w, const wear_window *window);
+int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
 /* Mirrors point `at`, just solved; `law` has its wear rate without local factors. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
@@ -110,46 +111,46 @@ void arc_wear_symmetrise(const arc_wear *w, double *depth);
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
                          wear_rate *rate);
 
-/* --- fretting.c --- */
+/* --- fretting.c ------------------------------------------------------------------------------- */
 /* Computes the wear of a steady cycle with friction. */
-arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
-                         arc_error *error);
+arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *progress,
+                         wear_rate *rate, arc_error *error);
 
 /* Computes the fretting loop of a cycle. */
-arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_watch *watch,
+arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
                               arc_loop **loop, arc_error *error);
 
-/* --- slip.c --- */
+/* --- slip.c ----------------------------------------------------------------------------------- */
 /* Adds the work of the increment that ends at `at`, with the elastic part of the slip. */
 void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 
-/* --- jacobian.c --- */
+/* --- jacobian.c ------------------------------------------------------------------------------- */
 wear_tangent *arc_tangent_create(const arc_wear *w);
 void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
-/* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's; points
- * come in order. way [surface] of both bodies: what each node slides, where that is not share; its
- * largest is. */
+/* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's sum;
+ * points are passed in order. way [surface] of both bodies: the sliding distance of each node if it
+ * differs from share, its largest value. */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const way[ARC_BODIES]);
-/* After the last pose: value is complete. */
+/* After the last problem: value is complete. */
 void arc_wear_jacobian_finish(wear_tangent *j);
 
-/* --- plane_definition.c --- */
+/* --- plane_definition.c ----------------------------------------------------------------------- */
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
 wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model);
 arc_status arc_plane_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 
-/* --- increments.c --- */
+/* --- increments.c ----------------------------------------------------------------------------- */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts);
 /* Warns of increments too long for the contact. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 
-/* --- revolved.c --- */
+/* --- revolved.c ------------------------------------------------------------------------------- */
 /* Checks the settings for models of revolution. ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
@@ -159,7 +160,7 @@ double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double
 /* Slip at surface node i relative to that at the reference radius: 1 unless the bodies spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
-/* --- measures.c --- */
+/* --- measures.c ------------------------------------------------------------------------------- */
 /* True for alpha = 0 over the whole plate, where the contact never changes. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
@@ -173,26 +174,28 @@ double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
 
-/* --- wearing.c --- */
+/* --- wearing.c -------------------------------------------------------------------------------- */
 void arc_plane_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                            arc_wear_record *record);
+arc_status arc_plane_look_ahead(const arc_wear *w, arc_shape *shape, wear_depths *depth,
+                                arc_error *error);
 arc_status arc_plane_wear(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                           arc_wear_record *record, arc_error *error);
 double arc_plane_natural_depth(const arc_wear *w);
-double arc_plane_even_dose(const arc_wear *w, double depth);
-double arc_plane_layer_dose(const arc_wear *w, int scars);
+double arc_plane_even_k_integral(const arc_wear *w, double depth);
+double arc_plane_layer_k_integral(const arc_wear *w, int scars);
 double arc_plane_open_share(const arc_wear *w, arc_body body);
 
-/* --- plane_surfaces.c --- */
+/* --- plane_surfaces.c ------------------------------------------------------------------------- */
 arc_status arc_plane_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
 arc_array *arc_plane_save(const arc_shape *shape, size_t *count);
 arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_array *state,
                           size_t count, arc_shape **shape, arc_error *error);
 
-/* --- validate_plane.c --- */
+/* --- validate_plane.c ------------------------------------------------------------------------- */
 arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
-/* --- remesh.c --- */
+/* --- remesh.c --------------------------------------------------------------------------------- */
 /* True if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear box
  * (ARC_GEOMETRY), so that a larger mesh can help. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
@@ -201,7 +204,7 @@ int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 int arc_wear_layer_rows(const arc_wear *w);
 
 /* True if the zones of the run fit on bodies of this radius. */
-int arc_wear_has_room(const arc_wear *w);
+int arc_wear_can_grow(const arc_wear *w);
 
 /* Copies the run to larger meshes. Errors: those of arc_model_build, `why` if they cannot be
  * larger; *result is NULL then. */
@@ -221,12 +224,12 @@ void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const cha
 void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
                          const arc_callbacks *callbacks);
 
-/* Tells of a step that failed, and, of one that failed for want of room, why the run does not grow:
- * `trouble` (a message that may be empty), or a step too long, with the mesh that may hold it. */
+/* Reports a failed step. If the contact left the mesh, the message also says why the run does not
+ * get a larger one: `trouble` (may be empty), or a step too long, with the required mesh. */
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 
-/* --- rims.c --- */
+/* --- rims.c ----------------------------------------------------------------------------------- */
 /* Recreates a new run on meshes that resolve the slip zones; *finer is NULL if they are resolved,
  * sizes are given, or there is no friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
@@ -234,7 +237,7 @@ arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
  */
 double arc_wear_rim_size(const arc_wear *w);
 
-/* --- layers.c --- */
+/* --- layers.c --------------------------------------------------------------------------------- */
 /* Converts a depth [mm] at the largest wear coefficient to the depth with the coefficients of the
  * layers below node i, starting at h. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);

@@ -40,20 +40,20 @@ void arc_field_destroy(arc_field **field) {
 
 /* Shear over pressure at the last node in contact, along +x on the cylinder. */
 static double shear_at(const arc_contact *c, int right) {
-  const int last = c->pose.set[right ? c->pose.active - 1 : 0];
-  return c->state.t[c->pose.lo + last] / c->pose.f[last];
+  const int last = c->problem.set[right ? c->problem.active - 1 : 0];
+  return c->state.t[c->problem.lo + last] / c->problem.f[last];
 }
 
-/* Tractions at the surface nodes, next to smooth edges as they are at the points. */
+/* Tractions at the surface nodes; point values next to smooth edges. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
   const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
   const int n = c->count[body];
-  for (int i = 0; i < n && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
+  for (int i = 0; i < n && c->has_friction; i++) on->tangential[i] = sign * c->q[body][i];
   memcpy(on->normal, c->p[body], (size_t)n * sizeof *on->normal);
   for (int right = 0; right < 2; right++) {
-    const contact_edge edge = arc_pose_edge(&c->pose, c->handle.shape, right);
+    const contact_edge edge = arc_contact_problem_edge(&c->problem, c->handle.shape, right);
     arc_edge_sharpen(&edge, n, x, 1, on->normal);
-    if (!c->rubs) continue;
+    if (!c->has_friction) continue;
     const double shear = sign * shear_at(c, right);
     arc_edge_sharpen(&edge, n, x, shear, on->tangential);
     arc_edge_add_cusp(&edge, n, x, shear, on->cusp);
@@ -66,7 +66,7 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   double *stress = calloc(3 * nodes + 3 * (size_t)c->count[body], sizeof *stress);
   if (!stress) return ARC_MEMORY;
   surface_traction traction = {.normal = stress + 3 * nodes, .load = c->p[body]};
-  if (c->rubs) {
+  if (c->has_friction) {
     traction.tangential = traction.normal + c->count[body];
     traction.cusp = traction.tangential + c->count[body];
   }
@@ -94,8 +94,8 @@ static void fill_ratios(const elastic_body *body, arc_field *field) {
     }
 }
 
-/* Stress out of the section at node n, where Poisson's ratio is `nu`, from those in it and the
- * strain around the axis; on the axis the radial one is as large. */
+/* Stress normal to the section at node n, with Poisson's ratio `nu`, from the stresses in the
+ * section and the strain around the axis; on the axis it equals the radial stress. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
@@ -130,8 +130,8 @@ static void turn_stresses(const placing *to, arc_field *field) {
 
 /* Transforms results to the position of the body. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
-  const placing to =
-      arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->pose.x, c->pose.angle);
+  const placing to = arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->problem.x,
+                                       c->problem.angle);
   arc_placing_points(&to, field->nodes, xy);
   arc_placing_vectors(&to, field->nodes, u);
   turn_stresses(&to, field);
@@ -145,7 +145,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
   memcpy(f, c->force[body], 2 * (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
-  for (int i = 0; i < side->n && !c->rubs; i++) f[side->n + i] = sign * c->f[body][i];
+  for (int i = 0; i < side->n && !c->has_friction; i++) f[side->n + i] = sign * c->f[body][i];
   const double even = arc_shape_risen(c->handle.shape, body);
   arc_shape_box(side, side->xy, even, box);
   const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);

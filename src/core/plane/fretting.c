@@ -1,12 +1,10 @@
-/* The wear of a cycle with friction: increments of stick and slip on a given shape, from surfaces
- * pressed anew, until the cycle is steady; that one counts.
- *
- * Every evaluation begins with bodies that do not touch. What has slipped forgets in a cycle what
- * was before, and what never slipped is held as it was pressed: so no history has to outlive an
- * update, slip of the update itself is in no cycle, and a stored run goes on to the same bits. Work
- * meets pressure at the cylinder's nodes, those that open or close within the increment too; the
- * plate gets the same work through the coupling (Eq. 15).
- */
+/* Wear of a cycle with friction: increments of stick and slip on a given shape, from bodies pressed
+ * anew, until the cycle is periodic; the last cycle is used. Every evaluation begins with separated
+ * bodies. Nodes that slip in a cycle lose the memory of earlier cycles, and nodes that never slip
+ * keep the tractions of pressing; so no history must be stored between updates, slip due to the
+ * update itself is in no cycle, and a stored run continues to the same bits. Work is computed at
+ * the cylinder's nodes, also for nodes that open or close within the increment; the plate gets the
+ * same work through the coupling (Eq. 15). */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
@@ -23,7 +21,7 @@ static const double steady = 1e-6;
 typedef struct fretting {
   arc_wear *w;
   const wear_window *window;
-  wear_watch *watch;
+  wear_progress *progress;
   wear_rate *rate;
   arc_loop *loop;    /* NULL: not needed */
   double *start;     /* [2 nc] f and t at the start of the cycle */
@@ -49,14 +47,14 @@ static void fretting_free(fretting *r) {
 /* Solves the increment that ends at point `at`. */
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
   wear_path *path = path_of(r->w);
-  const int place = path->block->place[at];
-  if (callbacks_stop(r->watch->callbacks))
+  const int shared = path->block->problem_of[at];
+  if (callbacks_stop(r->progress->callbacks))
     return arc_fail(error, ARC_STOPPED, "stopped on request");
   const arc_status status = arc_wear_prepare(r->w, r->window, at, error);
   if (status != ARC_OK) return status;
-  r->watch->solutions++;
-  return arc_friction_solve(&path->pose[place], &path->compliance[place], &path->workspace, step,
-                            &path->state, error);
+  r->progress->solutions++;
+  return arc_friction_solve(&path->problem[shared], &path->compliance[shared], &path->workspace,
+                            step, &path->state, error);
 }
 
 /* Solves the contact at point `at`, with its wear. */
@@ -72,7 +70,7 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   wear_point *point = &path->point[at % 2];
   const arc_status status = advance(r, at, &step, error);
   if (status != ARC_OK) return status;
-  return arc_wear_take(w, r->window, &path->pose[b->place[at]], point, error);
+  return arc_wear_take(w, r->window, &path->problem[b->problem_of[at]], point, error);
 }
 
 /* The path to point 0, which is the last one as well. */
@@ -90,12 +88,14 @@ static int shear_when_pressed(const arc_wear *w) {
          !arc_model_is_hertzian(model);
 }
 
-/* The bodies come together at point b->press as those of a contact do. */
+/* Presses the bodies at point b->press as for a contact object. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
-  const int rubs = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
-  const int count = rubs ? arc_friction_press_increments(r->w->model, b->load) : 1, at = b->press;
-  const friction_step to = {.mu = rubs ? r->window->mu : 0, .line = b->line[at], .x = b->x[at]};
+  const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
+  const int count = has_friction ? arc_friction_press_increments(r->w->model, b->load) : 1,
+            at = b->press;
+  const friction_step to = {
+      .mu = has_friction ? r->window->mu : 0, .line = b->line[at], .x = b->x[at]};
   arc_status status = ARC_OK;
   for (int i = 1; i <= count && status == ARC_OK; i++) {
     const friction_step step = arc_friction_pressing(&to, i, count);
@@ -109,7 +109,7 @@ static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
   const wear_block *b = path->block;
-  for (int i = 0; i < path->poses; i++) path->pose[i].active = 0;
+  for (int i = 0; i < path->problems; i++) path->problem[i].active = 0;
   path->workspace.shear.factored = 0;
   arc_friction_reset(s, b->x[b->press]);
   arc_status status = press(r, error);
@@ -120,14 +120,14 @@ static arc_status approach(fretting *r, arc_error *error) {
   return status;
 }
 
-/* --- what it wears ---------------------------------------------------------------------------- */
+/* --- wear */
 
 /* Pressure and slip at one end of the increment into the rate of both bodies. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
   const wear_block *b = path_of(w)->block;
   const wear_point *point = &path_of(w)->point[at % 2];
-  const pose *p = &path_of(w)->pose[b->place[at]];
+  const contact_problem *p = &path_of(w)->problem[b->problem_of[at]];
   const double *slip = path_of(w)->state.slip;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
@@ -161,7 +161,8 @@ static void add_to_jacobian(fretting *r, int at, double most) {
   const wear_point *point = &path_of(w)->point[at % 2];
   for (int i = 0; i < w->nc; i++)
     r->work[i] = fabs(path_of(w)->state.slip[i]) * point->q[ARC_CYLINDER][i];
-  arc_pose_transfer(&path_of(w)->pose[path_of(w)->block->place[at]], r->work, r->on);
+  arc_contact_problem_transfer(&path_of(w)->problem[path_of(w)->block->problem_of[at]], r->work,
+                               r->on);
   for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(path_of(w)->state.slip[i]);
   for (int l = 0; l < w->np; l++)
     r->on[l] = point->q[ARC_PLATE][l] > 0 ? repeat * r->on[l] / point->q[ARC_PLATE][l] : 0;
@@ -238,7 +239,8 @@ static void find_stick(fretting *r) {
     if (r->least[i] > 0 && r->slid[i] <= rounding * most)
       r->rate->stick += arc_shape_width(cylinder, i);
   double edges[2];
-  arc_pose_edges(&path_of(r->w)->pose[b->place[b->count - 1]], r->window->shape, edges);
+  arc_contact_problem_edges(&path_of(r->w)->problem[b->problem_of[b->count - 1]], r->window->shape,
+                            edges);
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
@@ -255,7 +257,7 @@ static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
   const wear_point *point = &path_of(w)->point[at % 2];
-  const pose *p = &path_of(w)->pose[path_of(w)->block->place[at]];
+  const contact_problem *p = &path_of(w)->problem[path_of(w)->block->problem_of[at]];
   if (p->active == 0) return;
   memset(r->work, 0, (size_t)w->nc * sizeof *r->work);
   for (int side = 0; side < 2; side++) {
@@ -307,9 +309,9 @@ static arc_status evaluate(fretting *r, arc_error *error) {
   return status;
 }
 
-arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
-                         arc_error *error) {
-  fretting r = {.w = w, .window = window, .watch = watch, .rate = rate};
+arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *progress,
+                         wear_rate *rate, arc_error *error) {
+  fretting r = {.w = w, .window = window, .progress = progress, .rate = rate};
   return evaluate(&r, error);
 }
 
@@ -332,13 +334,13 @@ static void finish_loop(arc_loop *loop, double repeat, double thickness, const w
   loop->gross = rate->gross != 0;
 }
 
-arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_watch *watch,
+arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
                               arc_loop **loop, arc_error *error) {
   arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
   if (status != ARC_OK) return status;
   fretting r = {.w = w,
                 .window = window,
-                .watch = watch,
+                .progress = progress,
                 .rate = &w->work.rate,
                 .loop = make_loop((size_t)window->block->count)};
   if (!r.loop) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");

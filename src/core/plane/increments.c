@@ -20,15 +20,15 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* The contact goes with the load; the plate slides under it. [mm] */
+/* Position of the contact, which follows the load while the plate slides below it [mm]. */
 static double way_to(const arc_loading *from, const arc_model_def *model, int i) {
   const double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (!from->load_angle) return way;
   return way + fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
 }
 
-/* Of a load that lifts off contact gets as narrow as one likes: below this share of the mean over
- * the way all loads together wear less than that share of all. */
+/* Under a load that falls to zero the contact becomes arbitrarily narrow: all loads below this
+ * share of the mean together wear less than this share of the total. */
 static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;

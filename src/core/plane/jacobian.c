@@ -2,7 +2,7 @@
  * solutions.
  *
  * With C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1) on the active set, deeper surfaces h change the
- * forces of a pose by -C (h_c + B h_p). C hardly differs between neighbouring poses with the
+ * forces of a problem by -C (h_c + B h_p). C hardly differs between neighbouring problems with the
  * same active set, so that of one, the head, serves a group of them; their B do differ, and it is
  * their mean that couples the surfaces. Groups lie symmetric about x = 0, so that symmetric runs
  * stay so. */
@@ -14,14 +14,14 @@
 #include <string.h>
 
 typedef struct jacobian_group {
-  pose *head;            /* solved at point `at` */
+  contact_problem *head; /* solved at point `at` */
   int at, m;             /* size of its active set */
   int *node;             /* [nc] the set, by surface node */
   int *from, *to;        /* [nc] plate nodes in a cylinder node's rows of B: from .. to - 1 */
   int low, high;         /* plate nodes of the set: from .. to - 1 */
-  int points;            /* number of poses in the group */
+  int points;            /* number of problems in the group */
   double total;          /* sum of their shares */
-  const double *wc, *wp; /* tributary widths, equal for all poses */
+  const double *wc, *wp; /* tributary widths, equal for all problems */
   double *scale;         /* [nc + np] sum of share * dq/dp */
   double *c;             /* [nc x nc] C of the head */
   double *own, *mean;    /* [np x nc] B' of the head; the sum of share * B' */
@@ -86,9 +86,9 @@ void arc_wear_jacobian_clear(wear_tangent *j) {
   empty(j);
 }
 
-/* --- a group --- */
+/* --- a group ---------------------------------------------------------------------------------- */
 
-static void fill_c(const pose *p, double *c) {
+static void fill_c(const contact_problem *p, double *c) {
   const int m = p->active;
   double total = 0;
   for (int s = 0; s < m; s++) total += p->down[p->set[s]] * p->ones[s];
@@ -101,7 +101,7 @@ static void fill_c(const pose *p, double *c) {
  * excludes. */
 static int take_head(wear_tangent *j) {
   jacobian_group *g = j->group;
-  pose *p = g->head;
+  contact_problem *p = g->head;
   if (arc_lcp_factorise(p)) return 0;
   g->m = p->active;
   g->wc = p->wc;
@@ -116,7 +116,7 @@ static int take_head(wear_tangent *j) {
   return 1;
 }
 
-static void join(const arc_wear *w, const pose *p, const wear_point *point, double share,
+static void join(const arc_wear *w, const contact_problem *p, const wear_point *point, double share,
                  double *const way[ARC_BODIES], wear_tangent *j) {
   jacobian_group *g = j->group;
   g->points++;
@@ -137,7 +137,7 @@ static void join(const arc_wear *w, const pose *p, const wear_point *point, doub
   }
 }
 
-/* --- what a group adds --- */
+/* --- contribution of a group */
 
 /* cb := C B, plate nodes from `low`, for rows of B' in b. */
 static void times_rows(const wear_tangent *j, const double *b) {
@@ -211,25 +211,26 @@ void arc_wear_jacobian_finish(wear_tangent *j) {
   empty(j);
 }
 
-/* --- which group --- */
+/* --- which group ------------------------------------------------------------------------------ */
 
 static int bin_of(const wear_tangent *j, const wear_block *block, int at) {
-  const double x = block->pose_x[at];
+  const double x = block->problem_x[at];
   return j->width > 0 ? (x < 0 ? -1 : 1) * (int)ceil(fabs(x) / j->width - 1e-9) : at;
 }
 
 static double off_centre(const wear_tangent *j, const wear_block *block, int at) {
   const double centre = (abs(bin_of(j, block, at)) - 0.5) * j->width;
-  return fabs(fabs(block->pose_x[at]) - centre);
+  return fabs(fabs(block->problem_x[at]) - centre);
 }
 
-static int same_set(const pose *a, const pose *b) {
+static int same_set(const contact_problem *a, const contact_problem *b) {
   return a->lo == b->lo && a->active == b->active &&
          memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
 }
 
 /* True for nearby points with the same load and active set. */
-static int belongs(const wear_tangent *j, const wear_block *block, int at, const pose *p) {
+static int belongs(const wear_tangent *j, const wear_block *block, int at,
+                   const contact_problem *p) {
   const jacobian_group *g = j->group;
   const int to = g->at;
   return g->points > 0 && block->line[at] == block->line[to] &&
@@ -243,21 +244,21 @@ static int is_better_head(const wear_tangent *j, const wear_block *block, int at
   const int head = j->group->at;
   const double nearer = off_centre(j, block, head) - off_centre(j, block, at);
   if (fabs(nearer) > even * j->width) return nearer > 0;
-  return fabs(block->pose_x[at]) > fabs(block->pose_x[head]);
+  return fabs(block->problem_x[at]) > fabs(block->problem_x[head]);
 }
 
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const way[ARC_BODIES]) {
   wear_tangent *j = window->tangent;
   const wear_block *block = path_of(w)->block;
-  pose *p = &path_of(w)->pose[block->place[at]];
+  contact_problem *p = &path_of(w)->problem[block->problem_of[at]];
   const int joins = belongs(j, block, at, p);
   if (!joins) arc_wear_jacobian_finish(j);
   if (!joins || is_better_head(j, block, at)) j->group->head = p, j->group->at = at;
   join(w, p, &path_of(w)->point[at % 2], share, way, j);
 }
 
-/* --- the largest eigenvalue --- */
+/* --- the largest eigenvalue ------------------------------------------------------------------- */
 
 static double normalise(int n, double *v) {
   double sum = 0;

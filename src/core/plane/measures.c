@@ -27,12 +27,13 @@ static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
          arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
-/* The reference pose on a shape, solved under the nominal load. */
+/* The reference problem on a shape, solved under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
   const double line = w->def.load / arc_model_definition(w->model)->thickness;
-  arc_pose_aim(&plane_of(w)->reference, arc_radians(w->def.load_angle));
-  const arc_status status = arc_pose_update(&plane_of(w)->reference, shape, 0, error);
-  return status == ARC_OK ? arc_pose_solve(&plane_of(w)->reference, line, error) : status;
+  arc_contact_problem_set_angle(&plane_of(w)->reference, arc_radians(w->def.load_angle));
+  const arc_status status = arc_contact_problem_update(&plane_of(w)->reference, shape, 0, error);
+  return status == ARC_OK ? arc_contact_problem_solve(&plane_of(w)->reference, line, error)
+                          : status;
 }
 
 static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -46,11 +47,11 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   }
   const arc_status status = solve_reference(w, shape, error);
   if (status != ARC_OK) return status;
-  const pose *p = &plane_of(w)->reference;
+  const contact_problem *p = &plane_of(w)->reference;
   double edges[2];
-  arc_pose_edges(p, shape, edges);
+  arc_contact_problem_edges(p, shape, edges);
   record->half_width = (edges[1] - edges[0]) / 2;
-  arc_pose_peaks(p, &record->p_center, &record->p_max);
+  arc_contact_problem_peaks(p, &record->p_center, &record->p_max);
   record->solutions += 1;
   return ARC_OK;
 }
@@ -75,7 +76,7 @@ double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
                         const arc_wear_record *measured) {
   static const double middle = 0.8; /* pressures fall steeply at the edges */
   if (stays_hertzian(w, shape)) return 0;
-  return arc_pose_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
+  return arc_contact_problem_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
 }
 
 double arc_plane_roughness(const arc_wear *w, arc_body body) {

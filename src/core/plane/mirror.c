@@ -5,9 +5,9 @@
 
 static int is_mirrored_way(const wear_block *b) {
   const int last = b->count - 1;
-  if (last % 2 || b->poses == 1) return 0;
+  if (last % 2 || b->problems == 1) return 0;
   for (int i = 0; 2 * i <= last; i++)
-    if (b->pose_x[i] != -b->pose_x[last - i] || b->x[i] != -b->x[last - i] ||
+    if (b->problem_x[i] != -b->problem_x[last - i] || b->x[i] != -b->x[last - i] ||
         b->line[i] != b->line[last - i] || b->angle[i] != -b->angle[last - i])
       return 0;
   return 1;
@@ -37,7 +37,7 @@ static int is_mirrored_depth(const arc_wear *w, const double *depth) {
   return 1;
 }
 
-int arc_wear_has_places(const arc_wear *w, const wear_window *window) {
+int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
@@ -47,7 +47,8 @@ int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&
          (!window->depth || is_mirrored_depth(w, window->depth)) && w->def.rule == ARC_TRAPEZOID &&
-         w->def.slip == ARC_SLIP_RIGID && !(window->tangent && arc_wear_has_places(w, window)) &&
+         w->def.slip == ARC_SLIP_RIGID &&
+         !(window->tangent && arc_wear_has_local_factors(w, window)) &&
          !arc_model_is_given(w->model) && is_mirrored_way(block) &&
          is_mirrored_shape(window->shape);
 }
@@ -107,5 +108,5 @@ arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, cons
       image->q[b][i] = law->q[b][n - 1 - i];
     }
   }
-  return arc_wear_place_factors(w, window->state, image, error);
+  return arc_wear_find_local_factors(w, window->state, image, error);
 }

@@ -17,9 +17,9 @@ static double thickness_of(const arc_contact *c) {
 /* Solves one increment and updates the contact. */
 static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
                         arc_error *error) {
-  arc_status status = arc_pose_update(&c->pose, c->handle.shape, pairing, error);
+  arc_status status = arc_contact_problem_update(&c->problem, c->handle.shape, pairing, error);
   if (status == ARC_OK)
-    status = arc_friction_solve(&c->pose, &c->compliance, &c->workspace, step, &c->state, error);
+    status = arc_friction_solve(&c->problem, &c->compliance, &c->workspace, step, &c->state, error);
   c->iterations += c->workspace.iterations;
   c->mu = step->mu;
   return status;
@@ -28,12 +28,13 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
 /* Presses without friction under the whole load; its displacements are the start of friction.
  */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
-  const int rubs = c->handle.def.press == ARC_PRESS_FRICTION;
+  const int has_friction = c->handle.def.press == ARC_PRESS_FRICTION;
   const int usual =
       arc_friction_press_increments(c->handle.shape->handle.model, c->handle.def.load);
-  const friction_step to = {
-      .mu = rubs ? c->handle.def.friction : 0, .line = contact_line(c), .x = c->handle.def.x};
-  const int wanted = c->handle.def.increments, n = rubs ? wanted > 0 ? wanted : usual : 1;
+  const friction_step to = {.mu = has_friction ? c->handle.def.friction : 0,
+                            .line = contact_line(c),
+                            .x = c->handle.def.x};
+  const int wanted = c->handle.def.increments, n = has_friction ? wanted > 0 ? wanted : usual : 1;
   arc_status status = ARC_OK;
   for (int i = 1; i <= n && status == ARC_OK; i++) {
     const friction_step step = arc_friction_pressing(&to, i, n);
@@ -64,7 +65,7 @@ static arc_status check_motion(const arc_contact *from, const arc_motion_def *mo
                     motion->by_force_z ? "tangential_z" : "z",
                     motion->by_force_z ? motion->tangential_z : motion->z);
   if (!motion->by_force) return status;
-  if (!from->rubs)
+  if (!from->has_friction)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected none, as the contact has no friction, got %g N",
                     motion->tangential);
@@ -91,7 +92,7 @@ static double slack_of(const arc_contact *c, double load) {
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);
-  const double way = motion->by_force ? 0 : motion->x - from->pose.x;
+  const double way = motion->by_force ? 0 : motion->x - from->problem.x;
   const int stay = fabs(way) <= slack_of(from, motion->load);
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
@@ -101,7 +102,7 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
     step.x = between(from->handle.def.x, motion->x, share);
     step.tangential =
         between(from->handle.result.tangential, motion->tangential, share) / thickness;
-    status = go_to(c, stay ? from->pose.x : step.x, &step, error);
+    status = go_to(c, stay ? from->problem.x : step.x, &step, error);
   }
   c->handle.def.x = c->state.x;
   return status;
@@ -112,10 +113,11 @@ arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
   arc_contact_def def = from->handle.def;
   arc_motion_def whole = *wanted, *motion = &whole;
   if (motion->load == 0) motion->load = from->handle.def.load; /* left out */
+  if (motion->increments == 0) motion->increments = 1;
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;
   def.load = motion->load;
-  if (!from->rubs) {
+  if (!from->has_friction) {
     def.x = motion->x;
     return arc_contact_solve(from->handle.shape, &def, callbacks, result, error);
   }

@@ -52,13 +52,14 @@ static arc_status create_resting(newton *s) {
   const size_t n = (size_t)s->n;
   const carve_part parts[] = {{&s->residual, n}, {&s->step, n},  {&s->per_force, n},
                               {&s->opening, n},  {&s->moved, n}, {&s->force, n}};
-  return ARC_CARVE(parts) ? arc_pose_create(&s->with_wear, s->at->run->model) : ARC_MEMORY;
+  return ARC_CARVE(parts) ? arc_contact_problem_create(&s->with_wear, s->at->run->model)
+                          : ARC_MEMORY;
 }
 
 /* True if symmetric to the bit; with friction only to rounding. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
-  return !arc_wear_has_friction(&w->def) && !arc_wear_has_places(w, &stage->window) &&
+  return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
          arc_wear_is_mirrored(w, &stage->window);
 }
 
@@ -114,7 +115,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   s->at->window.tangent = with_jacobian ? s->jacobian : NULL;
   wear_by_z(s);
   const arc_status status =
-      arc_wear_evaluate(s->at->run, &s->at->window, s->at->watch, here, &s->at->error);
+      arc_wear_evaluate(s->at->run, &s->at->window, s->at->progress, here, &s->at->error);
   if (status != ARC_OK) return status;
   if (with_jacobian) s->h = 0;
   for (int i = 0; i < s->n; i++) rate[i] *= k_at(s, i);
@@ -122,7 +123,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   return ARC_OK;
 }
 
-/* --- the linear system --- */
+/* --- the linear system ------------------------------------------------------------------------ */
 
 /* Unknowns: nodes that wear and were in contact. */
 static arc_status factorise(newton *s, double h) {
@@ -153,7 +154,7 @@ static arc_status direction(newton *s, double h, double *x) {
   return ARC_OK;
 }
 
-/* --- a stage --- */
+/* --- a stage ---------------------------------------------------------------------------------- */
 
 /* residual = z - known - h rate; its largest entry. */
 double arc_newton_residual(newton *s, double h, const double *rate) {
@@ -182,9 +183,9 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
   for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
 }
 
-/* Takes the last step too. The pressures that belong to it are those of the linear model, whose
- * resultant is the load: volumes stay exact. The plate feels the forces on the cylinder; positions
- * that share a Jacobian would let it lose 2e-9 of its volume more or less. */
+/* Adds the last step. Its pressures are those of the linear model, whose resultant is the load, so
+ * volumes remain exact. The plate receives the forces of the cylinder; with a Jacobian common to
+ * several positions its volume would be off by 2e-9. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;
@@ -203,10 +204,9 @@ static double product(const double *a, const double *b, int n) {
   return sum;
 }
 
-/* What a kept Jacobian misses is mostly one mode, that of nodes which have entered the contact
- * since: the secant through the last two iterates (Anderson's, depth 1) takes it out. step becomes
- * the better one; defect is the plain one; `last` is the previous one of these, `taken` what was
- * stepped then. */
+/* The error of a kept Jacobian is mostly one mode, that of nodes which have entered the contact
+ * since; a secant through the last two iterates (Anderson's method, depth 1) removes it. step is
+ * the improved step; defect the plain one; `last` the previous defect, `taken` its step. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -219,8 +219,7 @@ static void accelerate(newton *s, int it) {
   memcpy(s->last, s->defect, bytes);
 }
 
-/* What is left of an iterate: the residual, and the step to where it vanishes; *size is the largest
- * entry of that. */
+/* The residual of an iterate, and the step to its zero; *size is the largest entry of the step. */
 static arc_status find_defect(newton *s, double h, const double *rate, double *size) {
   arc_newton_residual(s, h, rate);
   memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
@@ -229,8 +228,8 @@ static arc_status find_defect(newton *s, double h, const double *rate, double *s
   return status;
 }
 
-/* Along the step, which is halved so often at most, until the residual falls. A contact that leaves
- * its zone on the way counts as no fall. */
+/* Halves the step, up to a limit, until the residual decreases. A contact that leaves its zone
+ * counts as no decrease. */
 static arc_status walk(newton *s, double h, double *rate, int most) {
   const double before = arc_newton_residual(s, h, rate);
   double share = 1, last = 0;
@@ -272,8 +271,7 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* The energy, and what it wears evenly, go with the wear: the last step was not evaluated any more.
- */
+/* Scales energy and even wear with the wear, since the last step is not evaluated again. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
@@ -294,12 +292,12 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
   return arc_newton_evaluate(s, rate, !s->rests);
 }
 
-/* --- the error --- */
+/* --- the error -------------------------------------------------------------------------------- */
 
-/* Relative change of the forces of a pose by errors of depths. */
-static double shifted_by(newton *s, pose *p, const double *off) {
+/* Relative change of the forces of a problem by errors of depths. */
+static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
-  arc_pose_to_cylinder(p, off + s->at->run->nc, below);
+  arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
   for (int k = 0; k < p->active; k++) {
     const int i = p->lo + p->set[k];
     s->packed[k] = off[i] + below[i];
@@ -307,7 +305,7 @@ static double shifted_by(newton *s, pose *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Of the poses at the ends and in the middle of the path: those at hand, of the last solution. A
+/* Of the problems at the ends and in the middle of the path: those at hand, of the last solution. A
  * run in closed form has no path, and pressures that no depth changes. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
@@ -316,7 +314,7 @@ static double largest_shift(newton *s, const double *off) {
   const int points[] = {first, first + (last - first) / 2, last};
   double largest = 0;
   for (int i = 0; i < 3; i++) {
-    pose *p = &path_of(s->at->run)->pose[block->place[points[i]]];
+    contact_problem *p = &path_of(s->at->run)->problem[block->problem_of[points[i]]];
     if (block->line[points[i]] > 0 && p->active > 0 && !arc_lcp_factorise(p))
       largest = fmax(largest, shifted_by(s, p, off));
   }
@@ -331,10 +329,10 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
   return largest_shift(s, defect);
 }
 
-/* --- the end --- */
+/* --- the end ---------------------------------------------------------------------------------- */
 
-/* Normal force over the sliding [N/mm mm]: what the depths say where they tell it, as the rest of
- * the step is not solved for once more; else that of the last evaluation. */
+/* Normal force over the sliding [N/mm mm]: from the depths if they determine it, since the last
+ * step is not solved again; else from the last evaluation. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;
@@ -352,7 +350,7 @@ void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth) {
   if (!s) return;
   free(s->residual);
   free(s->pivots);
-  arc_pose_free(&s->with_wear);
+  arc_contact_problem_free(&s->with_wear);
   if (s->jacobian) arc_tangent_free(&s->jacobian);
   free(s);
 }

@@ -23,10 +23,10 @@ typedef struct newton {
   double h; /* cycles [-] the factors belong to; 0: none */
 
   /* for a contact at rest */
-  pose with_wear;        /* it, with the wear of its forces in the compliance */
-  double *per_force;     /* wear depth per force on a node [mm per N/mm] */
-  double *opening;       /* of the gap, per depth [-] */
-  double *moved, *force; /* work; force by cylinder node [N/mm] */
+  contact_problem with_wear; /* it, with the wear of its forces in the compliance */
+  double *per_force;         /* wear depth per force on a node [mm per N/mm] */
+  double *opening;           /* of the gap, per depth [-] */
+  double *moved, *force;     /* work; force by cylinder node [N/mm] */
 } newton;
 
 arc_status arc_newton_begin(wear_stage *stage);
@@ -37,30 +37,30 @@ arc_status arc_newton_start(wear_stage *stage, double *rate);
  * solution: z = known + h rate to the bit. ARC_ZONE: the run has grown out of its mesh;
  * ARC_NOT_CONVERGED: try a shorter step. */
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
-/* Filters stiff ripples out of a defect, and returns what part of the load it shifts along the
- * surface at the most; negative: it cannot tell. */
+/* Filters stiff ripples out of a defect, and returns the largest share of the load that it shifts
+ * along the surface; negative: not available. */
 double arc_newton_error(wear_stage *stage, double h, double *defect);
 
-/* --- for rest_stage.c --- */
+/* --- for rest_stage.c ------------------------------------------------------------------------- */
 /* Share of the largest coefficient by which node i wears at the present z. */
 double arc_newton_share(const newton *s, int i);
 /* k times the wear of a cycle at the present z, with the Jacobian or without. */
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
-/* residual = z - known - h rate; its largest entry, and what is small enough [mm]. */
+/* residual = z - known - h rate; its largest entry, and the tolerance [mm]. */
 double arc_newton_residual(newton *s, double h, const double *rate);
 double arc_newton_allowed(const newton *s);
 /* True if a shorter step would not help. */
 int arc_newton_is_hopeless(const newton *s, arc_status status);
 
-/* --- rest_stage.c --- */
+/* --- rest_stage.c ----------------------------------------------------------------------------- */
 /* True if all points of the window are one contact under one load, without friction and elastic
  * slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
-/* Converts gap changes [active] of a solved pose to changes of its forces. Returns the largest part
- * of the load shifted along the surface. */
-double arc_stage_forces(pose *p, double *gap);
-/* arc_newton_error for a stage solved this way. */
+/* Converts gap changes [active] of a solved problem to changes of its forces. Returns the largest
+ * part of the load shifted along the surface. */
+double arc_stage_forces(contact_problem *p, double *gap);
+/* arc_newton_error for a stage solved by this function. */
 double arc_stage_rest_error(newton *s, double *defect);
 
 #endif

@@ -40,8 +40,8 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
 
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
   if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * arc_wear_def_stroke(def);
-  return 4 * def->tangential / model->thickness /
-         arc_contact_modulus(model->geometry, model->material);
+  const wear_manner manner = arc_kind_of(model)->manner(def, model);
+  return 4 * def->tangential / manner.thickness / manner.modulus;
 }
 
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
@@ -77,7 +77,7 @@ wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model
                            arc_plane_stays_as_it_is(def, model) && !arc_wear_has_friction(def)};
 }
 
-/* --- checks --- */
+/* --- checks ----------------------------------------------------------------------------------- */
 
 /* Refuses rotations and load angles without a hole. */
 static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- what a run adds -------------------------------------------------------------------------- */
+/* --- data of a run */
 
 static arc_status begin(arc_wear *w) {
   plane_cycle *own = w->own = calloc(1, sizeof *own);
@@ -25,14 +25,14 @@ static arc_status begin(arc_wear *w) {
   if (!ARC_CARVE(parts)) return ARC_MEMORY;
   if (arc_path_create(&own->path, w->model, arc_wear_has_friction(&w->def)) != ARC_OK)
     return ARC_MEMORY;
-  return arc_pose_create(&own->reference, w->model);
+  return arc_contact_problem_create(&own->reference, w->model);
 }
 
 static void end(arc_wear *w) {
   plane_cycle *own = w->own;
   if (!own) return;
   arc_path_free(&own->path);
-  arc_pose_free(&own->reference);
+  arc_contact_problem_free(&own->reference);
   free(own->slip);
   free(own);
   w->own = NULL;
@@ -41,15 +41,15 @@ static void end(arc_wear *w) {
 static size_t bytes(const arc_wear *w) {
   const plane_cycle *own = w->own;
   const wear_path *path = &own->path;
-  const size_t n = (size_t)(w->nc + w->np), poses = (size_t)path->poses;
-  size_t sum = (poses + 1) * arc_pose_bytes(&own->reference) + 22 * n * sizeof(double) +
-               2 * arc_shape_bytes(w->shape);
-  if (path->compliance) sum += poses * arc_tangential_bytes(&path->compliance[0]);
-  if (path->rubs) sum += arc_friction_workspace_bytes(&path->workspace);
+  const size_t n = (size_t)(w->nc + w->np), problems = (size_t)path->problems;
+  size_t sum = (problems + 1) * arc_contact_problem_bytes(&own->reference) +
+               22 * n * sizeof(double) + 2 * arc_shape_bytes(w->shape);
+  if (path->compliance) sum += problems * arc_tangential_bytes(&path->compliance[0]);
+  if (path->has_friction) sum += arc_friction_workspace_bytes(&path->workspace);
   return sum + (w->start.tangent ? arc_tangent_bytes(w) : 0);
 }
 
-/* --- whether the contact can be everywhere ---------------------------------------------------- */
+/* --- checks of positions */
 
 /* Points of a block with extreme positions of the plate, of the load, and of the load on the plate.
  */
@@ -77,13 +77,13 @@ static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BOD
   char angle[100] = "";
   if (arc_model_is_hole(def))
     snprintf(angle, sizeof angle,
-             ": %.0f degrees to either side, within which the contact stays as they turn", degrees);
-  return arc_fail(
-      error, ARC_ZONE,
-      "%s (this run needs zones of %.2f and %.2f mm, more than the bodies have room for, "
-      "%.2f and %.2f mm%s)",
-      why->message, zone[ARC_CYLINDER], zone[ARC_PLATE], arc_model_widest_zone(def, ARC_CYLINDER),
-      arc_model_widest_zone(def, ARC_PLATE), angle);
+             ": %.0f degrees to either side for the contact during the rotation", degrees);
+  return arc_fail(error, ARC_ZONE,
+                  "%s (this run needs zones of %.2f and %.2f mm, larger than the bodies allow, "
+                  "%.2f and %.2f mm%s)",
+                  why->message, zone[ARC_CYLINDER], zone[ARC_PLATE],
+                  arc_model_widest_zone(def, ARC_CYLINDER), arc_model_widest_zone(def, ARC_PLATE),
+                  angle);
 }
 
 /* Error at an end of a path; for a narrow zone with the width needed. */
@@ -123,12 +123,16 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 static arc_status start_shape(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                               arc_shape **shape, arc_error *error) {
-  if (!start) return arc_shape_create(model, def->geometry, def->refresh, shape, error);
+  arc_status status;
   *shape = NULL;
-  if (arc_shape_model(start) != model)
+  if (start && arc_shape_model(start) != model)
     return arc_fail(error, ARC_ARGUMENT, "worn: the starting shape belongs to another model");
-  arc_status status = arc_shape_clone(start, shape, error);
+  if (start)
+    status = arc_shape_clone(start, shape, error);
+  else
+    status = arc_shape_create(model, def->geometry, def->refresh, shape, error);
   if (status == ARC_OK) status = arc_shape_set_geometry(*shape, def->geometry, def->refresh, error);
+  if (status == ARC_OK) arc_shape_set_corrections(*shape, def->corrections);
   if (status != ARC_OK) arc_shape_destroy(shape);
   return status;
 }
@@ -188,7 +192,7 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
 static const arc_growth growth = {
     .must_grow = must_grow,
     .has_outgrown = arc_wear_has_outgrown,
-    .has_room = arc_wear_has_room,
+    .can_grow = arc_wear_can_grow,
     .grow = arc_wear_grow,
     .remesh = arc_wear_remesh,
     .resolve = arc_wear_resolve,
@@ -225,6 +229,7 @@ const arc_kind arc_plane_kind = {
     .deepest = arc_meshed_depth,
     .through_layers = arc_wear_into_layers,
     .add_volumes = arc_plane_add_volumes,
+    .look_ahead = arc_plane_look_ahead,
     .wear = arc_plane_wear,
     .measure = arc_plane_measure,
     .rate = arc_wear_evaluate,
@@ -239,8 +244,8 @@ const arc_kind arc_plane_kind = {
     .error = arc_newton_error,
     .end_stages = arc_newton_end,
     .natural_depth = arc_plane_natural_depth,
-    .even_dose = arc_plane_even_dose,
-    .layer_dose = arc_plane_layer_dose,
+    .even_k_integral = arc_plane_even_k_integral,
+    .layer_k_integral = arc_plane_layer_k_integral,
     .open_share = arc_plane_open_share,
     .growth = &growth,
     .solve = arc_plane_solve,

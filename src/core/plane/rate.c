@@ -9,11 +9,11 @@
 #include <string.h>
 
 /* Initial gaps deeper by the window's depths along the normals. */
-static void deepen(const arc_wear *w, const double *depth, pose *p) {
+static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   const double *down = plane_of(w)->down;
   double *plate = plane_of(w)->plate, *below = plane_of(w)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * down[p->nc + l];
-  arc_pose_to_cylinder(p, plate, below);
+  arc_contact_problem_to_cylinder(p, plate, below);
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
     p->gap[k] += depth[i] * down[i] + below[i];
@@ -22,7 +22,7 @@ static void deepen(const arc_wear *w, const double *depth, pose *p) {
 
 /* Law and slip are evaluated at the cylinder's nodes, where pressure is an unknown; the plate gets
  * the same wear rate, as both bodies have the same pressure at a pair of points. */
-static void apply_law(const arc_wear *w, const wear_window *window, const pose *p,
+static void apply_law(const arc_wear *w, const wear_window *window, const contact_problem *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
   if ((arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && w->def.spin == 0) {
@@ -33,20 +33,21 @@ static void apply_law(const arc_wear *w, const wear_window *window, const pose *
   for (int i = 0; i < p->nc; i++)
     qc[i] = arc_wear_law_rubbed(w, point->p[ARC_CYLINDER][i], window->mu) *
             arc_wear_spin_share(w, side, i);
-  arc_pose_transfer(p, qc, qp);
+  arc_contact_problem_transfer(p, qc, qp);
 }
 
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error) {
   const wear_block *block = path_of(w)->block;
-  pose *p = &path_of(w)->pose[block->place[at]];
-  arc_pose_aim(p, block->angle[at]);
-  const arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
+  contact_problem *p = &path_of(w)->problem[block->problem_of[at]];
+  arc_contact_problem_set_angle(p, block->angle[at]);
+  const arc_status status =
+      arc_contact_problem_update(p, window->shape, block->problem_x[at], error);
   if (status == ARC_OK && window->depth) deepen(w, window->depth, p);
   return status;
 }
 
-arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *state,
-                                  wear_point *point, arc_error *error) {
+arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
+                                       wear_point *point, arc_error *error) {
   for (int b = 0; b < ARC_BODIES && w->def.local_factor; b++) {
     double *local = point->f[b], *q = point->q[b];
     const wear_sites on = w->kind->sites(w->shape, (arc_body)b);
@@ -57,37 +58,37 @@ arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *stat
   return ARC_OK;
 }
 
-arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
-                         arc_error *error) {
-  arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
+arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_problem *p,
+                         wear_point *point, arc_error *error) {
+  arc_contact_problem_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
   apply_law(w, window, p, point);
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
-    arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
-  return window->state ? arc_wear_place_factors(w, window->state, point, error) : ARC_OK;
+    arc_contact_problem_tangential(p, window->shape, (arc_body)b, point->u[b]);
+  return window->state ? arc_wear_find_local_factors(w, window->state, point, error) : ARC_OK;
 }
 
-void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
-                    double *on, wear_rate *rate) {
+void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
+                    const double *work, double *on, wear_rate *rate) {
   const double *added[ARC_BODIES] = {work, on};
-  arc_pose_transfer(p, work, on);
+  arc_contact_problem_transfer(p, work, on);
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < w->shape->side[b].n; i++)
       rate->node[b][i] += added[b][i] * (w->def.local_factor ? point->f[b][i] : 1);
 }
 
 /* Solves point `at` of the block at hand into `point`. */
-static arc_status solve_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
-                              wear_point *point, arc_error *error) {
+static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
+                              wear_progress *progress, wear_point *point, arc_error *error) {
   const wear_block *block = path_of(w)->block;
   arc_path_clear(path_of(w), point);
   if (block->line[at] == 0) return ARC_OK; /* lifted off */
-  pose *p = &path_of(w)->pose[block->place[at]];
+  contact_problem *p = &path_of(w)->problem[block->problem_of[at]];
   arc_status status = arc_wear_prepare(w, window, at, error);
   if (status == ARC_OK && at > window->first)
-    arc_pose_follow(p, &path_of(w)->pose[block->place[at - 1]]);
-  if (status == ARC_OK) status = arc_pose_solve(p, block->line[at], error);
+    arc_contact_problem_start_from(p, &path_of(w)->problem[block->problem_of[at - 1]]);
+  if (status == ARC_OK) status = arc_contact_problem_solve(p, block->line[at], error);
   if (status != ARC_OK) return status;
-  watch->solutions++;
+  progress->solutions++;
   return arc_wear_take(w, window, p, point, error);
 }
 
@@ -105,8 +106,9 @@ static void note_widths(const arc_wear *w, const wear_window *window) {
       sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
 }
 
-/* What the window before left off with: its surfaces have been worn since, and it is their forces,
- * pressure times width, that go on. Work with elastic slip meets the plate through its pose. */
+/* The last state of the previous window: its surfaces have been worn since, but its forces,
+ * pressure times width, are continued. Work with elastic slip uses the problem for the transfer to
+ * the plate. */
 static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
                               arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -123,12 +125,13 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
 }
 
 /* Solves point `at` of a window, from the previous one. */
-static arc_status reach_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
-                              arc_error *error) {
+static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
+                              wear_progress *progress, arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
-  if (callbacks_stop(watch->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
+  if (callbacks_stop(progress->callbacks))
+    return arc_fail(error, ARC_STOPPED, "stopped on request");
   if (window->chained && at == window->first) return keep_forces(w, window, now, error);
-  if (!same_as_before(w, window, at)) return solve_point(w, window, at, watch, now, error);
+  if (!same_as_before(w, window, at)) return solve_point(w, window, at, progress, now, error);
   arc_path_copy(path_of(w), &path_of(w)->point[(at + 1) % 2], now);
   return ARC_OK;
 }
@@ -150,10 +153,10 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* A slope slides by cos times the plate's way, and is longer than its shadow on x, on which
- * pressure times width is force: so much depth along the normal takes the area k force |dx|. Out of
- * the plane every slope slides all the way, but in holes, where pressures are those on the hole's
- * area; of revolution areas are those seen from above. */
+/* On a slope the sliding distance is the plate's times the cosine, and the length is larger than
+ * its projection on x, on which pressure times width is force: a depth along the normal removes the
+ * area k force |dx|. Out of the plane every slope slides the whole distance, except in holes, where
+ * pressures are those on the hole's area; for bodies of revolution areas are projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;
@@ -183,7 +186,7 @@ static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* The same of work with the real slip: what all its nodes would lose, per length. */
+/* The same for work with the total slip: the loss of all its nodes, per length. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -212,8 +215,8 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Normal force on the cylinder at a point [N/mm]; of a spin by the local slip over that which is
- * told. */
+/* Normal force on the cylinder at a point [N/mm]; with a spin weighted by the local slip over the
+ * reported slip. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
@@ -237,32 +240,32 @@ static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rat
 }
 
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error) {
-  wear_watch nobody = {0};
+  wear_progress unreported = {0};
   const arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
   if (status != ARC_OK) return status;
-  return solve_point(w, window, window->first, &nobody, &path_of(w)->point[0], error);
+  return solve_point(w, window, window->first, &unreported, &path_of(w)->point[0], error);
 }
 
-/* The mirror image of point `at`, with its own factors of places, wears as the image goes. */
+/* The mirror image of point `at`, with its own local factors, wears in proportion to the image. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
   wear_point law = path_of(w)->point[at % 2];
-  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not asked for here */
-  if (block->line[at] > 0) apply_law(w, window, &path_of(w)->pose[block->place[at]], &law);
+  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not used here */
+  if (block->line[at] > 0) apply_law(w, window, &path_of(w)->problem[block->problem_of[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);
   return status;
 }
 
 /* Sums up a window, point by point; into `images` the mirror images, where they are wanted. */
-static arc_status integrate(arc_wear *w, const wear_window *window, wear_watch *watch,
+static arc_status integrate(arc_wear *w, const wear_window *window, wear_progress *progress,
                             wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
   if (images) arc_wear_rate_clear(images, w->nc + w->np);
   if (window->tangent) arc_wear_jacobian_clear(window->tangent);
   for (int at = window->first; at <= window->last; at++) {
-    arc_status status = reach_point(w, window, at, watch, error);
+    arc_status status = reach_point(w, window, at, progress, error);
     if (status == ARC_OK && images) status = add_image(w, window, at, images, error);
     if (status != ARC_OK) return status;
     note_peak(w, &path_of(w)->point[at % 2], rate);
@@ -279,21 +282,21 @@ static arc_status integrate(arc_wear *w, const wear_window *window, wear_watch *
   return ARC_OK;
 }
 
-static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_watch *watch,
+static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_progress *progress,
                                  wear_rate *rate, arc_error *error) {
   wear_rate other = {.node = {plane_of(w)->slip, plane_of(w)->slip + w->nc}};
-  wear_rate *images = arc_wear_has_places(w, window) ? &other : NULL;
+  wear_rate *images = arc_wear_has_local_factors(w, window) ? &other : NULL;
   wear_window half = *window;
   half.last = window->last / 2;
-  const arc_status status = integrate(w, &half, watch, rate, images, error);
+  const arc_status status = integrate(w, &half, progress, rate, images, error);
   if (status != ARC_OK) return status;
   arc_wear_add_mirror(w, window, images, rate);
   for (int at = half.last + 1; at <= window->last; at++)
-    watch->solutions += path_of(w)->block->line[at] > 0; /* images are solutions too */
+    progress->solutions += path_of(w)->block->line[at] > 0; /* images are solutions too */
   return ARC_OK;
 }
 
-arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
+arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error) {
   assert(0 <= window->first && window->last < window->block->count);
   if (w->manner.closed) { /* depends on the load only */
@@ -308,11 +311,11 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
   for (int b = 0; b < ARC_BODIES && window->depth; b++)
     arc_shape_downward(window->shape, (arc_body)b, sites_from(w, down, b));
   if (arc_wear_has_friction(&w->def))
-    status = arc_wear_fret(w, window, watch, rate, error);
+    status = arc_wear_fret(w, window, progress, rate, error);
   else if (arc_wear_is_mirrored(w, window))
-    status = integrate_half(w, window, watch, rate, error);
+    status = integrate_half(w, window, progress, rate, error);
   else
-    status = integrate(w, window, watch, rate, NULL, error);
+    status = integrate(w, window, progress, rate, NULL, error);
   if (status != ARC_OK) return status;
   const int by_work = arc_wear_has_friction(&w->def) || w->def.slip == ARC_SLIP_TOTAL;
   if (w->manner.even && by_work) spread_work(w, rate);

@@ -1,8 +1,8 @@
-/* Stresses at nodes. Elements know stresses best at their centres (superconvergence); on a boundary
- * normal and shear stress are the tractions and the stress along it follows from the
- * strain along it, which the nodes' displacements give to second order. Inside, quadratic
- * polynomials are fitted to both around each node (patch recovery after Zienkiewicz and Zhu, with
- * the boundary's values among the data). */
+/* Stresses at nodes. Stresses of elements are most accurate at their centres (superconvergence). On
+ * a boundary normal and shear stress are the tractions; the stress along it follows from the strain
+ * along it, which the nodes' displacements give to second order. Inside, quadratic polynomials are
+ * fitted to both around each node (patch recovery after Zienkiewicz and Zhu, with the boundary's
+ * values among the data). */
 #include "core/plane/recovery.h"
 #include "core/base/dense.h"
 
@@ -58,7 +58,7 @@ static void list_elements_around(recovery *r) {
       r->around[--r->start[m->element[4 * e + c]]] = e;
 }
 
-/* --- stresses at the elements ---------------------------------------------------------------- */
+/* --- stresses at the elements ----------------------------------------------------------------- */
 
 static element element_with(const recovery *r, int e, double u[8]) {
   const int *corner = &r->mesh->element[4 * e];
@@ -76,7 +76,7 @@ static void sample_element(recovery *r, int e) {
   r->known[e] = 1;
 }
 
-/* Change of a triangle's area [mm2]; its area comes on top of *area. */
+/* Change of a triangle's area [mm2]; adds its area to *area. */
 static double swelling_of(const recovery *r, int e, double *area) {
   double u[8], gradient[6], change = 0;
   const element el = element_with(r, e, u);
@@ -105,7 +105,7 @@ static void sample_elements(recovery *r) {
   }
 }
 
-/* --- boundary stresses ----------------------------------------------------------------------- */
+/* --- boundary stresses ------------------------------------------------------------------------ */
 
 /* The boundary as a closed polygon; edge k runs from node k to the next one. */
 typedef struct boundary {
@@ -127,8 +127,8 @@ static int last_of(const boundary *o, int k) {
   return k > 0 ? k - 1 : o->count - 1;
 }
 
-/* Stress along an edge, but for what its own pressure does there: modulus times the strain along
- * it, `around` times that around the axis, and `load` times the pressure. */
+/* Stress along an edge without the local effect of its own pressure: modulus times the strain along
+ * it, `around` times the strain around the axis, and `load` times the pressure. */
 typedef struct edge_law {
   double modulus, around, load;
 } edge_law;
@@ -159,9 +159,9 @@ static double strain_around(const recovery *r, int a, int b) {
   return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;
 }
 
-/* Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E right there and
- * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
- * and is smooth, even where the pressure ends. */
+/* Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E only at the loaded
+ * points, so that the stress along it is -p. The rest of the stress is due to distant loads and is
+ * smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
@@ -181,9 +181,9 @@ static double mean_bend(const boundary *o, int k) {
   return (o->bend[k] + o->bend[next_of(o, k)]) / 2;
 }
 
-/* Elements smear the local strain: they add a share of the pressure's second difference, the same
- * all along the uniform surface. It is the share without which the rest is smoothest (least sum of
- * squared second differences), and it is taken out. */
+/* Elements smooth the local strain: they add a share of the pressure's second difference, the same
+ * along the whole uniform surface. The share is determined such that the rest is smoothest (least
+ * sum of squared second differences), and is subtracted. */
 static void sharpen(boundary *o) {
   double across = 0, square = 0;
   for (int k = 0; k < o->count; k++) {
@@ -354,8 +354,8 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Patches take the boundary as elements have it, with the pressures they have answered to; its own
- * nodes tell what is at the points. */
+/* Patches use the boundary values of the elements, with the pressures applied to them; the boundary
+ * nodes get point values. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

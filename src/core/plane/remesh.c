@@ -9,14 +9,14 @@
 /* Growth of the cylinder's zone (a factor), and of the depth of the wear box. */
 static const double wider = 1, deeper = 2;
 
-/* The element size goes with the contact where nobody chose it: a contact of so many times the
- * elements of a new one gets larger ones. A ring that wears a block to 25 half widths: at 4 its
- * depth is .02 % off the rigid limit, at 3 .05 %. Elements become larger by sqrt(2) at once: the
- * outline of a scar of half width b loses h^2/(8 b^2) of its area then, which scaling its depths
- * makes up for; .04 %, by 2 it would be .12 %. */
+/* Automatic element sizes follow the contact: a contact with this many times the elements of a new
+ * one gets larger elements. For a ring that wears a block to 25 half widths the depth is .02 % off
+ * the rigid limit at 4, .05 % at 3. Elements become larger by sqrt(2) at a time: the outline of a
+ * scar of half width b then loses h^2/(8 b^2) of its area, which scaling of the depths restores;
+ * .04 %, with a factor of 2 .12 %. */
 static const double rich = 4;
 
-/* --- what has been outgrown ------------------------------------------------------------------- */
+/* --- sizes that have been outgrown */
 
 /* Half width of the worn part of a body [mm]. */
 static double worn_half(const arc_wear *w, arc_body b) {
@@ -29,8 +29,8 @@ static double worn_half(const arc_wear *w, arc_body b) {
   return half;
 }
 
-/* A contact, or a wear box, that suddenly needs much more than it did comes of a step that is too
- * long: a larger mesh would hide that. */
+/* A sudden increase of the required zone or wear box is caused by a step that is too long; a larger
+ * mesh would hide that. */
 static int has_grown_into_zone(const arc_wear *w) {
   static const double share = 0.4; /* of the zone */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
@@ -39,7 +39,7 @@ static int has_grown_into_zone(const arc_wear *w) {
   const double radius = arc_model_body(w->model, ARC_UPPER)->chart.radius;
   for (int b = 0; b < w->blocks; b++)
     for (int i = 0; i < w->block[b].count; i++) {
-      const double under = radius * w->block[b].angle[i], x = w->block[b].pose_x[i];
+      const double under = radius * w->block[b].angle[i], x = w->block[b].problem_x[i];
       most[ARC_CYLINDER] = fmax(most[ARC_CYLINDER], last->half_width + fabs(under));
       most[ARC_PLATE] = fmax(most[ARC_PLATE], last->half_width + fabs(under - x));
     }
@@ -49,15 +49,18 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* Wear depth for the wear box: the part that changes the surface. */
-static int has_grown_into_box(const arc_wear *w) {
+/* True if the wear that changes a surface is deeper than that share of its wear box. */
+static int is_deep(const arc_wear *w, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];
     const double depth = arc_shape_depth(w->shape, (arc_body)b) - side->even;
-    if (depth > arc_shape_box_depth(side) / 3) return 1;
+    if (depth > share * arc_shape_box_depth(side)) return 1;
   }
   return 0;
 }
+
+/* Shares of a wear box: deep enough to be outgrown; so deep that new meshes get a deeper one. */
+static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
 
 int arc_wear_layer_rows(const arc_wear *w) {
   return w->manner.even && w->def.track == 0 ? arc_shape_layer_rows(w->shape, ARC_PLATE) : 0;
@@ -65,10 +68,10 @@ int arc_wear_layer_rows(const arc_wear *w) {
 
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
   return (why == ARC_ZONE && has_grown_into_zone(w)) ||
-         (why == ARC_GEOMETRY && (has_grown_into_box(w) || arc_wear_layer_rows(w) > 0));
+         (why == ARC_GEOMETRY && (is_deep(w, deep) || arc_wear_layer_rows(w) > 0));
 }
 
-int arc_wear_has_room(const arc_wear *w) {
+int arc_wear_can_grow(const arc_wear *w) {
   const arc_model_def *def = arc_model_definition(w->model);
   double needed[ARC_BODIES];
   arc_wear_zones(&w->def, def, needed);
@@ -77,7 +80,7 @@ int arc_wear_has_room(const arc_wear *w) {
   return 1;
 }
 
-/* --- the meshes that would do ----------------------------------------------------------------- */
+/* --- sizes of the new meshes */
 
 static void widen(const arc_wear *w, arc_model_def *def) {
   double needed[ARC_BODIES];
@@ -98,7 +101,8 @@ static void set_rows(arc_model_def *def, double rows) {
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
-  const double most = fmin(fitted, arc_wear_rim_size(w) / 2), ratio = sqrt(2);
+  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a mesh later would be one more */
+  const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
     set_rows(def, mesh->rows / ratio);
@@ -113,7 +117,7 @@ static arc_model_def grown(const arc_wear *w, arc_status why) {
   arc_model_def def = *arc_model_definition(w->model);
   if (why == ARC_ZONE) widen(w, &def);
   coarsen(w, &def);
-  if (why == ARC_GEOMETRY) deepen(w, &def);
+  if (why == ARC_GEOMETRY || is_deep(w, soon_deep)) deepen(w, &def);
   return def;
 }
 
@@ -137,7 +141,7 @@ static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
                           const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
   arc_model *model = NULL;
   *result = NULL;
-  arc_status status = arc_model_build_watched(def, callbacks, &model, error);
+  arc_status status = arc_model_build_with_callbacks(def, callbacks, &model, error);
   if (status == ARC_OK) status = take_over(w, model, result, error);
   arc_model_release(&model);
   if (status == ARC_OK) (*result)->warned = w->warned;
@@ -205,7 +209,7 @@ static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   const double depth = def.mesh.rows * def.mesh.height;
   double needed[ARC_BODIES];
   def.mesh = *mesh;
-  if (mesh->rows == 0) def.mesh.rows = 1; /* what fits is not for want of rows */
+  if (mesh->rows == 0) def.mesh.rows = 1; /* a wear box that fits does not lack rows */
   arc_model_fit(&def, w->def.load);
   if (mesh->rows == 0)
     def.mesh.rows = (int)fmin(ARC_SHAPE_MOST_ROWS, ceil(depth / def.mesh.height - 1e-9));
@@ -219,6 +223,6 @@ arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
   const arc_model_def def = remeshed(w, mesh);
   *result = NULL;
   if (arc_model_is_given(w->model))
-    return arc_fail(error, ARC_ARGUMENT, "field 'mesh': a mesh from outside stays what it is");
+    return arc_fail(error, ARC_ARGUMENT, "field 'mesh': an imported mesh cannot be changed");
   return go_onto(w, &def, callbacks, result, error);
 }

@@ -1,6 +1,7 @@
 /* Stages of a contact at rest under one load: the wear of its forces within the stage adds to the
  * compliance of both bodies, so that wear and contact are one complementarity problem; one solution
- * is exact for the linear law and any length of step. Laws, layers and drift need iterations. */
+ * is exact for the linear law and any length of step. Laws, layers and a changed compliance need
+ * iterations. */
 #include "core/base/dense.h"
 #include "core/plane/newton.h"
 
@@ -13,7 +14,7 @@ int arc_stage_rests(const wear_stage *stage) {
   const wear_window *window = &stage->window;
   const wear_block *b = window->block;
   const arc_wear_def *d = &stage->run->def;
-  if (b->poses != 1 || arc_wear_has_friction(d) || d->slip == ARC_SLIP_TOTAL ||
+  if (b->problems != 1 || arc_wear_has_friction(d) || d->slip == ARC_SLIP_TOTAL ||
       stage->run->manner.closed)
     return 0;
   for (int i = window->first; i <= window->last; i++)
@@ -24,7 +25,7 @@ int arc_stage_rests(const wear_stage *stage) {
 }
 
 /* Wear of each node per force within h cycles, and its effect on the gap. */
-static void find_wear_of_forces(newton *s, double h, const pose *p) {
+static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   const arc_wear *w = s->at->run;
   const wear_window *window = &s->at->window;
   const wear_point *point = &path_of(w)->point[window->last % 2];
@@ -40,7 +41,7 @@ static void find_wear_of_forces(newton *s, double h, const pose *p) {
 }
 
 /* B D B' between two candidates, D by plate node. */
-static double through_plate(const pose *p, int r, int c, const double *d) {
+static double through_plate(const contact_problem *p, int r, int c, const double *d) {
   const int first = p->first[r] > p->first[c] ? p->first[r] : p->first[c];
   const int last = (p->first[r] < p->first[c] ? p->first[r] : p->first[c]) + p->width;
   double sum = 0;
@@ -49,9 +50,9 @@ static double through_plate(const pose *p, int r, int c, const double *d) {
   return sum;
 }
 
-/* The compliance of a pose with the wear of its forces. */
-static void soften(newton *s, const pose *p) {
-  pose *with = &s->with_wear;
+/* The compliance of a problem with the wear of its forces. */
+static void soften(newton *s, const contact_problem *p) {
+  contact_problem *with = &s->with_wear;
   const size_t count = (size_t)p->count;
   double *d = plane_of(s->at->run)->plate;
   for (int l = 0; l < p->np; l++) d[l] = s->per_force[p->nc + l] * s->opening[p->nc + l];
@@ -69,39 +70,39 @@ static void soften(newton *s, const pose *p) {
 }
 
 /* Wear depths [n] of both bodies by forces on the cylinder's nodes [nc]. */
-static void wear_of(const newton *s, const pose *p, const double *force, double *depth) {
-  arc_pose_to_plate(p, force, depth + p->nc);
+static void wear_of(const newton *s, const contact_problem *p, const double *force, double *depth) {
+  arc_contact_problem_to_plate(p, force, depth + p->nc);
   for (int i = 0; i < p->nc; i++) depth[i] = force[i];
   for (int i = 0; i < s->n; i++) depth[i] *= s->per_force[i];
 }
 
 /* Adds the opening by depths [n] to the gaps, by candidate. */
-static void add_gaps(const newton *s, const pose *p, const double *depth, double *gap) {
+static void add_gaps(const newton *s, const contact_problem *p, const double *depth, double *gap) {
   double *plate = plane_of(s->at->run)->plate, *below = plane_of(s->at->run)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * s->opening[p->nc + l];
-  arc_pose_to_cylinder(p, plate, below);
+  arc_contact_problem_to_cylinder(p, plate, below);
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
     gap[k] += depth[i] * s->opening[i] + below[i];
   }
 }
 
-/* Solves contact and wear together, linear about the solved pose; the step is what z is to change
- * by, and the pose starts its next solution from the set found. */
-static arc_status solve_together(newton *s, double line, pose *p) {
-  pose *with = &s->with_wear;
+/* Solves contact and wear together, linearised about the solved problem; step is the change of z,
+ * and the next solution of the problem starts from the resulting set. */
+static arc_status solve_together(newton *s, double line, contact_problem *p) {
+  contact_problem *with = &s->with_wear;
   const size_t set = (size_t)p->active;
-  arc_pose_forces(p, s->force);
+  arc_contact_problem_forces(p, s->force);
   wear_of(s, p, s->force, s->moved);
   for (int i = 0; i < s->n; i++) s->moved[i] = -s->residual[i] - s->moved[i];
   memcpy(with->gap, p->gap, (size_t)p->count * sizeof *p->gap);
   add_gaps(s, p, s->moved, with->gap);
   with->active = p->active;
   memcpy(with->set, p->set, set * sizeof *p->set);
-  if (arc_lcp_solve(with, line) != ARC_OK) return arc_pose_broke_down(with, &s->at->error);
-  const arc_status status = arc_pose_check_zone(with, &s->at->error);
+  if (arc_lcp_solve(with, line) != ARC_OK) return arc_contact_problem_fail(with, &s->at->error);
+  const arc_status status = arc_contact_problem_check_zone(with, &s->at->error);
   if (status != ARC_OK) return status;
-  arc_pose_forces(with, s->force);
+  arc_contact_problem_forces(with, s->force);
   wear_of(s, p, s->force, s->step);
   for (int i = 0; i < s->n; i++) s->step[i] += s->moved[i];
   p->active = with->active;
@@ -111,7 +112,7 @@ static arc_status solve_together(newton *s, double line, pose *p) {
 
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate) {
   const wear_block *b = s->at->window.block;
-  pose *p = &path_of(s->at->run)->pose[0];
+  contact_problem *p = &path_of(s->at->run)->problem[0];
   for (int it = 0; it < most_solutions; it++) {
     const double size = arc_newton_residual(s, h, rate);
     if (it > 0 && size <= 0.1 * arc_newton_allowed(s)) return ARC_OK;
@@ -125,7 +126,7 @@ arc_status arc_stage_solve_rest(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-double arc_stage_forces(pose *p, double *gap) {
+double arc_stage_forces(contact_problem *p, double *gap) {
   const int n = p->active;
   double sum = 0, total = 0, beside = 0, most = 0, load = 0;
   arc_dense_cholesky_solve(n, 1, p->factor, n, gap, n);
@@ -144,8 +145,8 @@ double arc_stage_forces(pose *p, double *gap) {
 }
 
 double arc_stage_rest_error(newton *s, double *defect) {
-  pose *with = &s->with_wear, *p = &path_of(s->at->run)->pose[0];
-  double *gap = with->work;
+  contact_problem *with = &s->with_wear, *p = &path_of(s->at->run)->problem[0];
+  double *gap = with->step;
   if (arc_lcp_factorise(with)) return -1;
   memset(gap, 0, (size_t)p->count * sizeof *gap);
   add_gaps(s, p, defect, gap);

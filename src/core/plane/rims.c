@@ -14,24 +14,25 @@ static const double most_columns = 320, contact_widths = 3;
 
 /* Slip zone of a cycle of a block. */
 typedef struct cycle_of {
-  double share; /* half of the way from the least to the largest tangential force, over what
-                   friction carries; 1: all of the contact slips */
+  double share; /* half the range of the tangential force, over the friction limit; 1: all of the
+                   contact slips */
   double stick; /* [mm] width that never slips */
 } cycle_of;
 
-/* A driving force is given; that under a stroke comes from the cycle on the present mesh, which has
- * it right by the bodies' stiffness. A cycle that fails is left to the run's first step. */
+/* The tangential force: given, or for a stroke from a cycle on the present mesh, which has it
+ * accurately from the stiffness of the bodies. If the cycle fails, the run's first step reports the
+ * error. */
 static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   const wear_window window = {.block = block,
                               .shape = w->shape,
                               .last = block->count - 1,
                               .state = arc_wear_last(w),
                               .mu = mu};
-  wear_watch watch = {0};
+  wear_progress progress = {0};
   arc_error error = {0};
   arc_loop *loop = NULL;
   cycle_of cycle = {.share = 1};
-  if (w->kind->loop(w, &window, &watch, &loop, &error) != ARC_OK) return cycle;
+  if (w->kind->loop(w, &window, &progress, &loop, &error) != ARC_OK) return cycle;
   double least = INFINITY, largest = -INFINITY;
   for (size_t i = 0; i < loop->count; i++) {
     least = fmin(least, loop->tangential[i]);
@@ -43,8 +44,8 @@ static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   return cycle;
 }
 
-/* Half widths [mm] of the contact and of what sticks in it. Between similar half-planes of any
- * shape this is as wide as the contact under L - Q / mu; worn shapes are measured. */
+/* Half widths [mm] of the contact and of its stick zone. For similar half-planes of any shape the
+ * stick zone is as wide as the contact under L - Q / mu; for worn shapes it is measured. */
 static void find_rim(const arc_wear *w, const wear_block *block, const cycle_of *cycle,
                      double *contact, double *stick) {
   const arc_model_def *def = arc_model_definition(w->model);

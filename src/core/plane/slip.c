@@ -1,10 +1,8 @@
-/* What an increment wears where slip has its elastic part: work on pairs of points that touch.
- *
- * The plate's material point slides over the cylinder's by the rigid motion and by what both have
- * been displaced meanwhile, each taken at the point itself: as the plate's is carried along, that
- * includes the change of u along the way. Pressure and slip meet at the cylinder's nodes; the
- * plate gets the same work through the coupling, so that volumes are as k_c to k_p (Eq. 15).
- */
+/* Wear of an increment with elastic slip: work on pairs of points in contact. The plate's material
+ * point slides over the cylinder's by the rigid motion plus the change of both displacements, each
+ * at its own point; since the plate's point moves along, this includes the change of u along its
+ * motion. Work is computed at the cylinder's nodes; the plate gets the same work through the
+ * coupling, so that volumes have the ratio k_c to k_p (Eq. 15). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -12,18 +10,18 @@
 
 /* Work of an increment: arrays by surface node. */
 typedef struct increment {
-  const wear_point *end;        /* the present end */
-  const pose *pose;             /* of this end */
-  double rigid, share;          /* motion of the plate [mm]; weight of this end */
-  const double *moved_c;        /* [nc] displacement along x since the increment began [mm] */
-  const double *moved_p;        /* [np] */
-  double *under, *work, *plate; /* [nc], [nc], [np] room */
+  const wear_point *end;          /* the present end */
+  const contact_problem *problem; /* of this end */
+  double rigid, share;            /* motion of the plate [mm]; weight of this end */
+  const double *moved_c;          /* [nc] displacement along x since the increment began [mm] */
+  const double *moved_p;          /* [np] */
+  double *under, *work, *plate;   /* [nc], [nc], [np] workspace */
 } increment;
 
 /* Slip and pressure of one end into the rate of both bodies. */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
-  const pose *p = inc->pose;
-  arc_pose_to_cylinder(p, inc->moved_p, inc->under);
+  const contact_problem *p = inc->problem;
+  arc_contact_problem_to_cylinder(p, inc->moved_p, inc->under);
   for (int i = 0; i < p->nc; i++) {
     const double slip = fabs(inc->rigid + inc->under[i] - inc->moved_c[i]);
     inc->work[i] = inc->share * slip * arc_wear_law(w, inc->end->p[ARC_CYLINDER][i]);
@@ -31,7 +29,7 @@ static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   arc_wear_share(w, p, inc->end, inc->work, inc->plate, rate);
 }
 
-/* NSP: the same contact all the way, under which the plate's material passes by `rigid`. */
+/* NSP: the same contact throughout; the plate's material passes below it by `rigid`. */
 static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
   const double *x = w->shape->side[ARC_PLATE].settled;
   for (int l = 0; l < w->np; l++) {
@@ -58,7 +56,7 @@ void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate) {
     const int here = at - 1 + end;
     if (block->line[here] == 0) continue; /* lifted off */
     inc.end = point[end];
-    inc.pose = &path_of(w)->pose[block->place[here]];
+    inc.problem = &path_of(w)->problem[block->problem_of[here]];
     add_end(w, &inc, rate);
   }
 }

@@ -7,14 +7,14 @@
 
 struct arc_contact {
   contact_handle handle;
-  pose pose;
+  contact_problem problem;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
-  double *force[ARC_BODIES]; /* [2 * surface] as arc_pose_forces, on the body */
+  double *force[ARC_BODIES]; /* [2 * surface] as arc_contact_problem_forces, on the body */
   double *q[ARC_BODIES];     /* [surface] shear traction */
   int count[ARC_BODIES];
-  int iterations; /* of all increments */
-  int rubs;       /* whether there is friction, and what is below */
-  double mu;      /* coefficient of the last increment */
+  int iterations;   /* of all increments */
+  int has_friction; /* true: friction, and the members below */
+  double mu;        /* coefficient of the last increment */
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state;

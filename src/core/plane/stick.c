@@ -13,46 +13,46 @@ typedef struct stick_zone {
 typedef double stress_at(const arc_contact *c, int set); /* [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
-  return set >= 0 && set < c->pose.active && c->workspace.reserve[c->pose.set[set]] > 0;
+  return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
 }
 
 /* True if the node and the next one stick. */
 static int goes_on(const arc_contact *c, int set) {
-  return sticks(c, set) && sticks(c, set + 1) && c->pose.set[set + 1] == c->pose.set[set] + 1;
+  return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
-/* What friction holds back at a node on the way that the plate goes [MPa]. */
+/* Reserve of friction at a node in the direction of the plate's motion [MPa]. */
 static double reserve(const arc_contact *c, int set) {
-  const int k = c->pose.set[set];
-  return c->workspace.reserve[k] / c->pose.wc[c->pose.lo + k];
+  const int k = c->problem.set[set];
+  return c->workspace.reserve[k] / c->problem.wc[c->problem.lo + k];
 }
 
 static double x_of(const arc_contact *c, int set) {
-  return c->x[ARC_CYLINDER][c->pose.lo + c->pose.set[set]];
+  return c->x[ARC_CYLINDER][c->problem.lo + c->problem.set[set]];
 }
 
 /* mu p at a node [MPa]. */
 static double bound(const arc_contact *c, int set) {
-  const int k = c->pose.set[set];
-  return c->handle.def.friction * c->pose.f[k] / c->pose.wc[c->pose.lo + k];
+  const int k = c->problem.set[set];
+  return c->handle.def.friction * c->problem.f[k] / c->problem.wc[c->problem.lo + k];
 }
 
-/* What stress is squared, by the distance from the other edge [mm]. */
+/* Square of a stress over the distance from the other edge [mm]. */
 static double squared(const stick_zone *z, int set, double other, stress_at *stress) {
   const double r = stress(z->c, set);
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* How far beyond the last node that sticks, to the right or left of the other edge, a stress ends
- * [mm]. mu p - |q| goes down to both with the square root of the distance, as the pressure of a
- * contact does: where the loads are Hertz', over the distance from the other edge its square is a
- * line. That is drawn through nodes off the edge, where means over elements are as good as points;
- * half way to the next node where there is only one to go by. A node, which has the mean, sticks a
- * little longer than the surface there does: the edge may lie before it, by up to h / 4. */
+/* Distance from the last node that sticks, to the right or left, to the end of a stress [mm]. mu p
+ * - |q| falls as the square root of the distance from the edge, like the pressure of a contact: for
+ * Hertz' loads its square divided by the distance from the other edge is linear. The line is fitted
+ * to nodes away from the edge, where means over elements are as accurate as point values; with a
+ * single node the edge is halfway to the next one. A node, which has the mean, sticks slightly
+ * longer than the surface there: the edge may be before it, by up to h / 4. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;
-  const int off = count >= 6 ? 2 : count >= 4 ? 1 : 0, at = c->pose.lo + c->pose.set[set];
+  const int off = count >= 6 ? 2 : count >= 4 ? 1 : 0, at = c->problem.lo + c->problem.set[set];
   const double end = x_of(c, set), h = fabs(c->x[ARC_CYLINDER][at + out] - end);
   if (count == 1) return h / 2;
   const double near = squared(z, set - out * off, other, stress);
@@ -67,8 +67,8 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* The edge beyond the last node in contact, which sticks: that of the contact, less by what motion
- * has taken off the reserve since. */
+/* The edge of a stick zone whose last node is the last in contact: the contact's edge, moved
+ * inwards by the reserve that motion has used since. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);
@@ -77,14 +77,14 @@ static double edge_at_end(const stick_zone *z, int right, double other) {
 
 /* Without slipping nodes on a side the zone ends with the contact, until the plate moves. */
 static void find_edges(stick_zone *z) {
-  enum { rounds = 4 }; /* until each edge knows where the other one is */
+  enum { rounds = 4 }; /* iterations, since each edge depends on the other */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->handle.result.left, c->handle.result.right};
   z->edge[0] = z->first == 0 ? ends[0] : x_of(c, z->first) - (x_of(c, z->last) - x_of(c, z->first));
   z->edge[1] = ends[1];
   for (int i = 0; i < rounds; i++) {
-    const int slips[2] = {z->first > 0, z->last + 1 < c->pose.active};
+    const int slips[2] = {z->first > 0, z->last + 1 < c->problem.active};
     for (int right = 1; right >= 0; right--)
       if (slips[right] || moves)
         z->edge[right] = (slips[right] ? edge_at : edge_at_end)(z, right, z->edge[!right]);
@@ -94,7 +94,7 @@ static void find_edges(stick_zone *z) {
 }
 
 int arc_contact_stick(const arc_contact *c, int index, double edges[2]) {
-  for (int s = 0; s < c->pose.active && c->rubs; s++) {
+  for (int s = 0; s < c->problem.active && c->has_friction; s++) {
     if (!sticks(c, s) || goes_on(c, s - 1) || index-- > 0) continue;
     stick_zone zone = {.c = c, .first = s, .last = s};
     while (goes_on(c, zone.last)) zone.last++;

@@ -15,11 +15,11 @@ static double across(const arc_contact *c, arc_body body, int i) {
   if (on->polar) {
     double along[2], up[2];
     const double *f = c->force[body];
-    arc_chart_axes(on, c->x[body][i] - on->radius * c->pose.angle, along, up);
+    arc_chart_axes(on, c->x[body][i] - on->radius * c->problem.angle, along, up);
     return (body == ARC_CYLINDER ? 1 : -1) * (up[1] * f[c->count[body] + i] + along[1] * f[i]);
   }
   const double y = c->force[body][c->count[body] + i];
-  if (!c->rubs) return c->f[body][i];
+  if (!c->has_friction) return c->f[body][i];
   return body == ARC_CYLINDER ? y : -y;
 }
 
@@ -38,8 +38,7 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
                   arc_body_name(body), sum, load);
 }
 
-/* Through the coupling normal forces stay what they are, their directions do not to the last bit.
- */
+/* The coupling conserves normal forces exactly, their directions only to rounding. */
 static arc_status check_pressing(const arc_contact *c, arc_error *error) {
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
@@ -50,13 +49,13 @@ static arc_status check_pressing(const arc_contact *c, arc_error *error) {
 }
 
 /* gap - approach + A f at a candidate [mm]. */
-static double gap_left(const pose *p, int candidate) {
+static double gap_left(const contact_problem *p, int candidate) {
   double g = p->gap[candidate] - p->approach * p->down[candidate];
   for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];
   return g;
 }
 
-static arc_status check_complementarity(const pose *p, arc_error *error) {
+static arc_status check_complementarity(const contact_problem *p, arc_error *error) {
   double most = fabs(p->approach);
   for (int k = 0; k < p->count; k++) most = fmax(most, fabs(p->gap[k]));
   for (int k = 0; k < p->count; k++) {
@@ -71,7 +70,7 @@ static arc_status check_complementarity(const pose *p, arc_error *error) {
 
 /* Checks |t| <= mu f, no slip if less, and slip along the shear otherwise. */
 static arc_status check_friction(const arc_contact *c, arc_error *error) {
-  const pose *p = &c->pose;
+  const contact_problem *p = &c->problem;
   const double mu = c->mu;
   for (int s = 0; s < p->active; s++) {
     const int k = p->set[s];
@@ -89,11 +88,12 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
 }
 
 arc_status arc_contact_validate(const arc_contact *c, arc_error *error) {
-  assert(c->pose.count > 0 && c->pose.lo >= 0 && c->pose.lo + c->pose.count <= c->pose.nc);
+  assert(c->problem.count > 0 && c->problem.lo >= 0 &&
+         c->problem.lo + c->problem.count <= c->problem.nc);
   arc_status status = check_forces(c, ARC_CYLINDER, error);
   const int polar = c->handle.shape->side[ARC_PLATE].body->chart.polar;
   if (status == ARC_OK)
     status = polar ? check_pressing(c, error) : check_forces(c, ARC_PLATE, error);
-  if (status == ARC_OK) status = check_complementarity(&c->pose, error);
-  return status == ARC_OK && c->rubs ? check_friction(c, error) : status;
+  if (status == ARC_OK) status = check_complementarity(&c->problem, error);
+  return status == ARC_OK && c->has_friction ? check_friction(c, error) : status;
 }

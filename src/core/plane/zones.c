@@ -20,8 +20,8 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Zones of meshes whose elements go with the contact are for one of up to so many times the unworn
- * half width: all of the paper's cases (2.5) do with one mesh. */
+/* Automatic zones are sufficient for a contact up to this many times the unworn half width: all of
+ * the paper's cases (2.5) need one mesh. */
 static const double outgrown_at = 6;
 
 /* Half width of the widest contact: between Hertz' and a flat scar of the whole volume on the
@@ -32,11 +32,10 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
   const double volume = largest_k(def) * load * whole_distance(def, model);
   const double scar = arc_wear_scar(def, model, radius, volume);
-  /* a wider one comes with a coarser mesh, when it is there: remesh.c */
+  /* a wider zone is built with a coarser mesh when needed: remesh.c */
   const double most = model->mesh.fineness > 0 ? outgrown_at * half : INFINITY;
   const double widest = fmin(most, fmax(half, half / 2 + scar));
-  /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
-   * open */
+  /* on coarse meshes the margin is counted in elements: one under the edge, two that remain open */
   return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);
 }
 

@@ -163,6 +163,10 @@ void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double 
   arc_convolution_apply_pair(along_both, work, q, u);
 }
 
+void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u) {
+  arc_convolution_apply(h->shear->along[2 * axis], h->work[0], q, u);
+}
+
 static void add(const arc_halfspace *h, const convolution *c, const double *from, double *to) {
   double *u = h->scratch;
   arc_convolution_apply(c, h->work[0], from, u);

@@ -23,6 +23,8 @@ void arc_cerruti_destroy(space_shear_kernels **kernels);
 /* u := C q, the displacement of the lower body's surface over the upper one's against shear q on
  * the upper body, along x and z [window]; u may be q. */
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]);
+/* u := the displacement of the same along axis 0 (x) or 1 (z) by shear along it [window]. */
+void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u);
 /* gap += N q, by shear; unchanged for equal materials. */
 void arc_cerruti_add_gap(const arc_halfspace *h, const double *const q[2], double *gap);
 /* slip += N p, by pressure. */

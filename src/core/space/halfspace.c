@@ -17,8 +17,7 @@ static int rows_of(const arc_halfspace_def *d) {
   return d->groove > 0 ? 1 : d->track > 0 ? d->track : d->nx;
 }
 
-/* --- checks
- * --------------------------------------------------------------------------------------- */
+/* --- checks ----------------------------------------------------------------------------------- */
 
 static arc_status check_number(const char *name, double value, int valid, const char *expected,
                                arc_error *error) {
@@ -64,9 +63,9 @@ static arc_status check_cells(const arc_halfspace_def *d, arc_error *error) {
   if (status == ARC_OK)
     status = check_number("turned", d->turned, d->turned == 0 || d->turned == 1, "0 or 1", error);
   if (status == ARC_OK && d->periodic)
-    status = check_number("periodic", d->periodic,
-                          rows_of(d) == d->nx && d->nx % 2 == 0 && d->nz % 2 == 0,
-                          "an even number of cells and no track", error);
+    status =
+        check_number("periodic", d->periodic, d->track <= d->nx && d->nx % 2 == 0 && d->nz % 2 == 0,
+                     "an even number of cells and no track", error);
   return status;
 }
 
@@ -75,7 +74,7 @@ static arc_status check(const arc_halfspace_def *d, arc_error *error) {
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) status = check_body(&d->body[b], error);
   if (status != ARC_OK) return status;
   const double thinnest = arc_space_thinnest(d), widest = fmax(d->size_x, d->size_z);
-  if (thinnest > 0 && widest > 4 * thinnest)
+  if (!d->periodic && thinnest > 0 && widest > 4 * thinnest)
     return arc_fail(error, ARC_GEOMETRY,
                     "cells of %g mm are too wide for a layer of %g mm: expected at most four times "
                     "its thickness",
@@ -83,8 +82,7 @@ static arc_status check(const arc_halfspace_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* --- kernel
- * --------------------------------------------------------------------------------------- */
+/* --- kernel ----------------------------------------------------------------------------------- */
 
 static arc_status make_kernel(arc_halfspace *h, arc_error *error) {
   const arc_halfspace_def *d = &h->def;
@@ -101,7 +99,8 @@ static double lag(const void *context, int row, int column) {
   return h->kernel[(size_t)row * (size_t)h->def.nz + (size_t)column];
 }
 
-/* The symbol itself, on the window; the mean displacement of half-spaces has no limit: 0. */
+/* Uses the symbol itself on the periodic window; the mean displacement of half-spaces is infinite
+ * and set to 0. */
 static arc_status make_periodic(arc_halfspace *h, arc_error *error) {
   const arc_halfspace_def *d = &h->def;
   const int half_x = d->nx / 2 + 1, half_z = d->nz / 2 + 1;
@@ -162,8 +161,7 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
   return status;
 }
 
-/* --- creation
- * ------------------------------------------------------------------------------------- */
+/* --- creation --------------------------------------------------------------------------------- */
 
 /* Sizes of boxes for shorter transforms, with the parity of the window, so that they can be
  * symmetric in it. */
@@ -273,8 +271,7 @@ void arc_halfspace_destroy(arc_halfspace **made) {
   free(h);
 }
 
-/* --- sites
- * ---------------------------------------------------------------------------------------- */
+/* --- sites ------------------------------------------------------------------------------------ */
 
 const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h) {
   return &h->def;
@@ -307,11 +304,11 @@ double arc_halfspace_bytes(const arc_halfspace_def *d, int positions) {
   return 8 * (8 * cells * positions + 6 * (cells + track) + box + workers * 3 * cells);
 }
 
-/* --- sizes
- * ---------------------------------------------------------------------------------------- */
+/* --- sizes ------------------------------------------------------------------------------------ */
 
 static int odd_above(double n) {
-  const int whole = (int)ceil(n);
+  enum { fewest = 9 };
+  const int whole = (int)fmax(ceil(n), fewest);
   return whole + (whole % 2 == 0);
 }
 

@@ -63,7 +63,7 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
 double arc_space_thinnest(const arc_halfspace_def *def);
 
 /* Hertz' contact of relative radii along and across the motion [mm] under a load [N], with the
- * modulus that waves about as long as the contact meet; errors of arc_hertz_ellipse_of. */
+ * modulus for waves of about the contact's length; errors of arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 

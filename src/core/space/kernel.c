@@ -1,4 +1,5 @@
-/* Influence of pressure on rectangles: Love's solution for half-spaces, and what layers add. */
+/* Influence of pressure on rectangles: Love's solution for half-spaces, and the contribution of
+ * layers. */
 #include "core/elastic/layered.h"
 #include "core/space/halfspace.h"
 
@@ -8,8 +9,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* --- half-space
- * ----------------------------------------------------------------------------------- */
+/* --- half-space ------------------------------------------------------------------------------- */
 
 /* For v < 0 the formula would cancel. */
 double arc_space_term(double u, double v) {
@@ -28,8 +28,7 @@ double arc_space_love(double x, double z, double a, double b) {
          pi;
 }
 
-/* --- layers
- * --------------------------------------------------------------------------------------- */
+/* --- layers ----------------------------------------------------------------------------------- */
 
 static int layers_of(const arc_halfspace_body *b) {
   int layers = 0;

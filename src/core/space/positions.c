@@ -9,8 +9,7 @@
 
 enum { margin = 4 /* cells around the contact */ };
 
-/* --- symmetry
- * ------------------------------------------------------------------------------------- */
+/* --- symmetry --------------------------------------------------------------------------------- */
 
 static int is_even(const double *value, int rows, int columns) {
   for (int i = 0; value && i < rows / 2; i++)
@@ -41,6 +40,10 @@ static int bodies_are_even(const arc_halfspace *h, const double *const depth[ARC
   return 1;
 }
 
+int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across) {
+  return bodies_are_even(h, depth, NULL, across ? is_even_across : is_even);
+}
+
 static int positions_are_even(const arc_halfspace_position *p, int count) {
   for (int j = 0; j < (count + 1) / 2; j++) {
     const arc_halfspace_position *q = &p[count - 1 - j];
@@ -49,8 +52,7 @@ static int positions_are_even(const arc_halfspace_position *p, int count) {
   return 1;
 }
 
-/* --- creation
- * ------------------------------------------------------------------------------------- */
+/* --- creation --------------------------------------------------------------------------------- */
 
 static arc_status check_position(const arc_halfspace_position *p, int weighted, arc_error *error) {
   if (!(p->load > 0) || !isfinite(p->load))
@@ -108,13 +110,14 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
                                 const arc_halfspace_position *position, int count, int mirror,
                                 const arc_halfspace_options *options, const double *pressure,
                                 positions *p, arc_error *error) {
-  const int mirrored = mirror && count > 1 && positions_are_even(position, count) &&
+  const double *extra = options ? options->gap : NULL;
+  const int mirrored = mirror && count > 1 && !extra && positions_are_even(position, count) &&
                        bodies_are_even(h, depth, wear, is_even);
   *p = (positions){.s = {.h = h, .count = mirrored ? (count + 1) / 2 : count}, .depth = depth};
   p->s.mirrored = mirrored;
-  p->s.extra = options ? options->gap : NULL;
+  p->s.extra = extra;
   p->s.even = bodies_are_even(h, depth, wear, is_even_across) &&
-              is_even_across(p->s.extra, h->def.nx, h->def.nz);
+              is_even_across(extra, count * h->def.nx, h->def.nz);
   if (wear)
     for (int b = 0; b < ARC_BODIES; b++) {
       p->s.c[b] = wear->c[b];
@@ -138,8 +141,7 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
   return status;
 }
 
-/* --- boxes
- * ---------------------------------------------------------------------------------------- */
+/* --- boxes ------------------------------------------------------------------------------------ */
 
 space_box arc_space_window(const arc_halfspace *h) {
   return (space_box){.nx = h->def.nx, .nz = h->def.nz};
@@ -210,8 +212,7 @@ static void copy_box(const positions *p, const space_box *box, int position, dou
   }
 }
 
-/* --- solution
- * ------------------------------------------------------------------------------------- */
+/* --- solution --------------------------------------------------------------------------------- */
 
 /* Initial guesses for positions without pressures. */
 static void start_one(void *context, int position, int worker) {
@@ -393,8 +394,7 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
   return check_edge(p, error);
 }
 
-/* --- one by one
- * ----------------------------------------------------------------------------------- */
+/* --- one by one ------------------------------------------------------------------------------- */
 
 /* Independent positions. */
 typedef struct singles {
@@ -420,6 +420,7 @@ static void solve_single(void *context, int position, int worker) {
   one.s.count = 1;
   one.s.mirrored = 0;
   one.s.worker = worker;
+  if (all->s.extra) one.s.extra = all->s.extra + (size_t)position * (size_t)all->s.h->cells;
   one.s.place = all->s.place + position;
   one.s.weight = &weight;
   one.s.c[ARC_UPPER] = one.s.c[ARC_LOWER] = 0;
@@ -464,7 +465,7 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* The sums of both bodies, or of those that have a c. */
+/* The sums of both bodies, or only of bodies with a given c. */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

@@ -36,6 +36,10 @@ void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* The sum of one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
+/* True if both bodies' shapes with these depths are mirror images of themselves, to the bit: in x,
+ * or in z (across). */
+int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across);
+
 /* The box of the whole window. */
 space_box arc_space_window(const arc_halfspace *h);
 

@@ -15,7 +15,7 @@ static void fill_report(const positions *p, arc_halfspace_report *report) {
   for (size_t k = 0; k < all; k++) report->p_max = fmax(report->p_max, p->pressure[k]);
 }
 
-/* Pressures of all `count` positions: those that were solved for, then their mirror images. */
+/* Pressures of all `count` positions: the solved ones, then their mirror images. */
 static void store_pressures(const positions *p, int count, double *pressure) {
   const arc_halfspace *h = p->s.h;
   const size_t cells = (size_t)h->cells, nz = (size_t)h->def.nz;
@@ -160,8 +160,7 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
   return status;
 }
 
-/* --- largest eigenvalue
- * ----------------------------------------------------------------------------- */
+/* --- largest eigenvalue ----------------------------------------------------------------------- */
 
 enum { most_powers = 60 };
 static const double settled = 0.005; /* change of the eigenvalue between iterations */

@@ -1,5 +1,6 @@
 /* Increments of a contact with friction: solves for pressures at fixed shear and for shear at fixed
  * pressures alternately until both converge (once for equal materials). */
+#include "core/space/entering.h"
 #include "core/space/stick_slip.h"
 
 #include <math.h>
@@ -91,25 +92,31 @@ typedef struct increment {
   arc_halfspace_options options;
   const arc_halfspace_friction *from;
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
+  double *share;          /* [window] of the motion while a site was open */
+  double motion[2];       /* xi of the increment that these shares are of [mm] */
+  double last[2], was[2]; /* the motion one solution earlier, and its result */
   double approach, tolerance;
   stick_slip_work w;
 } increment;
 
 static arc_status take(increment *s, arc_error *error) {
-  double **const field[] = {&s->pressure, &s->before,   &s->gap,     &s->bound,
-                            &s->known[0], &s->known[1], &s->held[0], &s->held[1]};
+  const arc_halfspace_friction *guess = s->to->guess ? s->to->guess : s->from;
+  double **const field[] = {&s->pressure, &s->before,  &s->gap,     &s->bound, &s->known[0],
+                            &s->known[1], &s->held[0], &s->held[1], &s->share};
   const size_t n = (size_t)s->h->cells, fields = sizeof field / sizeof *field;
   double *block = calloc(fields * n, sizeof *block);
   if (!block) return arc_fail(error, ARC_MEMORY, "out of memory for a contact with friction");
   for (size_t f = 0; f < fields; f++) *field[f] = block + f * n;
   const arc_status status = arc_stick_slip_begin(&s->w, (int)n, error);
   if (status != ARC_OK) return status;
-  memcpy(s->pressure, s->from->pressure, n * sizeof(double));
+  memcpy(s->pressure, s->to->pressure ? s->to->pressure : s->from->pressure, n * sizeof(double));
+  s->approach = s->from->approach;
   for (int i = 0; i < 2; i++) {
-    memcpy(s->w.q[i], s->from->q[i], n * sizeof(double));
-    s->w.xi[i] = s->to->by_force[i] ? s->from->xi[i] : s->to->xi[i];
+    memcpy(s->w.q[i], guess->q[i], n * sizeof(double));
+    s->w.xi[i] = s->to->by_force[i] ? guess->xi[i] : s->to->xi[i];
+    s->motion[i] = s->to->by_force[i] ? 0 : s->to->xi[i] - s->from->xi[i];
   }
-  for (size_t k = 0; k < n; k++) s->w.state[k] = s->from->stick[k] > 0 ? SHEAR_STICK : SHEAR_SLIP;
+  for (size_t k = 0; k < n; k++) s->w.state[k] = guess->stick[k] > 0 ? SHEAR_STICK : SHEAR_SLIP;
   return ARC_OK;
 }
 
@@ -139,6 +146,11 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   return status;
 }
 
+/* Motion along i of a site in contact before it entered [mm]. */
+static double motion_before(const increment *s, int i, int k) {
+  return s->pressure[k] > 0 ? s->share[k] * s->motion[i] : 0;
+}
+
 /* Solves for shear at fixed pressures. */
 static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   const int n = s->h->cells;
@@ -147,7 +159,7 @@ static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *e
   for (int k = 0; k < n; k++)
     s->bound[k] = s->pressure[k] > least ? s->to->friction * s->pressure[k] : 0;
   for (int i = 0; i < 2; i++)
-    for (int k = 0; k < n; k++) s->known[i][k] = -s->from->slip[i][k];
+    for (int k = 0; k < n; k++) s->known[i][k] = -s->from->slip[i][k] - motion_before(s, i, k);
   arc_cerruti_add_slip(s->h, s->pressure, s->known);
   const stick_slip_problem problem = {.h = s->h,
                                       .bound = s->bound,
@@ -170,22 +182,92 @@ static void hold(increment *s, double share) {
     for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);
 }
 
+/* --- sites that enter ------------------------------------------------------------------------- */
+
+static arc_status find_entering(increment *s, int *entering, arc_error *error) {
+  *entering = 0;
+  if (s->to->friction == 0) return ARC_OK;
+  const arc_halfspace_friction *f = s->from;
+  const space_traction before = {f->pressure, {f->q[0], f->q[1]}};
+  const space_traction after = {s->pressure, {s->held[0], s->held[1]}};
+  return arc_space_entering(s->h, s->depth, &s->to->position, &before, &after, s->share, entering,
+                            error);
+}
+
+/* The result of a motion grows more slowly than the motion: secant step towards their equality. */
+static double secant(double motion, double gives, double last, double gave) {
+  static const double steepest = 0.9;
+  const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
+  return motion + (gives - motion) / (1 - fmax(0, fmin(slope, steepest)));
+}
+
+/* Under a force the motion of the increment is a result: stores it. Returns 1 if it was known
+ * before. */
+static int follow_motion(increment *s, int pass) {
+  static const double settled = 1e-5;
+  double off = 0, gave[2], size = 0;
+  for (int i = 0; i < 2; i++) {
+    gave[i] = s->w.xi[i] - s->from->xi[i];
+    off = fmax(off, fabs(gave[i] - s->motion[i]));
+    size = fmax(size, fabs(gave[i]));
+  }
+  if (off <= settled * (size + s->to->friction * fabs(s->approach))) return 1;
+  for (int i = 0; i < 2; i++) {
+    const double next = pass > 0 ? secant(s->motion[i], gave[i], s->last[i], s->was[i]) : gave[i];
+    s->last[i] = s->motion[i];
+    s->was[i] = gave[i];
+    s->motion[i] = next;
+  }
+  return 0;
+}
+
+/* --- alternation ------------------------------------------------------------------------------ */
+
+/* Shear of like bodies, whose pressures do not depend on it. */
+static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+  enum { most_passes = 30 };
+  int entering;
+  arc_status status = find_entering(s, &entering, error);
+  for (int k = 0; k < most_passes && status == ARC_OK; k++) {
+    status = shear(s, effort, error);
+    if (status != ARC_OK || !entering || follow_motion(s, k)) return status;
+  }
+  if (status == ARC_OK) effort->unfinished++;
+  return status;
+}
+
+/* The pressures, unless they are given, then the shear. */
+static arc_status like_bodies(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+  double change;
+  arc_status status = ARC_OK;
+  if (!s->to->pressure) {
+    hold(s, 1);
+    status = press(s, &change, error);
+    effort->sweeps++;
+  }
+  return status == ARC_OK ? shear_alone(s, effort, error) : status;
+}
+
 static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_sweeps = 60, plain_sweeps = 15 };
   static const double settled = 1e-6, relaxed = 0.7;
-  const int like = s->h->shear->couple[0] == NULL;
+  int known = 0;
+  if (s->h->shear->couple[0] == NULL) return like_bodies(s, effort, error);
   for (int k = 0; k < most_sweeps; k++) {
     double change;
+    int entering = 0;
     hold(s, k > plain_sweeps ? relaxed : 1);
     arc_status status = press(s, &change, error);
     effort->sweeps++;
     if (status != ARC_OK) return status;
-    if (k > 0 && change <= settled) { /* those that shear belongs to */
+    if (k > 0 && change <= settled && known) { /* pressures of the present shear */
       memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
       return ARC_OK;
     }
-    status = shear(s, effort, error);
-    if (status != ARC_OK || like) return status;
+    status = find_entering(s, &entering, error);
+    if (status == ARC_OK) status = shear(s, effort, error);
+    if (status != ARC_OK) return status;
+    known = !entering || follow_motion(s, k);
   }
   effort->unfinished++;
   return ARC_OK;
@@ -199,6 +281,11 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
+/* Slip while a site was in contact: w.slip excludes the slip before it entered. */
+static double in_contact(const increment *s, int k) {
+  return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
+}
+
 static void store(const increment *s, arc_halfspace_friction *state) {
   const int n = s->h->cells;
   const double area = s->h->def.size_x * s->h->def.size_z;
@@ -209,8 +296,8 @@ static void store(const increment *s, arc_halfspace_friction *state) {
     for (int k = 0; k < n; k++) {
       state->q[i][k] = s->w.q[i][k];
       state->force[i] += area * s->w.q[i][k];
-      state->moved[i][k] = s->w.slip[i][k];
-      state->slip[i][k] += s->w.slip[i][k];
+      state->moved[i][k] = s->w.slip[i][k] * in_contact(s, k);
+      state->slip[i][k] += s->w.slip[i][k] + motion_before(s, i, k);
     }
   }
   for (int k = 0; k < n; k++) {

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- contacts ----------------------------------------------------------------------------------
- */
+/* --- contacts --------------------------------------------------------------------------------- */
 
 void arc_space_end_contact(arc_contact *contact) {
   space_contact *c = (space_contact *)(void *)contact;
   arc_space_discard(&c->handle.shape);
   arc_halfspace_friction_end(&c->rubbing);
+  arc_halfspace_friction_end(&c->coarser);
   free(c->pressure);
   free(c);
 }
@@ -19,7 +19,7 @@ void arc_space_end_contact(arc_contact *contact) {
 size_t arc_space_contact_bytes(const arc_contact *contact) {
   const space_contact *c = (const space_contact *)(const void *)contact;
   const space_shape *s = space_shape_of(c->handle.shape);
-  const int fields = c->rubbing.pressure ? 11 : 3;
+  const int fields = c->rubbing.pressure ? 19 : 3;
   return sizeof *c +
          (size_t)(fields * space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER)) * sizeof(double);
 }
@@ -85,15 +85,17 @@ arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
       arc_space_widen(arc_model_definition(arc_shape_model(c->handle.shape)), 4, &cells, error);
   if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
   if (status != ARC_OK) return status;
-  if (c->rubbing.pressure) {
+  arc_halfspace_friction *const states[] = {&c->rubbing, &c->coarser};
+  for (int i = 0; i < 2 && states[i]->pressure && status == ARC_OK; i++) {
     arc_halfspace_friction wide;
-    status = arc_halfspace_friction_widen(s->grid->h, &c->rubbing, larger->grid->h, &wide, error);
-    if (status != ARC_OK) {
-      arc_space_discard((arc_shape **)(void *)&larger);
-      return status;
-    }
-    arc_halfspace_friction_end(&c->rubbing);
-    c->rubbing = wide;
+    status = arc_halfspace_friction_widen(s->grid->h, states[i], larger->grid->h, &wide, error);
+    if (status != ARC_OK) break;
+    arc_halfspace_friction_end(states[i]);
+    *states[i] = wide;
+  }
+  if (status != ARC_OK) {
+    arc_space_discard((arc_shape **)(void *)&larger);
+    return status;
   }
   arc_space_discard(&c->handle.shape);
   c->handle.shape = (arc_shape *)(void *)larger;
@@ -143,9 +145,11 @@ static arc_status copy_contact(const space_contact *from, space_contact **copy, 
   c->handle.def = from->handle.def;
   c->handle.result = from->handle.result;
   c->origin = from->origin;
-  const arc_status status = arc_space_copy(from->handle.shape, &c->handle.shape, error);
+  arc_status status = arc_space_copy(from->handle.shape, &c->handle.shape, error);
   if (status != ARC_OK) return status;
-  return arc_halfspace_friction_copy(h, &from->rubbing, &c->rubbing, error);
+  status = arc_halfspace_friction_copy(h, &from->rubbing, &c->rubbing, error);
+  return status == ARC_OK ? arc_halfspace_friction_copy(h, &from->coarser, &c->coarser, error)
+                          : status;
 }
 
 arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
@@ -180,7 +184,8 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
   return finish(c, status, callbacks, result);
 }
 
-/* A contact with friction goes on from where it is; one without is that of the place. */
+/* A contact with friction continues from its present position; one without friction depends on the
+ * new position only. */
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error) {
   const space_contact *before = (const space_contact *)(const void *)from;
@@ -205,8 +210,7 @@ arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
   return arc_contact_solve(arc_contact_shape(from), &def, callbacks, contact, error);
 }
 
-/* --- below -------------------------------------------------------------------------------------
- */
+/* --- below ------------------------------------------------------------------------------------ */
 
 arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
                                     double *stress, arc_error *error) {
@@ -227,14 +231,13 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
   return arc_halfspace_stress(h, c->pressure, b->material.nu, y, stress, error);
 }
 
-/* --- as arrays ---------------------------------------------------------------------------------
- */
+/* --- as arrays -------------------------------------------------------------------------------- */
 
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};
 
-/* Fills the values of one body, [NAMES][sites]. Pressures of the lower one are where it stands
- * under the window. */
+/* Fills the values of one body, [NAMES][sites]. Pressures of the lower body are at its present
+ * position below the window. */
 static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
   const int n = space_sites(s, b), rows = n / d->nz;
@@ -323,8 +326,7 @@ arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count
   return status;
 }
 
-/* --- the reference configuration ---------------------------------------------------------------
- */
+/* --- the reference configuration -------------------------------------------------------------- */
 
 static double deepest(const space_shape *s, int b) {
   double most = 0;

@@ -1,4 +1,5 @@
 /* The wear of a window of a cycle on half-spaces: its positions, each a contact. */
+#include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
 
 #include "core/base/carve.h"
@@ -7,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- positions ---------------------------------------------------------------------------------
- */
+/* --- positions -------------------------------------------------------------------------------- */
 
 static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
@@ -33,11 +33,51 @@ static void add_position(space_path *path, double x, double load, double weight)
   path->position[at].weight += weight;
 }
 
+/* Points of a cycle with friction. Unlike bodies have another shear, so other pressures, at each;
+ * a cycle ends at its first position. Increments weigh alike: their slip is solved for. */
+static void add_rubbing(const wear_block *b, int unlike, space_path *path) {
+  const double weight = b->sliding / (b->count - 1);
+  for (int at = 0; at < b->count; at++) {
+    int j = 0;
+    const double x = b->problem_x[at], load = b->line[at];
+    while (j < path->count && (path->position[j].x != x || path->position[j].load != load)) j++;
+    if (unlike) j = at + 1 < b->count ? at : 0;
+    if (j == path->count)
+      path->position[path->count++] = (arc_halfspace_position){.x = x, .load = load};
+    path->of[at] = j;
+    path->position[j].weight += at > 0 && at + 1 < b->count ? weight : weight / 2;
+  }
+}
+
+static arc_status rub(const wear_window *v, space_path *path, arc_error *error) {
+  const space_shape *s = space_shape_of(v->shape);
+  const int unlike = arc_cerruti_unlike(arc_halfspace_definition(s->grid->h)) != 0;
+  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
+  path->of = malloc((size_t)v->block->count * sizeof *path->of);
+  if (path->of) add_rubbing(v->block, unlike, path);
+  const size_t all = (size_t)path->count * cells;
+  path->slip = calloc(all + 1, sizeof *path->slip);
+  if (unlike) path->gap = calloc(all + 1, sizeof *path->gap);
+  if (path->of && path->slip && (path->gap || !unlike)) return ARC_OK;
+  arc_space_end_path(path);
+  return arc_fail(error, ARC_MEMORY, "out of memory for a cycle with friction");
+}
+
+void arc_space_end_path(space_path *path) {
+  free(path->position);
+  free(path->of);
+  free(path->slip);
+  free(path->gap);
+  arc_halfspace_friction_end(&path->last);
+  *path = (space_path){.count = 0};
+}
+
 arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *path,
                           arc_error *error) {
   const size_t points = (size_t)(v->last - v->first) + 1;
-  *path = (space_path){0, malloc(points * sizeof *path->position)};
+  *path = (space_path){.position = malloc(points * sizeof *path->position)};
   if (!path->position) return arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
+  if (arc_wear_has_friction(&w->def)) return rub(v, path, error);
   for (int at = v->first; at <= v->last; at++) {
     const double weight = weight_of(w, v, at), load = v->block->line[at];
     const double x = w->manner.rests ? 0 : v->block->x[at];
@@ -46,8 +86,7 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
   return ARC_OK;
 }
 
-/* --- the wear ----------------------------------------------------------------------------------
- */
+/* --- the wear --------------------------------------------------------------------------------- */
 
 /* A tangent, with its shape and pressures. */
 typedef struct space_tangent {
@@ -59,13 +98,13 @@ typedef struct space_tangent {
 
 static void empty(space_tangent *t) {
   arc_space_let_go(&t->grid);
-  free(t->path.position);
+  arc_space_end_path(&t->path);
   free(t->pressure);
   free(t->factor[ARC_UPPER]);
   *t = (space_tangent){.grid = NULL};
 }
 
-/* Depths of a shape plus those of a trial, if any. */
+/* Depths of a shape plus the depths of a trial, if any. */
 static const double *depths_of(const space_shape *s, const double *more, double **owned) {
   const size_t n = (size_t)(space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER));
   *owned = NULL;
@@ -75,22 +114,40 @@ static const double *depths_of(const space_shape *s, const double *more, double 
   return sum;
 }
 
-static arc_status solve(const space_shape *s, const space_path *path, const double *depth,
-                        wear_watch *watch, double *pressure, wear_rate *rate, arc_error *error) {
-  const double *const worn[] = {depth, depth + space_sites(s, ARC_UPPER)};
+static arc_status solve(const space_shape *s, const space_path *path,
+                        const double *const depth[ARC_BODIES], wear_progress *progress,
+                        double *pressure, wear_rate *rate, arc_error *error) {
   double *const to[] = {rate->node[ARC_UPPER], rate->node[ARC_LOWER]};
-  const arc_halfspace_options options = {.callbacks = watch->callbacks};
+  const arc_halfspace_options options = {.callbacks = progress->callbacks, .gap = path->gap};
   arc_halfspace_report report = {0};
-  const arc_status status = arc_halfspace_rate(s->grid->h, worn, path->position, path->count,
+  const arc_status status = arc_halfspace_rate(s->grid->h, depth, path->position, path->count,
                                                &options, pressure, to, &report, error);
-  watch->solutions += path->count;
+  progress->solutions += path->count;
   rate->peak = report.p_max;
+  rate->pressed = 0;
   for (int j = 0; j < path->count; j++)
     rate->pressed += path->position[j].weight * path->position[j].load;
   return status;
 }
 
-/* Of laws and local factors, in place of the sums of pressure. */
+arc_status arc_space_solve_path(arc_wear *w, const wear_window *v,
+                                const double *const depth[ARC_BODIES], space_path *path,
+                                wear_progress *progress, double *pressure, wear_rate *rate,
+                                arc_error *error) {
+  enum { most_passes = 40 };
+  static const double settled = 1e-4;
+  const space_shape *s = space_shape_of(v->shape);
+  for (int pass = 0; pass < most_passes; pass++) {
+    arc_status status = solve(s, path, depth, progress, pressure, rate, error);
+    if (status == ARC_OK && path->slip)
+      status = arc_space_slip(w, v, depth, path, pressure, progress, rate, error);
+    if (status != ARC_OK || path->unsteady <= settled) return status;
+  }
+  return arc_fail(error, ARC_NOT_CONVERGED, "pressures and shear did not settle in %d passes",
+                  most_passes);
+}
+
+/* Sums with laws and local factors, instead of the sums of pressure. */
 static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, wear_rate *rate,
                           arc_error *error) {
   const space_shape *s = space_shape_of(v->shape);
@@ -100,13 +157,13 @@ static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, w
   if (arc_space_is_linear(w, v->state)) return ARC_OK;
   if (!ARC_CARVE(parts)) return arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = arc_space_linearise(w, v->state, s, &t->path, t->pressure, (arc_body)b, rate->node[b],
-                                 t->factor[b], error);
+    status = arc_space_linearise(w, v->state, s, &t->path, t->pressure, v->mu, (arc_body)b,
+                                 rate->node[b], t->factor[b], error);
   return status;
 }
 
-arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_watch *watch, wear_rate *rate,
-                          arc_error *error) {
+arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_progress *progress,
+                          wear_rate *rate, arc_error *error) {
   const space_shape *s = space_shape_of(v->shape);
   const size_t cells = (size_t)space_sites(s, ARC_UPPER);
   space_tangent held = {.grid = NULL},
@@ -118,10 +175,12 @@ arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_watch *watch, 
   if (status != ARC_OK || t->path.count == 0) return status;
   t->pressure = malloc((size_t)t->path.count * cells * sizeof *t->pressure);
   const double *depth = depths_of(s, v->depth, &owned);
-  if (t->pressure && depth)
-    status = solve(s, &t->path, depth, watch, t->pressure, rate, error);
-  else
+  if (t->pressure && depth) {
+    const double *const worn[] = {depth, depth + cells};
+    status = arc_space_solve_path(w, v, worn, &t->path, progress, t->pressure, rate, error);
+  } else {
     status = arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
+  }
   if (status == ARC_OK) status = add_law(w, v, t, rate, error);
   free(owned);
   if (v->tangent && status == ARC_OK)
@@ -131,8 +190,7 @@ arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_watch *watch, 
   return status;
 }
 
-/* --- its growth --------------------------------------------------------------------------------
- */
+/* --- its growth ------------------------------------------------------------------------------- */
 
 wear_tangent *arc_space_tangent(const arc_wear *w) {
   (void)w;
@@ -160,8 +218,8 @@ static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_t
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < sites_of(w, b); i++)
       most[b] = fmax(most[b], t->factor[b] ? t->factor[b][i] : 1);
-  return (k[ARC_UPPER] * most[ARC_UPPER] + k[ARC_LOWER] * most[ARC_LOWER]) * sliding *
-         w->manner.modulus / (0.584 * fmin(d->size_x, d->size_z));
+  return (k[ARC_UPPER] * most[ARC_UPPER] + k[ARC_LOWER] * most[ARC_LOWER]) * sliding * 1 /
+         (arc_space_surface_compliance(d) * 0.584 * fmin(d->size_x, d->size_z));
 }
 
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent) {

@@ -1,10 +1,11 @@
 /* Definitions of wear runs in 3-D: derived values, valid combinations. */
+#include "core/elastic/layer_wear.h"
+#include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
 
 #include <math.h>
 
-/* --- checks ------------------------------------------------------------------------------------
- */
+/* --- checks ----------------------------------------------------------------------------------- */
 
 static arc_status refuse(arc_error *error, const char *field, const char *why) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" %s", field, why);
@@ -12,22 +13,18 @@ static arc_status refuse(arc_error *error, const char *field, const char *why) {
 
 /* Refuses settings that are not implemented in 3-D. */
 static arc_status check_built(const arc_wear_def *d, arc_error *error) {
-  if (arc_wear_has_friction(d)) return refuse(error, "friction", "there is none yet: expected 0");
-  if (d->tangential > 0) return refuse(error, "tangential", "expected none: there is no friction");
   if (d->spin > 0) return refuse(error, "spin", "expected none");
   if (d->track > 0 && d->blocks > 0)
     return refuse(error, "track", "expected stroke and load: a cycle is a revolution");
   if (d->slip == ARC_SLIP_TOTAL) return refuse(error, "slip", "expected \"rigid\"");
   if (d->update == ARC_UPDATE_INCREMENT) return refuse(error, "update", "expected \"cycle\"");
-  if (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR)
-    return refuse(error, "law", "there is no friction yet: expected a law of pressure");
   if (d->load_angle != 0) return refuse(error, "load_angle", "expected 0: it is that of holes");
   return ARC_OK;
 }
 
-/* The contact stays at one position: NSP, or a pin on a disc. */
-static int rests(const arc_wear_def *d) {
-  return d->track > 0 || d->procedure == ARC_NSP ||
+/* The contact stays at one position: NSP, a pin on a disc, or surfaces without end. */
+static int rests(const arc_wear_def *d, const arc_model_def *model) {
+  return d->track > 0 || d->procedure == ARC_NSP || model->periodic ||
          (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
 }
 
@@ -51,10 +48,31 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
+/* The compliance of layers and of a groove for shear is not available; bodies that separate lose
+ * the shear of pressing. */
+static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
+                                 arc_error *error) {
+  if (!arc_wear_has_friction(d)) return ARC_OK;
+  if (model->periodic)
+    return refuse(error, "friction", "expected 0 on surfaces that repeat themselves");
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (arc_body_layers(&model->body[b]) > 0 || model->body[b].height > 0)
+      return refuse(
+          error, "friction",
+          "expected 0 with layers or a rigid base, whose compliance to shear is not known");
+  if (d->track > 0 || (d->procedure == ARC_NSP && !arc_wear_alpha_stays_one(d)))
+    return refuse(error, "friction", "expected 0 along a track or groove");
+  for (int b = 0; b < d->blocks; b++)
+    for (int i = 0; i < d->loading[b].count; i++)
+      if (!(d->loading[b].load[i] > 0))
+        return refuse(error, "loading", "and friction expected loads above 0");
+  return ARC_OK;
+}
+
 static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
   const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
-  if (rests(d) && !arc_wear_alpha_stays_one(d) && !arc_body_is_flat(&lower))
+  if (rests(d, model) && !arc_wear_alpha_stays_one(d) && !arc_body_is_flat(&lower))
     return refuse(error, d->track > 0 ? "track" : "procedure",
                   "expected a lower body.block{}, which is the same all along");
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
@@ -79,33 +97,53 @@ static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model
 
 arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = check_built(d, error);
+  if (status == ARC_OK) status = check_friction(d, model, error);
+  if (status == ARC_OK && model->periodic) return arc_space_check_periodic_run(d, model, error);
   if (status == ARC_OK) status = check_loading(d, error);
   if (status == ARC_OK) status = check_groove(d, model, error);
-  if (status == ARC_OK && !rests(d)) status = check_increments(d, model, error);
+  if (status == ARC_OK && !rests(d, model) && !(d->tangential > 0))
+    status = check_increments(d, model, error);
   return status;
 }
 
-/* --- what follows ------------------------------------------------------------------------------
- */
+/* --- derived values */
 
 void arc_space_usual(arc_wear_def *def) {
   def->scheme = ARC_IMPLICIT;
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model) {
-  return (wear_manner){.procedure = rests(def) ? ARC_NSP : ARC_SP,
-                       .strokes = 2,
-                       .stroke = arc_wear_def_stroke(def),
-                       .modulus = arc_contact_modulus(model->geometry, model->material),
-                       .thickness = 1,
-                       .rests = rests(def)};
+/* Force per distance [N/mm] by which a force is converted to a distance: 2 a E*. */
+static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
+  return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
+         arc_contact_modulus(model->geometry, model->material);
 }
 
-/* One a cell. */
+wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model) {
+  return (wear_manner){.procedure = rests(def, model) ? ARC_NSP : ARC_SP,
+                       .strokes = 2,
+                       .stroke = arc_wear_def_stroke(def),
+                       .modulus = force_per_distance(def, model),
+                       .thickness = 1,
+                       .layered = {arc_layer_wear_differs(model, ARC_UPPER),
+                                   arc_layer_wear_differs(model, ARC_LOWER)},
+                       .rests = rests(def, model)};
+}
+
+static int are_unlike(const arc_model_def *model) {
+  const arc_halfspace_def bodies = arc_space_bodies(model);
+  return arc_cerruti_unlike(&bodies) != 0;
+}
+
+/* One a cell; with friction, whose solution needs one a leg (two between unlike bodies: doses
+ * within 0.4 %), as many of a force or of a short stroke. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
-  enum { fewest = 4, most = 1 << 20 };
+  enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
+  const int of_slip = are_unlike(model) ? 4 : 2;
+  if (def->tangential > 0) return of_slip;
+  const int rubs = arc_wear_has_friction(def), fewest = rubs ? of_slip : 4;
   const double half = round(def->stroke / arc_space_cell(model, def->load));
   return 2 * (int)fmin(fmax(fewest / 2, half), most);
 }
@@ -128,34 +166,41 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
   return sum;
 }
 
-/* --- cells -------------------------------------------------------------------------------------
- */
+/* --- cells ------------------------------------------------------------------------------------ */
 
 /* Twice the largest distance from x = 0 [mm]. */
-static double stroke_of(const arc_wear_def *def) {
+static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   double most = 0;
-  if (rests(def)) return 0;
+  if (rests(def, model) || def->tangential > 0) return 0;
   if (def->blocks == 0) return def->stroke;
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) most = fmax(most, fabs(def->loading[b].x[i]));
   return 2 * most;
 }
 
-/* Worn at the end, as far as it is known. */
+/* Estimate of the worn volume at the end. */
 static double volume_of(const arc_wear_def *def) {
   const int known = !def->k_function && def->k_series.count == 0;
   return known ? def->k * def->load * def->distance : 0;
 }
 
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model) {
-  const int plain = def->blocks == 0 && !rests(def);
+  const double cell = arc_space_cell(model, def->load);
+  const int plain = def->blocks == 0 && !rests(def, model) && !(def->tangential > 0) &&
+                    !(arc_wear_has_friction(def) && def->stroke <= cell);
   const double increment = plain ? def->stroke / (arc_space_increments(def, model) / 2) : 0;
   arc_halfspace_def cells;
-  arc_space_fit(model, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def),
+  arc_model_def fine = *model;
+  if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
+  arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def, model),
                 increment, &cells);
+  const arc_halfspace_def bodies = arc_space_bodies(model); /* whose maps outlive this function */
+  for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
-  if (rests(def) && !arc_wear_alpha_stays_one(def)) {
-    cells.groove = def->track > 0 ? 2 * acos(-1) * def->track : def->stroke;
+  if (rests(def, model) && !arc_wear_alpha_stays_one(def)) {
+    cells.groove = def->track > 0    ? 2 * acos(-1) * def->track
+                   : model->periodic ? cells.nx * cells.size_x
+                                     : def->stroke;
     cells.track = 0;
   }
   return cells;

@@ -17,6 +17,78 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
   fine.mesh.fineness =
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
+  const arc_halfspace_def bodies = arc_space_bodies(def); /* whose maps outlive this function */
+  for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
+}
+
+/* --- cells of runs ---------------------------------------------------------------------------- */
+
+/* Half of the largest change of a quantity in the cycles of a definition. */
+static double amplitude(const arc_wear_def *d, int by_force, double plain) {
+  double most = d->blocks == 0 ? plain : 0;
+  for (int b = 0; b < d->blocks; b++) {
+    const double *value = by_force ? d->loading[b].tangential : d->loading[b].x;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; value && i < d->loading[b].count; i++) {
+      low = fmin(low, value[i]);
+      high = fmax(high, value[i]);
+    }
+    if (high > low) most = fmax(most, (high - low) / 2);
+  }
+  return most;
+}
+
+/* Radius of the zone that sticks over that of the contact, by Mindlin: 1, it all sticks; 0: gross
+ * slip. Where friction changes: at half of full slip. */
+static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
+  if (!arc_wear_friction_is_known(d) || d->friction == 0) return cbrt(0.5);
+  const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
+  if (force > 0) return cbrt(fmax(0, 1 - force / carried));
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
+  double compliance = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    compliance +=
+        2 * (2 - model->material[b].nu) * (1 + model->material[b].nu) / model->material[b].E;
+  const double yielding =
+      3 * carried * compliance / (16 * sqrt(hertz.half_width * hertz.half_width_z));
+  return sqrt(fmax(0, 1 - amplitude(d, 0, d->stroke / 2) / yielding));
+}
+
+/* Cells whose centre lies within an ellipse of these half axes, in cells, over its area. */
+static double filling(double x, double z) {
+  const int rows = (int)ceil(x), columns = (int)ceil(z);
+  int inside = 0;
+  for (int i = -rows; i <= rows; i++)
+    for (int j = -columns; j <= columns; j++) inside += (i / x) * (i / x) + (j / z) * (j / z) <= 1;
+  return inside / (acos(-1) * x * z);
+}
+
+/* Cell size, up to a sixth smaller, for which the area of sticking cells equals that of the stick
+ * zone, since wear in partial slip ends with the load on this zone. Cells of a zone extend 0.1 of a
+ * cell outside it. */
+static double fill_zone(double size, double x, double z) {
+  enum { tries = 60 };
+  static const double beyond = 0.1, play = 0.05, range = 1.0 / 6;
+  double best = size, least = INFINITY;
+  for (int i = 0; i < tries; i++) {
+    const double now = size * (1 - range * i / tries), a = x / now + beyond, b = z / now + beyond;
+    const double off =
+        fmax(fabs(filling(a - play, b - play) * (a - play) * (b - play) / (a * b) - 1),
+             fabs(filling(a + play, b + play) * (a + play) * (b + play) / (a * b) - 1));
+    if (off < least) least = off, best = now;
+  }
+  return best;
+}
+
+double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
+  static const double in_rim = 5, in_contact = 14, most = 64; /* over the half width */
+  const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
+  const double share = stick_share(def, model);
+  if (model->mesh.size > 0 || !(share > 0 && share < 1)) return arc_space_cell(model, def->load);
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
+  const double half = fmin(hertz.half_width, hertz.half_width_z);
+  const double cells = fmin(most, fmax(in_contact, in_rim / (1 - share))) * finer;
+  return fill_zone(half / cells, share * hertz.half_width, share * hertz.half_width_z);
 }
 
 void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
@@ -29,24 +101,39 @@ void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* Solves one increment, on a larger window if necessary. */
-static arc_status go_to(space_contact *c, const arc_halfspace_increment *to,
-                        const arc_callbacks *callbacks, arc_halfspace_effort *effort,
-                        arc_error *error) {
+/* Follows a leg, on a larger window if necessary. */
+static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
+                           const arc_callbacks *callbacks, arc_halfspace_effort *effort,
+                           arc_error *error) {
   enum { most_tries = 12 };
   arc_status status = ARC_ZONE;
-  c->handle.def.x = to->position.x;
+  c->handle.def.x = leg->to.position.x;
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
     const space_shape *s = space_shape_of(c->handle.shape);
     const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
     const arc_halfspace_options options = {.callbacks = callbacks};
-    status = arc_halfspace_slide(s->grid->h, depth, to, &options, &c->rubbing, effort, error);
+    *effort = (arc_halfspace_effort){0};
+    status = arc_halfspace_follow(s->grid->h, depth, leg, &options, &c->rubbing, &c->coarser,
+                                  effort, error);
     if (status != ARC_ZONE) break;
     status = arc_space_widen_contact(c, error);
     if (status != ARC_OK) return status;
     status = ARC_ZONE;
   }
   return status;
+}
+
+/* Warns of what the increments did not resolve. */
+static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *effort,
+                            const arc_callbacks *callbacks) {
+  if (effort->unfinished > 0)
+    arc_warn(callbacks, "pressure and shear did not settle in %d increments: use more increments",
+             effort->unfinished);
+  if (effort->unresolved > 0)
+    arc_warn(callbacks,
+             "in %d of %d increments halving still changed motion or energy: the energy may be off "
+             "by %.2g N mm",
+             2 * effort->unresolved, effort->increments, c->handle.result.energy_error);
 }
 
 /* Copies the state to the results of the contact. */
@@ -68,12 +155,11 @@ static arc_status read_state(space_contact *c, const arc_halfspace_effort *effor
   r->tangential = f->force[0];
   r->tangential_z = f->force[1];
   r->energy = f->energy;
+  r->energy_error = fabs(f->energy - c->coarser.energy);
   r->z = f->xi[1];
   r->stick = on > 0 ? stuck / on : 0;
   c->handle.def.x = c->origin + f->xi[0];
-  if (effort->unfinished > 0)
-    arc_warn(callbacks, "pressure and shear did not settle in %d increments: use more increments",
-             effort->unfinished);
+  warn_unresolved(c, effort, callbacks);
   return ARC_OK;
 }
 
@@ -103,22 +189,19 @@ static void warn_coarse(const space_contact *c, const arc_halfspace_def *d,
 }
 
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error) {
-  enum { usual = 20 };
   const arc_contact_def def = c->handle.def;
   const arc_halfspace *h = space_shape_of(c->handle.shape)->grid->h;
-  const int wanted = def.increments > 0 ? def.increments : usual;
   const int rubs =
       def.press == ARC_PRESS_FRICTION && arc_cerruti_unlike(arc_halfspace_definition(h)) != 0;
-  const int n = rubs ? wanted : 1;
+  const arc_halfspace_leg leg = {.to = {.friction = rubs ? def.friction : 0,
+                                        .position = {.x = def.x, .load = def.load, .weight = 1}},
+                                 .x = def.x,
+                                 .increments = rubs ? def.increments : 1};
   arc_halfspace_effort effort = {0};
   c->origin = def.x;
   arc_status status = arc_halfspace_friction_begin(h, &c->rubbing, error);
-  for (int i = 1; i <= n && status == ARC_OK; i++) {
-    const double load = i < n ? def.load * i / n : def.load;
-    const arc_halfspace_increment to = {.friction = rubs ? def.friction : 0,
-                                        .position = {.x = def.x, .load = load, .weight = 1}};
-    status = go_to(c, &to, callbacks, &effort, error);
-  }
+  if (status == ARC_OK) status = arc_halfspace_friction_begin(h, &c->coarser, error);
+  if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
   if (status == ARC_OK) status = read_state(c, &effort, callbacks, error);
   if (status != ARC_OK) return status;
   if (!rubs) c->handle.result.stick = 1;
@@ -129,10 +212,6 @@ arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc
 }
 
 /* --- motions ---------------------------------------------------------------------------------- */
-
-static double between(double from, double to, double share) {
-  return share < 1 ? from + share * (to - from) : to;
-}
 
 static arc_status check(const space_contact *c, const arc_motion_def *motion, double load,
                         arc_error *error) {
@@ -162,27 +241,23 @@ static void warn_across(const space_contact *c, double z, const arc_callbacks *c
 
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error) {
-  const arc_halfspace_friction *f = &c->rubbing;
-  const double load[2] = {c->handle.def.load, motion->load > 0 ? motion->load : c->handle.def.load};
-  const double x[2] = {c->handle.def.x, motion->by_force ? c->handle.def.x : motion->x};
-  const double xi[2] = {f->xi[0], f->xi[1]}, force[2] = {f->force[0], f->force[1]};
+  const arc_contact_def *def = &c->handle.def;
+  const double load = motion->load > 0 ? motion->load : def->load;
+  const double x = motion->by_force ? def->x : motion->x;
+  const arc_halfspace_leg leg = {.to = {.friction = def->friction,
+                                        .position = {.x = x, .load = load, .weight = 1},
+                                        .by_force = {motion->by_force, motion->by_force_z},
+                                        .xi = {x - c->origin, motion->z},
+                                        .force = {motion->tangential, motion->tangential_z}},
+                                 .x = def->x,
+                                 .load = def->load,
+                                 .increments = motion->increments};
   arc_halfspace_effort effort = {0};
   arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
-  if (status == ARC_OK) status = check(c, motion, load[1], error);
-  for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
-    const double share = (double)i / motion->increments;
-    arc_halfspace_increment to = {.friction = c->handle.def.friction,
-                                  .by_force = {motion->by_force, motion->by_force_z}};
-    to.position = (arc_halfspace_position){
-        .x = between(x[0], x[1], share), .load = between(load[0], load[1], share), .weight = 1};
-    to.xi[0] = to.position.x - c->origin;
-    to.xi[1] = between(xi[1], motion->z, share);
-    to.force[0] = between(force[0], motion->tangential, share);
-    to.force[1] = between(force[1], motion->tangential_z, share);
-    c->handle.def.load = to.position.load;
-    status = go_to(c, &to, callbacks, &effort, error);
-  }
+  if (status == ARC_OK) status = check(c, motion, load, error);
+  if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
+  c->handle.def.load = load;
   if (status == ARC_OK) status = read_state(c, &effort, callbacks, error);
-  if (status == ARC_OK) warn_across(c, f->xi[1], callbacks);
+  if (status == ARC_OK) warn_across(c, c->rubbing.xi[1], callbacks);
   return status;
 }

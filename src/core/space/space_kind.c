@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-/* --- runs --------------------------------------------------------------------------------------
- */
+/* --- runs ------------------------------------------------------------------------------------- */
 
 static arc_status begin(arc_wear *w) {
   const space_shape *s = space_shape_of(w->shape);
@@ -51,7 +50,7 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   const double along = space_along(space_shape_of(w->shape), last->half_width, last->half_width_z);
   const double widths = d->groove / (2 * along);
-  if (d->groove == 0 || w->def.track > 0 || widths >= enough) return 0;
+  if (d->groove == 0 || w->def.track > 0 || d->periodic || widths >= enough) return 0;
   arc_warn(callbacks,
            "procedure \"NSP\" takes the track as a groove without ends, and the stroke is %.2g "
            "contact widths by now: below %g depths are off by more than 3 %%; use \"SP\"",
@@ -59,10 +58,9 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   return 1;
 }
 
-/* --- surfaces ----------------------------------------------------------------------------------
- */
+/* --- surfaces --------------------------------------------------------------------------------- */
 
-/* Cells for the usual load; a contact that is solved on them takes its own. */
+/* Cells for the default load; contacts choose their own. */
 static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                          arc_error *error) {
   arc_halfspace_def cells;
@@ -119,21 +117,20 @@ static arc_status wear(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                        arc_wear_record *record, arc_error *error) {
   space_shape *s = (space_shape *)(void *)shape;
   (void)error;
+  arc_space_through_layers(shape, depth->node[ARC_UPPER]);
   add_volumes(w, shape, depth, record);
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < sites_of(w, b); i++) s->depth[b][i] += depth->node[b][i];
   return ARC_OK;
 }
 
-/* --- how far steps go --------------------------------------------------------------------------
- */
+/* --- lengths of steps */
 
 static double natural_depth(const arc_wear *w) {
   return arc_space_hertz(arc_model_definition(w->model), w->def.load).approach / 2;
 }
 
-/* --- windows that are outgrown -----------------------------------------------------------------
- */
+/* --- windows that are outgrown ---------------------------------------------------------------- */
 
 static int must_grow(const arc_wear *w, arc_error *why) {
   (void)w;
@@ -146,7 +143,7 @@ static int has_outgrown(const arc_wear *w, arc_status why) {
   return why == ARC_ZONE;
 }
 
-static int has_room(const arc_wear *w) {
+static int can_grow(const arc_wear *w) {
   (void)w;
   return 1;
 }
@@ -193,8 +190,7 @@ static arc_status refuse(const arc_wear *w, const arc_error *why, const arc_erro
                   room ? ")" : "");
 }
 
-/* --- what is read ------------------------------------------------------------------------------
- */
+/* --- results */
 
 static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *error) {
   arc_contact_def def = arc_contact_default();
@@ -230,7 +226,7 @@ static arc_status validate(const arc_wear *w, arc_error *error) {
 static const arc_growth growth = {
     .must_grow = must_grow,
     .has_outgrown = has_outgrown,
-    .has_room = has_room,
+    .can_grow = can_grow,
     .grow = grow,
     .remesh = remesh,
     .report = report_nothing,
@@ -265,10 +261,12 @@ const arc_kind arc_space_kind = {
     .area = area,
     .profile = profile,
     .deepest = deepest,
+    .through_layers = arc_space_through_layers,
     .add_volumes = add_volumes,
     .wear = wear,
     .measure = arc_space_measure,
     .rate = arc_space_rate,
+    .loop = arc_space_loop,
     .tangent = arc_space_tangent,
     .end_tangent = arc_space_end_tangent,
     .eigenvalue = arc_space_eigenvalue,
@@ -278,6 +276,7 @@ const arc_kind arc_space_kind = {
     .error = arc_space_error,
     .end_stages = arc_space_end_stages,
     .natural_depth = natural_depth,
+    .open_share = arc_space_open_share,
     .growth = &growth,
     .solve = arc_space_solve,
     .move = arc_space_move,

@@ -18,7 +18,7 @@ typedef struct space_shape {
   shape_handle handle;
   space_grid *grid;
   double *depth[ARC_BODIES]; /* [sites] wear [mm]; one block with the lines */
-  double *line[ARC_BODIES];  /* [3 rows] of the profile in the middle, when it is asked for */
+  double *line[ARC_BODIES];  /* [3 rows] of the profile in the middle, created on first use */
 } space_shape;
 
 /* An arc_contact of this kind. */
@@ -26,13 +26,20 @@ typedef struct space_contact {
   contact_handle handle;
   double *pressure;               /* [window] [MPa] */
   arc_halfspace_friction rubbing; /* with friction; all zero without */
+  arc_halfspace_friction coarser; /* the same in half as many increments */
   double origin;                  /* [mm] x at which xi was 0 */
 } space_contact;
 
-/* Positions that a window solves, and its pressures. */
+/* Positions that a window solves. With friction each site of the upper body slips by a distance of
+ * its own there, and shear between unlike bodies adds to the gaps. */
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
+  int *of;                          /* [points] position of each point of the block; friction */
+  double *slip;    /* [count][window] slip over the weight of the position; NULL: rigid slip, 1 */
+  double *gap;     /* [count][window] [mm] gaps by shear; NULL: none */
+  double unsteady; /* change of the gaps by the last slip solution, over the largest */
+  arc_halfspace_friction last; /* state of the last slip solution, to start from; zero: none */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {
@@ -53,7 +60,7 @@ static inline int space_sites(const space_shape *s, int body) {
   return arc_halfspace_sites(s->grid->h, (arc_body)body);
 }
 
-/* --- space_model.c --- */
+/* --- space_model.c ---------------------------------------------------------------------------- */
 arc_status arc_space_check_model(const arc_model_def *def, arc_error *error);
 arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callbacks,
                            arc_model **model, arc_error *error);
@@ -73,13 +80,25 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
  * go no farther. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
-/* Width of a cell as it is asked for [mm]. */
+/* Requested width of a cell [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
 /* Warns if a contact of this half width [mm] is too large for half-spaces. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks);
 
-/* --- space_definition.c --- */
+/* --- space_periodic.c ------------------------------------------------------------------------- */
+/* The bodies of a model with periodic = true; a run with it. ARC_ARGUMENT. */
+arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error);
+arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_def *model,
+                                        arc_error *error);
+/* An arc_recess_fn of a map, the body's definition, whose middle is x = z = 0. */
+double arc_space_period_height(void *context, double x, double z);
+/* Scales of a period: half widths, mean pressure, height of the map. */
+arc_hertz_ellipse arc_space_period(const arc_model_def *def, double load);
+double arc_space_period_step(const arc_model_def *def);
+void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_def *cells);
+
+/* --- space_definition.c ----------------------------------------------------------------------- */
 arc_status arc_space_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 void arc_space_usual(arc_wear_def *def);
 wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model);
@@ -90,7 +109,7 @@ double arc_space_reach(const arc_model_def *model, double load);
 /* The initial cells of a run. */
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
 
-/* --- space_shape.c --- */
+/* --- space_shape.c ---------------------------------------------------------------------------- */
 /* Unworn surfaces on cells. */
 arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
                             arc_error *error);
@@ -107,41 +126,68 @@ arc_array *arc_space_save(const arc_shape *shape, size_t *count);
 arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_array *state,
                           size_t count, arc_shape **shape, arc_error *error);
 
-/* --- space_cycle.c --- */
-/* The positions of a window; ARC_MEMORY leaves nothing to free. */
+/* --- space_cycle.c ---------------------------------------------------------------------------- */
+/* The positions of a window, freed by arc_space_end_path. ARC_MEMORY. */
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
-arc_status arc_space_rate(arc_wear *w, const wear_window *window, wear_watch *watch,
+void arc_space_end_path(space_path *path);
+/* Pressures [count][window] on given depths, the sums of weight times pressure by site and the peak
+ * (rate), and with friction the slip of the cycle with its energy, forces and stick zone. */
+arc_status arc_space_solve_path(arc_wear *w, const wear_window *window,
+                                const double *const depth[ARC_BODIES], space_path *path,
+                                wear_progress *progress, double *pressure, wear_rate *rate,
+                                arc_error *error);
+arc_status arc_space_rate(arc_wear *w, const wear_window *window, wear_progress *progress,
                           wear_rate *rate, arc_error *error);
 wear_tangent *arc_space_tangent(const arc_wear *w);
 void arc_space_end_tangent(wear_tangent **tangent);
 size_t arc_space_tangent_bytes(const arc_wear *w);
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
-/* --- space_law.c --- */
-/* True if the wear of a window is k p ds: a linear law without local factors. */
+/* --- space_slip.c ----------------------------------------------------------------------------- */
+/* Slip and shear of the steady cycle of a window with friction, on given depths: path->slip and
+ * path->gap, with energy, force and stick zone to the rate. `pressure` [count][window]: those of
+ * the positions; they are averaged over mirror images, and between unlike bodies they become those
+ * of the cycle, which shear changes. */
+arc_status arc_space_slip(arc_wear *w, const wear_window *window,
+                          const double *const depth[ARC_BODIES], space_path *path, double *pressure,
+                          wear_progress *progress, wear_rate *rate, arc_error *error);
+/* See arc_kind.loop: in increments fine enough to draw. */
+arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
+                          arc_loop **loop, arc_error *error);
+
+/* --- space_law.c ------------------------------------------------------------------------------ */
+/* True if the wear of a window is k p ds of rigid slip: a linear law without local factors. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
 /* Work of pressures [count][window] by site of a body: over the positions, the sum of weight, law,
  * local factor and pressure [MPa mm]. ARC_MEMORY, and errors of the local factor. */
 arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
-                          const space_path *path, const double *pressure, arc_body body,
+                          const space_path *path, const double *pressure, double mu, arc_body body,
                           double *work, arc_error *error);
 /* The same and its linear form about these pressures, by site: for pressures p nearby, work =
  * factor sum(weight p) + (1 - growth) work, with the growth of the law below. */
 arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
-                               arc_body body, double *work, double *factor, arc_error *error);
+                               double mu, arc_body body, double *work, double *factor,
+                               arc_error *error);
 /* d ln(law p) / d ln p that the linear form uses, at least 1. */
 double arc_space_law_growth(const arc_wear *w);
 
-/* --- space_stages.c --- */
+/* --- space_layers.c --------------------------------------------------------------------------- */
+/* Converts `due`, a depth [mm] at the largest wear coefficient of its layers, to that of site i of
+ * a body, and with `share` not NULL the coefficient there relative to the largest. */
+double arc_space_worn(const arc_shape *shape, arc_body body, int i, double due, double *share);
+void arc_space_through_layers(const arc_shape *shape, double *depth);
+double arc_space_open_share(const arc_wear *w, arc_body body);
+
+/* --- space_stages.c --------------------------------------------------------------------------- */
 arc_status arc_space_begin_stages(wear_stage *s);
 arc_status arc_space_start(wear_stage *s, double *rate);
 arc_status arc_space_stage(wear_stage *s, double h, double *rate);
 double arc_space_error(wear_stage *s, double h, double *defect);
 void arc_space_end_stages(wear_stage *s, double cycles, wear_depths *depth);
 
-/* --- space_contact.c --- */
+/* --- space_contact.c -------------------------------------------------------------------------- */
 arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
@@ -158,13 +204,16 @@ arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfac
 arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
-/* --- space_friction.c --- */
+/* --- space_friction.c ------------------------------------------------------------------------- */
 /* The bodies pressed together by the contact's definition; a motion from there. */
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);
 /* Number of cells that resolve the edge of the stick zone. */
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
+/* Width of a cell [mm] of a run with friction: as given, else fine enough for the zones
+ * that slip and stick in its cycles. */
+double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
 /* Sizes of shear [window] [MPa] and slip [window] [mm] of a contact with friction. */
 void arc_space_sizes(const space_contact *c, double *shear, double *slip);
 

@@ -1,12 +1,13 @@
-/* Wear that is not k p ds: laws of pressure and local factors, summed over positions, and their
- * linear form for implicit stages. */
+/* Wear that is not k p ds of rigid slip: laws of pressure, local factors and the slip of friction,
+ * summed over positions, and their linear form for implicit stages. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
-  return (arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && !(w->def.local_factor && state);
+  return (arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && !(w->def.local_factor && state) &&
+         !arc_wear_has_friction(&w->def);
 }
 
 /* Arrays over the sites of the window, for one position. */
@@ -30,14 +31,16 @@ static arc_status add_local(const arc_wear *w, const arc_wear_record *state, con
 }
 
 static arc_status fill(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
-                       const space_path *path, const double *pressure, arc_body body,
+                       const space_path *path, const double *pressure, double mu, arc_body body,
                        const window_sites *v, arc_error *error) {
   const int n = space_sites(s, ARC_UPPER);
   arc_status status = ARC_OK;
   for (int j = 0; j < path->count && status == ARC_OK; j++) {
     const double *p = pressure + (size_t)j * (size_t)n;
     double *value = v->value + (size_t)j * (size_t)n;
-    for (int i = 0; i < n; i++) value[i] = p[i] > 0 ? arc_wear_law(w, p[i]) : 0;
+    const double *slip = path->slip ? path->slip + (size_t)j * (size_t)n : NULL;
+    for (int i = 0; i < n; i++)
+      value[i] = p[i] > 0 ? (slip ? slip[i] : 1) * arc_wear_law_rubbed(w, p[i], mu) : 0;
     if (w->def.local_factor && state)
       status = add_local(w, state, s, body, path->position[j].x, p, v, value, error);
   }
@@ -45,14 +48,14 @@ static arc_status fill(const arc_wear *w, const arc_wear_record *state, const sp
 }
 
 arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
-                          const space_path *path, const double *pressure, arc_body body,
+                          const space_path *path, const double *pressure, double mu, arc_body body,
                           double *work, arc_error *error) {
   const size_t n = (size_t)space_sites(s, ARC_UPPER), all = (size_t)path->count * n;
   window_sites v = {.value = malloc((all + 2 * n) * sizeof *v.value)};
   if (!v.value) return arc_fail(error, ARC_MEMORY, "out of memory for the wear of a cycle");
   v.at = v.value + all;
   v.factor = v.at + n;
-  arc_status status = fill(w, state, s, path, pressure, body, &v, error);
+  arc_status status = fill(w, state, s, path, pressure, mu, body, &v, error);
   if (status == ARC_OK)
     status = arc_halfspace_sum(s->grid->h, path->position, path->count, v.value, body, work, error);
   free(v.value);
@@ -65,15 +68,35 @@ double arc_space_law_growth(const arc_wear *w) {
   return fmax(1, arc_wear_law_slope(w, 1, 1));
 }
 
+/* Mean slip of the sites of a body over its weight, to mean [sites]. */
+static arc_status mean_slip(const space_shape *s, const space_path *path, arc_body body,
+                            double *mean, arc_error *error) {
+  double weight = 0;
+  for (int j = 0; j < path->count; j++) weight += path->position[j].weight;
+  const arc_status status =
+      arc_halfspace_sum(s->grid->h, path->position, path->count, path->slip, body, mean, error);
+  for (int i = 0; i < space_sites(s, (int)body) && status == ARC_OK; i++) mean[i] /= weight;
+  return status;
+}
+
 arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
-                               arc_body body, double *work, double *factor, arc_error *error) {
-  const double growth = arc_space_law_growth(w), unloaded = arc_wear_law_slope(w, 0, 0);
-  arc_status status = arc_space_work(w, state, s, path, pressure, body, work, error);
+                               double mu, arc_body body, double *work, double *factor,
+                               arc_error *error) {
+  const int n = space_sites(s, (int)body);
+  const int of_shear = (arc_law_properties[w->def.law] & ARC_LAW_OF_SHEAR) != 0;
+  const double growth = arc_space_law_growth(w),
+               unloaded = (of_shear ? mu : 1) * arc_wear_law_slope(w, 0, 0);
+  double *base = malloc((size_t)n * sizeof *base);
+  if (!base) return arc_fail(error, ARC_MEMORY, "out of memory for the wear of a cycle");
+  arc_status status = arc_space_work(w, state, s, path, pressure, mu, body, work, error);
   if (status == ARC_OK)
     status =
-        arc_halfspace_sum(s->grid->h, path->position, path->count, pressure, body, factor, error);
-  for (int i = 0; i < space_sites(s, (int)body) && status == ARC_OK; i++)
-    factor[i] = factor[i] > 0 ? growth * work[i] / factor[i] : unloaded;
+        arc_halfspace_sum(s->grid->h, path->position, path->count, pressure, body, base, error);
+  for (int i = 0; i < n; i++) factor[i] = 1;
+  if (status == ARC_OK && path->slip) status = mean_slip(s, path, body, factor, error);
+  for (int i = 0; i < n && status == ARC_OK; i++)
+    factor[i] = base[i] > 0 ? growth * work[i] / base[i] : unloaded * factor[i];
+  free(base);
   return status;
 }

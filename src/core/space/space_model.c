@@ -10,14 +10,15 @@
 #include <stdlib.h>
 
 static const double usual_cells = 8; /* over the unworn contact's half width */
+static const double widest_of_layer =
+    3.5; /* cells, in the thinnest layer's thickness; 4 are allowed */
 
 typedef struct space_model {
   arc_model handle;
   double *series[ARC_BODIES]; /* of maps */
 } space_model;
 
-/* --- checks ------------------------------------------------------------------------------------
- */
+/* --- checks ----------------------------------------------------------------------------------- */
 
 static arc_status refuse(arc_error *error, const char *field, const char *expected) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" expected %s", field,
@@ -26,21 +27,17 @@ static arc_status refuse(arc_error *error, const char *field, const char *expect
 
 static arc_status check_body(const arc_model_def *def, arc_body body, arc_error *error) {
   const arc_body_def solid = arc_model_solid(def, body), *own = &def->body[body];
-  const int lower = body == ARC_LOWER;
   if (!arc_body_is_spatial(&solid) && !arc_body_is_flat(&solid))
     return refuse(error, arc_model_role_name(body),
                   "a body.ball{}, body.map{} or body.block{} (a ball in its socket: joint{})");
   if (own->width > 0)
-    return refuse(error, lower ? "lower.width" : "upper.width", "none: blocks have no sides");
+    return refuse(error, body == ARC_LOWER ? "lower.width" : "upper.width",
+                  "none: blocks have no sides");
   if (own->height > 0 && arc_body_interface(own, arc_body_layers(own) - 1) >= own->height)
     return arc_fail(error, ARC_ARGUMENT,
                     "field '%s.height': expected more than the %g mm of its layers, got %g mm",
                     arc_model_role_name(body), arc_body_interface(own, arc_body_layers(own) - 1),
                     own->height);
-  for (int l = 0; l < arc_body_layers(own); l++)
-    if (own->layer[l].material.k > 0)
-      return refuse(error, lower ? "lower.layers" : "upper.layers",
-                    "layers without k of their own: bodies wear by one coefficient");
   return ARC_OK;
 }
 
@@ -118,11 +115,11 @@ arc_status arc_space_check_model(const arc_model_def *def, arc_error *error) {
     if (arc_body_is_map(&solid))
       status = arc_body_check(&solid, b == ARC_UPPER ? "upper." : "lower.", error);
   }
-  return status == ARC_OK ? check_curvature(def, error) : status;
+  if (status != ARC_OK) return status;
+  return def->periodic ? arc_space_check_periodic(def, error) : check_curvature(def, error);
 }
 
-/* --- models ------------------------------------------------------------------------------------
- */
+/* --- models ----------------------------------------------------------------------------------- */
 
 arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callbacks,
                            arc_model **result, arc_error *error) {
@@ -156,8 +153,7 @@ size_t arc_space_model_bytes(const arc_model *model) {
   return sizeof(space_model) + 2 * points * sizeof(double);
 }
 
-/* --- bodies and cells --------------------------------------------------------------------------
- */
+/* --- bodies and cells ------------------------------------------------------------------------- */
 
 /* An arc_recess_fn of a map, the body's definition. */
 static double recess_of(void *context, double x, double z) {
@@ -165,7 +161,7 @@ static double recess_of(void *context, double x, double z) {
 }
 
 arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
-  arc_halfspace_def d = {.size_x = 0};
+  arc_halfspace_def d = {.periodic = def->periodic == ARC_ON};
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
     d.body[b].material = def->material[b];
@@ -175,7 +171,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
     d.body[b].radius_x = solid.radius;
     d.body[b].radius_z = solid.radius_z;
     if (!arc_body_is_map(&solid)) continue;
-    d.body[b].recess = recess_of;
+    d.body[b].recess = def->periodic ? arc_space_period_height : recess_of;
     d.body[b].context = (void *)(uintptr_t)&def->body[b];
   }
   return d;
@@ -184,6 +180,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load) {
   arc_hertz_ellipse hertz = {0, 0, 0, 0};
   double x, z;
+  if (def->periodic) return arc_space_period(def, load);
   find_curvatures(def, &x, &z);
   const arc_halfspace_def bodies = arc_space_bodies(def);
   arc_space_estimate(&bodies, 1 / x, 1 / z, load, &hertz);
@@ -192,13 +189,22 @@ arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load) {
 
 double arc_space_cell(const arc_model_def *def, double load) {
   if (def->mesh.size > 0) return def->mesh.size;
+  if (def->periodic) return arc_space_period_step(def);
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
   const double finer = def->mesh.fineness > 0 ? def->mesh.fineness : 1;
-  return fmin(hertz.half_width, hertz.half_width_z) / (usual_cells * finer);
+  const double size = fmin(hertz.half_width, hertz.half_width_z) / usual_cells;
+  const arc_halfspace_def bodies = arc_space_bodies(def);
+  const double thinnest = arc_space_thinnest(&bodies);
+  return (thinnest > 0 ? fmin(size, widest_of_layer * thinnest) : size) / finer;
 }
 
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells) {
+  if (def->periodic) {
+    *cells = arc_space_bodies(def);
+    arc_space_period_cells(def, turned, cells);
+    return;
+  }
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
   const double least = fmin(hertz.half_width, hertz.half_width_z);
   arc_halfspace_def smooth = arc_space_bodies(def);
@@ -225,6 +231,7 @@ static int cells_within(double half, double size) {
 }
 
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells) {
+  if (def->periodic) return;
   const int beyond = cells->track > 0 ? cells->track - cells->nx : 0;
   for (int b = 0; b < ARC_BODIES; b++) {
     double half_x, half_z, step;
@@ -250,7 +257,8 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
   return arc_fail(
       error, ARC_ZONE,
       "the contact reaches the end of the part of a map that lies symmetrically about x "
-      "= z = 0, %.3g x %.3g mm of it at any position: expected a larger map, or less "
+      "= z = 0, %.3g x %.3g mm of it at any position: expected a larger map about that point "
+      "(t:center()), or less "
       "load, stroke or distance",
       before.nx * before.size_x, before.nz * before.size_z);
 }
@@ -261,6 +269,7 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
   const double fewest = 4;          /* cells in the half width */
   static const double coarse = 1.5; /* cells over steps of a map */
   double x, z;
+  if (def->periodic) return;
   find_curvatures(def, &x, &z);
   const double least = 1 / x;
   if (half_width > small * least)

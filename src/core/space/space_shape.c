@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- cells -------------------------------------------------------------------------------------
- */
+/* --- cells ------------------------------------------------------------------------------------ */
 
 space_grid *arc_space_hold(space_grid *grid) {
   grid->references++;
@@ -29,16 +28,23 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for surfaces");
 }
 
-/* Fails for windows beyond the free memory. */
+/* Fails for windows larger than the free memory or than the range of cell numbers. */
 static arc_status check_memory(const arc_halfspace_def *d, arc_error *error) {
+  enum { most = 4096 };
   const int positions = d->track > d->nx ? d->track - d->nx + 1 : 1;
   const double needed = 2 * arc_halfspace_bytes(d, positions), left = arc_memory_free();
-  if (d->nx <= 4096 && d->nz <= 4096 && !(needed > left)) return ARC_OK;
+  if (d->nx > most || d->nz > most)
+    return arc_fail(error, ARC_MEMORY,
+                    "a window of %d x %d cells: expected at most %d x %d; use a mesh.size above "
+                    "%.2g mm",
+                    d->nx, d->nz, most, most, d->size_x);
+  if (needed <= left) return ARC_OK;
   return arc_fail(error, ARC_MEMORY,
-                  "a window of %d x %d cells with %d positions needs about %.2g GB of memory, and "
-                  "%.2g GB are free: use a mesh.size above %.2g mm, a shorter stroke or procedure "
-                  "= \"NSP\", or less distance",
-                  d->nx, d->nz, positions, needed / 1e9, left / 1e9, d->size_x);
+                  "a window of %d x %d cells%s needs about %.2g GB of memory, and %.2g GB are "
+                  "free: use a mesh.size above %.2g mm%s",
+                  d->nx, d->nz, positions > 1 ? " at all positions of the stroke" : "",
+                  needed / 1e9, left / 1e9, d->size_x,
+                  positions > 1 ? ", a shorter stroke or procedure = \"NSP\"" : "");
 }
 
 static arc_status create_grid(const arc_halfspace_def *cells, space_grid **made, arc_error *error) {
@@ -66,8 +72,7 @@ static arc_status create_grid(const arc_halfspace_def *cells, space_grid **made,
   return status;
 }
 
-/* --- surfaces ----------------------------------------------------------------------------------
- */
+/* --- surfaces --------------------------------------------------------------------------------- */
 
 void arc_space_discard(arc_shape **shape) {
   space_shape *s = (space_shape *)(void *)*shape;
@@ -191,8 +196,7 @@ arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const a
   return status == ARC_OK ? hold_contact(bodies, def->load, shape, error) : status;
 }
 
-/* --- as arrays ---------------------------------------------------------------------------------
- */
+/* --- as arrays -------------------------------------------------------------------------------- */
 
 enum { SIZE_X, SIZE_Z, NX, NZ, TRACK, GROOVE, CELLS };
 

@@ -14,10 +14,11 @@ static const double of_stage = 0.03, of_estimate = 0.1;
 
 typedef struct stages {
   space_path path;
-  double *pressure, *trial;                  /* [count][window] */
-  double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] depths [mm], those of the shape included */
-  int linear;                                /* the wear is k p ds; else */
+  double *pressure, *trial;                      /* [count][window] */
+  double *known[ARC_BODIES], *z[ARC_BODIES];     /* [sites] depths [mm], including the shape's */
+  int linear;                                    /* the wear is k p ds of one k; else */
   double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] of own->pressure, see space_law.c */
+  double *open[ARC_BODIES]; /* [sites] factor times the exposed layer's share of k */
 } stages;
 
 arc_status arc_space_begin_stages(wear_stage *s) {
@@ -31,8 +32,9 @@ arc_status arc_space_begin_stages(wear_stage *s) {
   const carve_part parts[] = {{&own->pressure, all}, {&own->trial, all},  {&own->known[0], nc},
                               {&own->known[1], np},  {&own->z[0], nc},    {&own->z[1], np},
                               {&own->work[0], nc},   {&own->work[1], np}, {&own->factor[0], nc},
-                              {&own->factor[1], np}};
-  own->linear = arc_space_is_linear(w, s->window.state);
+                              {&own->factor[1], np}, {&own->open[0], nc}, {&own->open[1], np}};
+  own->linear = arc_space_is_linear(w, s->window.state) && !w->manner.layered[ARC_UPPER] &&
+                !w->manner.layered[ARC_LOWER];
   return ARC_CARVE(parts) ? ARC_OK : ARC_MEMORY;
 }
 
@@ -41,7 +43,7 @@ void arc_space_end_stages(wear_stage *s, double cycles, wear_depths *depth) {
   (void)cycles;
   (void)depth;
   if (!own) return;
-  free(own->path.position);
+  arc_space_end_path(&own->path);
   free(own->pressure);
   free(own);
   s->own = NULL;
@@ -49,20 +51,22 @@ void arc_space_end_stages(wear_stage *s, double cycles, wear_depths *depth) {
 
 static void note(wear_stage *s, double peak) {
   const stages *own = s->own;
-  s->last = (wear_rate){.peak = peak};
+  s->last.peak = peak;
+  s->last.pressed = 0;
   for (int j = 0; j < own->path.count; j++)
     s->last.pressed += own->path.position[j].weight * own->path.position[j].load;
-  s->watch->solutions += own->path.count;
+  s->progress->solutions += own->path.count;
 }
 
 /* Work of own->pressure, and its linear form. */
 static arc_status linearise(wear_stage *s) {
   stages *own = s->own;
   arc_status status = ARC_OK;
+  const double mu = s->window.mu;
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status =
-        arc_space_linearise(s->run, s->window.state, space_shape_of(s->window.shape), &own->path,
-                            own->pressure, (arc_body)b, own->work[b], own->factor[b], &s->error);
+    status = arc_space_linearise(s->run, s->window.state, space_shape_of(s->window.shape),
+                                 &own->path, own->pressure, mu, (arc_body)b, own->work[b],
+                                 own->factor[b], &s->error);
   return status;
 }
 
@@ -72,17 +76,15 @@ arc_status arc_space_start(wear_stage *s, double *rate) {
   const space_shape *shape = space_shape_of(s->window.shape);
   const double *const depth[] = {shape->depth[ARC_UPPER], shape->depth[ARC_LOWER]};
   double *const to[] = {sites_from(w, rate, ARC_UPPER), sites_from(w, rate, ARC_LOWER)};
-  const arc_halfspace_options options = {.callbacks = s->watch->callbacks};
-  arc_halfspace_report report = {0};
+  wear_rate sums = {.node = {to[ARC_UPPER], to[ARC_LOWER]}};
   const int n = w->nc + w->np;
   memset(rate, 0, (size_t)n * sizeof *rate);
   memset(s->z, 0, (size_t)n * sizeof *s->z);
   memset(s->worn, 0, (size_t)n * sizeof *s->worn);
   if (own->path.count == 0) return ARC_OK;
-  const arc_status status =
-      arc_halfspace_rate(shape->grid->h, depth, own->path.position, own->path.count, &options,
-                         own->pressure, to, &report, &s->error);
-  note(s, report.p_max);
+  const arc_status status = arc_space_solve_path(w, &s->window, depth, &own->path, s->progress,
+                                                 own->pressure, &sums, &s->error);
+  s->last = sums;
   if (status != ARC_OK) return status;
   if (!own->linear) {
     if (linearise(s) != ARC_OK) return s->error.status;
@@ -94,24 +96,41 @@ arc_status arc_space_start(wear_stage *s, double *rate) {
   return ARC_OK;
 }
 
+/* The part of the depth of a site that pressures do not change, and own->open, where `due` is the
+ * depth at the largest k of what they do not change, and `about` that of own->work: through layers
+ * the depth is linear about there. */
+static double known_at(const wear_stage *s, int b, int i, double due, double about) {
+  const stages *own = s->own;
+  const double h = space_shape_of(s->window.shape)->depth[b][i];
+  double share;
+  if (!s->run->manner.layered[b]) {
+    own->open[b][i] = own->factor[b][i];
+    return h + due;
+  }
+  const double worn = arc_space_worn(s->window.shape, (arc_body)b, i, about, &share);
+  own->open[b][i] = share * own->factor[b][i];
+  return h + worn + share * (due - about);
+}
+
 /* Depths of shape and s->known, with `more` on top where not NULL, and what the work of `pressure`
  * has beside its linear form. */
 static void set_known(wear_stage *s, double h, const double *more) {
   stages *own = s->own;
   arc_wear *w = s->run;
-  const space_shape *shape = space_shape_of(s->window.shape);
   const double rest = own->linear ? 0 : 1 - arc_space_law_growth(w);
   for (int b = 0; b < ARC_BODIES; b++) {
     const double *fixed = sites_from(w, s->known, b), *on_top = more ? more : NULL;
     if (on_top && b == ARC_LOWER) on_top += w->nc;
-    for (int i = 0; i < sites_of(w, b); i++)
-      own->known[b][i] = shape->depth[b][i] + fixed[i] + (on_top ? on_top[i] : 0) +
-                         (rest != 0 ? rest * h * s->k[b] * own->work[b][i] : 0);
+    for (int i = 0; i < sites_of(w, b); i++) {
+      const double before = fixed[i] + (on_top ? on_top[i] : 0),
+                   work = own->linear ? 0 : h * s->k[b] * own->work[b][i];
+      own->known[b][i] = known_at(s, b, i, before + rest * work, before + work);
+    }
   }
 }
 
-/* Gaps need no more digits than a share of what a step's depths may err: at .03 the depths of a
- * step change by less than .01 of its tolerance, at .1 an estimated error by 5 %. */
+/* Tolerance of gaps as a share of the error of a step's depths: at .03 the depths of a step change
+ * by less than .01 of its tolerance, at .1 an estimated error by 5 %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
@@ -125,9 +144,11 @@ static arc_status solve(wear_stage *s, double h, double share, double *pressure,
   const space_shape *shape = space_shape_of(s->window.shape);
   const arc_halfspace_wear wear = {
       .c = {h * s->k[ARC_UPPER], h * s->k[ARC_LOWER]},
-      .factor = {own->linear ? NULL : own->factor[0], own->linear ? NULL : own->factor[1]}};
-  const arc_halfspace_options options = {
-      .warm = 1, .tolerance = gap_tolerance(s->run, share), .callbacks = s->watch->callbacks};
+      .factor = {own->linear ? NULL : own->open[0], own->linear ? NULL : own->open[1]}};
+  const arc_halfspace_options options = {.warm = 1,
+                                         .tolerance = gap_tolerance(s->run, share),
+                                         .gap = own->path.gap,
+                                         .callbacks = s->progress->callbacks};
   const double *const known[] = {own->known[ARC_UPPER], own->known[ARC_LOWER]};
   double *const to[] = {own->z[ARC_UPPER], own->z[ARC_LOWER]};
   arc_halfspace_report report = {0};
@@ -148,14 +169,26 @@ static double take_work(wear_stage *s, double h) {
     const double *fixed = sites_from(w, s->known, b),
                  *depth = space_shape_of(s->window.shape)->depth[b];
     for (int i = 0; i < sites_of(w, b); i++) {
+      const double due = h * s->k[b] * own->work[b][i];
       own->known[b][i] = depth[i] + fixed[i];
-      const double z = own->known[b][i] + h * s->k[b] * own->work[b][i];
+      const double z =
+          w->manner.layered[b]
+              ? depth[i] + arc_space_worn(s->window.shape, (arc_body)b, i, fixed[i] + due, NULL)
+              : own->known[b][i] + due;
       change = fmax(change, fabs(z - own->z[b][i]));
       deepest = fmax(deepest, z);
       own->z[b][i] = z;
     }
   }
   return deepest > 0 ? change / deepest : 0;
+}
+
+/* Slip of the cycle on own->z, under own->pressure. */
+static arc_status find_slip(wear_stage *s) {
+  stages *own = s->own;
+  const double *const depth[] = {own->z[ARC_UPPER], own->z[ARC_LOWER]};
+  return arc_space_slip(s->run, &s->window, depth, &own->path, own->pressure, s->progress, &s->last,
+                        &s->error);
 }
 
 /* Passes of the linear form until it is the law. */
@@ -166,6 +199,7 @@ static arc_status solve_law(wear_stage *s, double h, double *peak) {
   for (int pass = 0; pass < most_passes; pass++) {
     set_known(s, h, NULL);
     arc_status status = solve(s, h, of_stage, own->pressure, peak);
+    if (status == ARC_OK && own->path.slip) status = find_slip(s);
     if (status == ARC_OK) status = linearise(s);
     if (status != ARC_OK) return status;
     if (take_work(s, h) < settled) return ARC_OK;
@@ -189,11 +223,14 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
     const double *fixed = sites_from(w, s->known, b);
     for (int i = 0; i < sites_of(w, b); i++) {
       const int wears = own->path.count > 0 && h * s->k[b] > 0;
-      r[i] = wears ? (own->z[b][i] - own->known[b][i]) / h : 0;
+      r[i] = !wears                 ? 0
+             : w->manner.layered[b] ? s->k[b] * own->work[b][i]
+                                    : (own->z[b][i] - own->known[b][i]) / h;
       z[i] = fixed[i] + h * r[i];
     }
   }
   memcpy(s->worn, s->z, (size_t)(w->nc + w->np) * sizeof *s->worn);
+  arc_space_through_layers(s->window.shape, s->worn);
   note(s, peak);
   return ARC_OK;
 }
@@ -228,7 +265,7 @@ double arc_space_error(wear_stage *s, double h, double *defect) {
   const space_shape *shape = space_shape_of(s->window.shape);
   for (int b = 0; b < ARC_BODIES; b++) {
     double *d = sites_from(w, defect, b);
-    const double *z = sites_from(w, s->z, b);
+    const double *z = sites_from(w, s->worn, b);
     for (int i = 0; i < sites_of(w, b); i++)
       d[i] = left * (own->z[b][i] - shape->depth[b][i] - z[i]);
   }

@@ -16,8 +16,10 @@ arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, dou
   if (!(fmax(half_x / cells.size_x, half_z / cells.size_z) < most))
     return arc_fail(error, ARC_ARGUMENT, "field 'worn': expected depths within %g mm, got %g",
                     most * cells.size_x, fmax(half_x, half_z));
-  cells.nx = (int)fmax(cells.nx, odd_cells(cells.turned ? half_z : half_x, cells.size_x));
-  cells.nz = (int)fmax(cells.nz, odd_cells(cells.turned ? half_x : half_z, cells.size_z));
+  if (!cells.periodic) {
+    cells.nx = (int)fmax(cells.nx, odd_cells(cells.turned ? half_z : half_x, cells.size_x));
+    cells.nz = (int)fmax(cells.nz, odd_cells(cells.turned ? half_x : half_z, cells.size_z));
+  }
   if (cells.groove == 0) cells.track = cells.nx + beyond;
   arc_space_limit(arc_model_definition(model), &cells);
   return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
@@ -32,7 +34,9 @@ int arc_space_given_sites(const arc_shape *shape, arc_body body, const double **
 }
 
 static int is_border(const space_shape *s, int b, int i) {
-  const int nz = arc_halfspace_definition(s->grid->h)->nz, rows = space_sites(s, b) / nz;
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  const int nz = d->nz, rows = space_sites(s, b) / nz;
+  if (d->periodic) return 0;
   return (rows > 1 && (i / nz == 0 || i / nz == rows - 1)) || i % nz == 0 || i % nz == nz - 1;
 }
 

@@ -63,8 +63,8 @@ static void start(const stick_slip_problem *p, stick_slip_work *w) {
   }
 }
 
-/* Under a force some cells have to stick: where all of them are beyond the circle, those that are
- * farthest beyond it start to slip first. */
+/* Under a given force some cells must stick: if all of them are outside the circle, those farthest
+ * outside start to slip first. */
 static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   double least = INFINITY, most = 0;
   for (int k = 0; k < p->h->cells; k++)
@@ -131,7 +131,7 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* What the given forces are missed by, over what friction carries; returns the larger share. */
+/* Error of the given forces, over the friction limit; returns the larger share. */
 static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
   double sum[2] = {0, 0}, carried = 0;
@@ -210,8 +210,7 @@ static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis
   return product / sum;
 }
 
-/* Broyden's, Fletcher's, Goldfarb's and Shanno's update of the inverse, for a step and the change
- * of what was missed. */
+/* BFGS update of the inverse, for a step and the change of the error. */
 static void update(double inverse[2][2], const double step[2], const double change[2]) {
   const double along = -(step[0] * change[0] + step[1] * change[1]);
   double y[2] = {-change[0], -change[1]}, left[2], curved;
@@ -223,8 +222,8 @@ static void update(double inverse[2][2], const double step[2], const double chan
       inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
 }
 
-/* The motion under which friction gives the forces: they are the gradient of a convex function of
- * it. Slower, and for forces near those of full slip, where sets need not settle. */
+/* The motion for which friction gives the forces: they are the gradient of a convex function of it.
+ * This method is slower, and for forces near gross slip, where sets may not converge. */
 static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
                               stick_slip_count *count, arc_error *error) {
   enum { most_motions = 100 };

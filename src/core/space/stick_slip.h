@@ -18,7 +18,7 @@ typedef struct stick_slip_problem {
   arc_halfspace *h;
   const double *bound;    /* [window] [MPa]; 0: the cell carries no shear */
   const double *known[2]; /* [window] [mm] */
-  int by_force[2];        /* along x and z: the force is given, xi is found */
+  int by_force[2];        /* along x and z: the force is given, xi is computed */
   double force[2];        /* [N] */
   double tolerance;       /* of slip, relative to the largest displacement C q */
   const arc_callbacks *callbacks;

@@ -9,7 +9,7 @@ static int cells_of(const stick_slip_problem *p) {
   return p->h->cells;
 }
 
-/* The part of v that cells are free to take, at one cell. */
+/* Projection of v onto the free directions of one cell. */
 static void free_part(const stick_slip_work *w, int k, const double v[2], double part[2]) {
   part[0] = part[1] = 0;
   if (w->state[k] == SHEAR_NONE) return;
@@ -106,7 +106,7 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
   }
 }
 
-/* a := C d + D d, of what cells are free to take. */
+/* a := C d + D d, projected onto the free directions. */
 static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   count->applications++;
@@ -148,7 +148,7 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   step(p, w, 1);
 }
 
-/* What is left of r where the motion may change: the largest. */
+/* The largest entry of r in free directions. */
 static double largest_residual(const stick_slip_problem *p, const stick_slip_work *w,
                                const double motion[2]) {
   double most = 0;

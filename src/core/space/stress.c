@@ -7,8 +7,8 @@
 
 enum { widening = 4, components = 6 }; /* padding factor of the periodic box, against images */
 
-/* The zero frequency stands for waves about as long as the box: this share of its first one. It is
- * zeta of the square lattice, as the stresses have a kink in |q| there. */
+/* The zero frequency represents waves of about the length of the box, with this share of the first
+ * frequency. It is zeta of the square lattice, as the stresses have a kink in |q| there. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {

@@ -1,6 +1,6 @@
-/* The operator of a stroke: displacements of each position, and the wear that all of them leave on
- * both bodies, read where each position stands. Reading and leaving share their weights, so that
- * the operator is symmetric and volumes are exact. */
+/* The operator of a stroke: displacements of each position, and the wear of all positions on both
+ * bodies, read at each position. Adding and reading use the same weights, so that the operator is
+ * symmetric and volumes are exact. */
 #include "core/space/stroke.h"
 
 #include "core/base/callbacks.h"
@@ -28,8 +28,7 @@ arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *plac
                   (h->rows - d->nx) / 2 * d->size_x, h->rows);
 }
 
-/* --- sums over positions
- * -------------------------------------------------------------------------- */
+/* --- sums over positions ---------------------------------------------------------------------- */
 
 static size_t box_cells(const stroke *s) {
   return (size_t)s->box.nx * (size_t)s->box.nz;
@@ -108,8 +107,7 @@ void arc_stroke_gather(stroke *s, const double *p, int both) {
   if (s->mirrored && (both || s->c[ARC_LOWER] > 0)) add_mirror(s->lower, s->h->rows, s->box.nz);
 }
 
-/* --- operator
- * -------------------------------------------------------------------------------------- */
+/* --- operator --------------------------------------------------------------------------------- */
 
 static void convolve(void *context, int position, int worker) {
   const stroke *s = context;
@@ -173,8 +171,7 @@ arc_status arc_stroke_precondition(void *context, const double *r, double *z) {
   return ARC_OK;
 }
 
-/* --- gaps
- * ------------------------------------------------------------------------------------------ */
+/* --- gaps ------------------------------------------------------------------------------------- */
 
 static void read_row(const stroke *s, const double *value, int row, double share, double *sum) {
   if (share != 0)
@@ -206,7 +203,8 @@ void arc_stroke_gap(const stroke *s, const double *const depth[ARC_BODIES], int 
   arc_stroke_read(s, recess, position, gap);
   if (depth) add_read(s, depth, position, gap);
   const space_box *box = &s->box;
-  for (int i = 0; s->extra && i < box->nx; i++)
+  const double *extra = s->extra ? s->extra + (size_t)position * (size_t)s->h->cells : NULL;
+  for (int i = 0; extra && i < box->nx; i++)
     for (int j = 0; j < box->nz; j++)
-      gap[i * box->nz + j] += s->extra[(box->x + i) * s->h->def.nz + box->z + j];
+      gap[i * box->nz + j] += extra[(box->x + i) * s->h->def.nz + box->z + j];
 }

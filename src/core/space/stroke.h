@@ -21,7 +21,7 @@ typedef struct stroke {
   int even;     /* in z: so are the halves of each */
   int worker;   /* whose workspace a single position uses */
   stroke_place *place;
-  const double *extra;              /* [window] added to the gap of a single position; NULL */
+  const double *extra;              /* [count][window] added to the gaps; NULL */
   double *weight;                   /* of the inner product [count]; half at a mirror's middle */
   double c[ARC_BODIES];             /* of the wear; 0: none */
   const double *factor[ARC_BODIES]; /* by site; NULL: 1 */

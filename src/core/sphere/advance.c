@@ -1,12 +1,12 @@
-/* Steps whose errors are held: two updates of half a step, over the instants and back, against one
- * of the whole. */
+/* Steps with error control: two updates of half a step, the second through the instants backwards,
+ * are compared with one update of the whole step. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A joint and its record as they were. */
+/* A joint and its record before the step. */
 typedef struct kept_state {
   double *list; /* of arc_joint_state */
   arc_joint_record record;
@@ -26,8 +26,8 @@ static const double *depths(const kept_state *was) {
   return was->list + 3;
 }
 
-/* The largest difference of the bodies' depths between whole and halves, over what all cycles so
- * far would have taken off at the pace of this step. */
+/* The largest difference of the bodies' depths between the whole step and the halves, relative to
+ * the wear that all cycles so far would cause at the rate of this step. */
 static double difference(const arc_joint *j, const kept_state *was, const kept_state *whole) {
   const double steps = whole->record.cycles / (whole->record.cycles - was->record.cycles);
   double off = 0, gain = 0;
@@ -42,7 +42,8 @@ static double difference(const arc_joint *j, const kept_state *was, const kept_s
   return gain > 0 ? off / (gain * steps) : 0;
 }
 
-/* The step once as a whole, kept, then in two halves; *error_made: their difference. */
+/* Makes the step as a whole, stores the result, then in two halves; *error_made: their difference.
+ */
 static arc_status try_step(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                            const kept_state *was, const arc_callbacks *callbacks,
                            arc_joint_record *record, double *error_made, arc_error *error) {
@@ -71,6 +72,7 @@ arc_status arc_joint_advance(arc_joint *j, const arc_joint_wear_def *def, double
   double next = *step;
   if (!(tolerance > 0) || !(most > 0) || !(*step > 0))
     return arc_fail(error, ARC_ARGUMENT, "expected tolerance, cycles and step above 0");
+  const size_t count = arc_joint_state_count(j);
   arc_status status = remember(j, record, &was, error);
   if (status != ARC_OK) return status;
   for (int attempt = 0; status == ARC_OK; attempt++) {
@@ -80,7 +82,7 @@ arc_status arc_joint_advance(arc_joint *j, const arc_joint_wear_def *def, double
     if (status != ARC_OK) break;
     const double factor = fmin(grow, fmax(shrink, safety * tolerance / fmax(off, 1e-300)));
     if (off <= tolerance) {
-      /* One that its end cut short says nothing against the length it was to have. */
+      /* A step shortened by the end of the run does not change the next length. */
       next = fmax(factor * cycles, cycles < next ? next : 0);
       break;
     }
@@ -98,7 +100,7 @@ arc_status arc_joint_advance(arc_joint *j, const arc_joint_wear_def *def, double
     *record = made;
     *step = next;
   } else {
-    arc_sphere_restore(j, was.list);
+    arc_sphere_back(j, was.list, count);
   }
   free(was.list);
   return status;

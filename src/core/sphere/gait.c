@@ -86,7 +86,7 @@ arc_status arc_gait_from_angles(int n, const double *degrees, const double *load
   return status;
 }
 
-/* Half cosines through the two peaks of a walk [N]. */
+/* Load of walking: half cosines through its two peaks [N]. */
 static double walking_load(double t) {
   static const double at[] = {0, 0.12, 0.32, 0.5, 0.62, 1}, N[] = {300, 3000, 1500, 3000, 300, 300};
   int i = 0;

@@ -1,4 +1,4 @@
-/* Joints: their definition, the lattice of cells, values between cells, the window. */
+/* Joints: definition, lattice of cells, interpolation between cells, window. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 

@@ -1,4 +1,4 @@
-/* Inside of a joint: lattice, compliance on a window of it, maps. */
+/* Internal structures of a joint: lattice, compliance on a window of it, maps. */
 #ifndef SPHERE_SPHERE_H
 #define SPHERE_SPHERE_H
 
@@ -23,13 +23,13 @@ struct arc_joint {
   double *area;                      /* [sites] [mm2] */
   double *h[ARC_BODIES], *p, *shear; /* [sites], [sites], [sites][3] */
   double *creep, *pressed;           /* [sites] [mm]; integral of p over cycles [MPa] */
-  double *remainder;                 /* table of the compliance less its 1/chord part */
+  double *remainder;                 /* table of the compliance without its 1/chord part */
   double limit, K;       /* large degrees (l + 1/2) C_l [mm/MPa]; Winkler's stiffness [MPa/mm] */
   int size;              /* rows and columns of the window */
   sphere_kernel *kernel; /* NULL with Winkler's foundation */
   active_work *work;
   double *gap, *mode, *cell, *press, *soft; /* of the window; mode [3]; soft: added diagonal */
-  double *kept; /* [kept_count][window]: pressures to start the instants from */
+  double *kept; /* [kept_count][window]: initial pressures of the instants */
   int kept_count;
 };
 
@@ -41,7 +41,7 @@ double arc_sphere_winkler(const arc_joint_def *def);
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric);
 sphere_kernel *arc_sphere_kernel(const arc_joint *j, int size);
 void arc_sphere_kernel_free(sphere_kernel **k);
-/* u := C p on the window [size * size]; they may be the same. */
+/* u := C p on the window [size * size]; u and p may be the same array. */
 void arc_sphere_kernel_apply(sphere_kernel *k, const double *p, double *u);
 
 /* Site of a cell of the window. */
@@ -50,28 +50,32 @@ static inline int sphere_site(const arc_joint *j, int cell) {
   return row * 2 * j->rows + j->rows - j->size / 2 + cell % j->size;
 }
 
-/* A window of so many rows; ARC_MEMORY. Pressures to start from are lost. */
+/* Sets the number of rows of the window; discards initial pressures. ARC_MEMORY. */
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
-/* So many instants to start from, of pressures 0; ARC_MEMORY. */
+/* Sets the number of instants with initial pressures, all 0. ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Back to an earlier state of this joint; a window that has grown since stays, and its pressures to
- * start from are lost. */
+/* Restores an earlier state of this joint. A window that has grown since is kept, without initial
+ * pressures. */
 void arc_sphere_restore(arc_joint *j, const double *state);
-/* Larger window; ARC_ZONE where there is none, ARC_MEMORY. Pressures to start from are lost. */
+/* Restores an earlier state and window after a failure; a larger window is kept if there is no
+ * memory to restore it. */
+void arc_sphere_back(arc_joint *j, const double *state, size_t count);
+/* Enlarges the window and discards initial pressures. ARC_ZONE: it has its largest size;
+ * ARC_MEMORY. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 
 /* The value of a map at n: cubic between sites, or linear and with 0 beyond. */
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
-/* One contact: the head at rotation R under a load [N], with j->soft added to the compliance by
- * `dose` [mm/MPa] per mm of sliding of the rotation vector omega times k (a map, NULL: 1). Starts
- * from the pressures kept of an instant, negative: none. Leaves pressures in j->press [window]; the
- * window grows until its rim is free. */
+/* Solves one contact: the head at rotation R under a load [N], with j->soft added to the compliance
+ * by `dose` [mm/MPa] per mm of sliding of the rotation vector omega times k (a map, NULL: 1).
+ * Initial pressures are those of the last contact at this instant; negative: none. Stores the
+ * pressures in j->press [window]; the window is enlarged until pressures at its rim are zero. */
 typedef struct sphere_stand {
   const double *rotation, *load;
-  const double *omega, *k; /* NULL: no wear meanwhile */
-  double dose;             /* cycles, times k where that is NULL */
+  const double *omega, *k; /* NULL: no wear in this contact */
+  double dose;             /* cycles, times k if k is NULL */
   int instant;
 } sphere_stand;
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],

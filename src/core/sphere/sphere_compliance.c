@@ -1,5 +1,5 @@
-/* Radial compliance of concentric layers, degree by degree: four solutions r^s (a, b) of
- * elasticity in each layer, displacement U Y r^ + V grad Y, joined in one small dense system. */
+/* Radial compliance of concentric layers for each degree: four solutions r^s (a, b) of elasticity
+ * in each layer, displacement U Y r^ + V grad Y, coupled in a small dense system. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -9,12 +9,12 @@
 
 enum { most_shells = ARC_MOST_LAYERS + 1, most = 4 * most_shells };
 
-/* One layer between two radii [mm]; inner 0: it reaches the centre. */
+/* A layer between two radii [mm]; inner radius 0: a solid sphere. */
 typedef struct shell {
   double inner, outer, lambda, mu;
 } shell;
 
-/* Layers from inside to outside. */
+/* Collects the layers from inside to outside. */
 typedef struct stack {
   int count;
   shell shell[most_shells];
@@ -53,7 +53,7 @@ static stack head_stack(const arc_joint_def *def) {
   return s;
 }
 
-/* Solutions of a layer at degree l: growing ones first. Returns how many. */
+/* Solutions of a layer at degree l, increasing ones first. Returns their number. */
 static int powers_of(const shell *m, int l, power *p) {
   const double L = (double)l * (l + 1), q = m->lambda + 2 * m->mu;
   const double exponent[] = {l - 1.0, l + 1.0, -l - 2.0, -(double)l};
@@ -73,7 +73,7 @@ static int powers_of(const shell *m, int l, power *p) {
   return decaying ? 4 : 2;
 }
 
-/* U, V and the stresses over `scale` of a solution at r, into value [4]. */
+/* value [4] := U, V and the stresses divided by `scale` of a solution at r. */
 static void evaluate(const shell *m, int l, const power *p, double r, double scale, double *value) {
   const double L = (double)l * (l + 1), f = pow(r / p->unit, p->s), g = f / r / scale;
   value[0] = p->a * f;
@@ -82,8 +82,8 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
   value[3] = m->mu * ((p->s - 1) * p->b + p->a) * g;
 }
 
-/* One body under a unit pressure on its surface, which is its innermost (cup) or outermost radius.
- * Rows of the system come in pairs and fours: bottom, interfaces, top. */
+/* One body under a unit pressure on its surface, its innermost (cup) or outermost radius. The
+ * equations: bottom, interfaces, top, in groups of two and four. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];
@@ -140,7 +140,7 @@ double arc_sphere_limit(const arc_joint_def *def) {
   return 2 * def->radius * ((1 - cup.nu * cup.nu) / cup.E + (1 - head.nu * head.nu) / head.E);
 }
 
-/* Series of the liner alone: shells outside it hardly yield. */
+/* Springs in series of the liner only: the deformation of shells outside it is negligible. */
 double arc_sphere_winkler(const arc_joint_def *def) {
   const arc_material m = def->cup[0].material;
   const double out = 1 + def->cup[0].thickness / def->radius, q = out * out * out;

@@ -1,4 +1,5 @@
-/* One contact of a joint: the head's displacement is three rigid unknowns of the active set. */
+/* One contact of a joint: the active set problem with the head's displacement as three rigid
+ * unknowns. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Gap of what the cup does not cover [mm]: it never closes. */
+/* Gap outside the cup [mm]: large enough to remain open. */
 static const double open_gap = 1e3;
 
 static void axis_of(const arc_joint *j, double axis[3]) {
@@ -21,7 +22,7 @@ static double dot(const double a[3], const double b[3]) {
 
 /* --- the problem ------------------------------------------------------------------------------ */
 
-/* Compliance and what wears meanwhile. */
+/* Compliance, including the wear in this contact. */
 static arc_status apply(void *context, const double *p, double *u) {
   arc_joint *j = context;
   const int n = j->size * j->size;
@@ -34,19 +35,28 @@ static arc_status apply(void *context, const double *p, double *u) {
   return ARC_OK;
 }
 
-/* Gaps with the head turned by R; u: its displacement, for what is of second order in it. */
+/* An unworn head needs no interpolation, which saves a third of the time on springs. */
+static int head_is_worn(const arc_joint *j) {
+  for (int i = 0; i < j->sites; i++)
+    if (j->h[ARC_UPPER][i] != 0) return 1;
+  return 0;
+}
+
+/* Gaps for the head at rotation R; u: its displacement, for the second-order terms. */
 static void set_gaps(arc_joint *j, const double R[9], const double u[3]) {
   const double least = cos(j->def.cover * pi / 180);
   double axis[3], on_head[3];
+  const int worn = head_is_worn(j);
   axis_of(j, axis);
   for (int c = 0; c < j->size * j->size; c++) {
     const int site = sphere_site(j, c);
     const double *n = j->normal + 3 * (size_t)site;
     arc_sphere_rotate_back(R, n, on_head);
-    j->gap[c] = dot(n, axis) < least ? open_gap
-                                     : j->def.clearance + j->h[ARC_LOWER][site] + j->creep[site] +
-                                           arc_sphere_cubic(j, j->h[ARC_UPPER], on_head) +
-                                           (dot(u, u) - pow(dot(u, n), 2)) / (2 * j->def.radius);
+    j->gap[c] = dot(n, axis) < least
+                    ? open_gap
+                    : j->def.clearance + j->h[ARC_LOWER][site] + j->creep[site] +
+                          (worn ? arc_sphere_cubic(j, j->h[ARC_UPPER], on_head) : 0) +
+                          (dot(u, u) - pow(dot(u, n), 2)) / (2 * j->def.radius);
   }
 }
 
@@ -58,11 +68,11 @@ static void set_softness(arc_joint *j, const sphere_stand *at) {
   }
 }
 
-/* Half angles of caps to start from, shares of the window's, one after the other. */
+/* Half angles of initial caps, tried one after the other, as shares of the window's. */
 static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
 enum { attempts = sizeof caps / sizeof *caps };
 
-/* Pressures to start from: at first those kept, or a cap about the load. */
+/* Initial pressures: first the stored ones, or a cap about the load. */
 static void start(arc_joint *j, const sphere_stand *at, int attempt) {
   const size_t n = (size_t)j->size * (size_t)j->size;
   double sum = 0;
@@ -94,7 +104,7 @@ static void keep(arc_joint *j, int instant) {
   if (instant < 0) return;
   if (instant >= j->kept_count) {
     double *more = realloc(j->kept, ((size_t)instant + 1) * n * sizeof *more);
-    if (!more) return; /* starts from nothing then */
+    if (!more) return; /* no initial pressures then */
     memset(more + (size_t)j->kept_count * n, 0,
            ((size_t)(instant + 1 - j->kept_count)) * n * sizeof *more);
     j->kept = more;
@@ -116,14 +126,14 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
-/* Whether the load points into the window, some cells and degrees from its rim. */
+/* True if the load points into the window, some cells and degrees from its rim. */
 static int holds(const arc_joint *j, const double load[3]) {
   const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
   const double margin = fmax(4 * j->d, pi / 18);
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* The displacement that gaps are to know next; whether the last one will do. */
+/* The displacement for the next gaps; returns whether the last one is accurate enough. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
   if (!j->def.second_order) return 1;
@@ -175,7 +185,7 @@ arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approac
   return status;
 }
 
-/* --- what it came to -------------------------------------------------------------------------- */
+/* --- results ---------------------------------------------------------------------------------- */
 
 static double rim_margin(const arc_joint *j) {
   double axis[3], farthest = 0;
@@ -205,6 +215,7 @@ arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double 
   const double size = sqrt(dot(load, load));
   const double n[3] = {load[0] / size, load[1] / size, load[2] / size};
   made.p_center = arc_sphere_cubic(j, j->p, n);
+  made.p_max = fmax(made.p_max, made.p_center); /* it may lie between cells */
   made.half_angle =
       acos(fmax(-1, 1 - made.area / (2 * pi * j->def.radius * j->def.radius))) * 180 / pi;
   made.rim_margin = rim_margin(j);

@@ -1,6 +1,6 @@
-/* Compliance on a window of the lattice: a convolution along longitude, whose transforms are dense
- * over latitude. Its 1/chord part is integrated over near cells; the smooth rest comes from a table
- * of the angle between two points. */
+/* Compliance on a window of the lattice: a convolution along longitude, with a dense product over
+ * latitude for each wavenumber. The 1/chord part is integrated over near cells; the smooth rest is
+ * interpolated from a table over the angle between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { degrees = 3000, fine = 8 /* entries of the table a cell */, near = 8 /* cells */ };
+enum { degrees = 3000, fine = 8 /* entries of the table per cell */, near = 8 /* cells */ };
 
 static const double pi = 3.14159265358979323846;
 
@@ -48,7 +48,7 @@ double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   return NULL;
 }
 
-/* The table at an angle, cubic; even about 0. */
+/* Cubic interpolation of the table at an angle; even about 0. */
 static double read_table(const arc_joint *j, double angle) {
   const double at = angle / j->d * fine;
   const int i = (int)at;

@@ -1,7 +1,7 @@
-/* All that a joint needs to go on to the same bits, as one list of numbers: rows of the lattice,
- * rows of the window, instants with pressures to start from; maps of head and cup, the last cycle's
- * cross-shear, pressures of the last contact, creep and the pressures behind it; those to start
- * from. */
+/* The complete state of a joint as one list of numbers, from which it continues to the same bits:
+ * rows of the lattice, rows of the window, instants with initial pressures; maps of head and cup,
+ * the last cycle's cross-shear, pressures of the last contact, creep and its mean pressures;
+ * initial pressures. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ size_t arc_joint_state_count(const arc_joint *j) {
   return header + maps * (size_t)j->sites + (size_t)j->kept_count * window_of(j);
 }
 
-/* The lists of a state in their order. */
+/* The lists of a state, in order. */
 typedef struct state_part {
   double *at;
   size_t count;
@@ -58,23 +58,23 @@ static arc_status refuse(arc_error *error, const char *what) {
   return arc_fail(error, ARC_FORMAT, "the stored state is damaged: %s", what);
 }
 
-/* Whether a number of the header is a whole one in a range. */
+/* True if a number of the header is an integer in the range. */
 static int is_whole(double value, double low, double high) {
   return value >= low && value <= high && value == floor(value);
 }
 
 static arc_status check(const arc_joint *j, const double *state, size_t count, arc_error *error) {
-  const size_t most = 100000; /* instants, as of gaits */
+  const size_t most = 100000; /* instants, with the limit of gaits */
   if (count < header) return refuse(error, "it ends too early");
-  if (state[0] != j->rows) return refuse(error, "it is of other cells");
+  if (state[0] != j->rows) return refuse(error, "it has other cells");
   if (!is_whole(state[1], 2, j->rows) || fmod(state[1], 2) != 0)
-    return refuse(error, "its contact has no size that there is");
+    return refuse(error, "the size of its contact is out of range");
   if (!is_whole(state[2], 0, (double)most)) return refuse(error, "its gait has no instants");
   const size_t fixed = header + maps * (size_t)j->sites;
   if (count != fixed + (size_t)state[2] * (size_t)state[1] * (size_t)state[1])
     return refuse(error, "it has another length");
   for (size_t i = header; i < count; i++)
-    if (!isfinite(state[i])) return refuse(error, "not all of it is numbers");
+    if (!isfinite(state[i])) return refuse(error, "it contains values that are not numbers");
   for (size_t i = fixed; i < count; i++)
     if (state[i] < 0) return refuse(error, "pressures are negative");
   for (size_t i = header; i < header + 2 * (size_t)j->sites; i++)
@@ -91,10 +91,16 @@ arc_status arc_joint_set_state(arc_joint *j, const double *state, size_t count, 
   return status;
 }
 
+void arc_sphere_back(arc_joint *j, const double *state, size_t count) {
+  arc_error ignored;
+  if (arc_joint_set_state(j, state, count, &ignored) != ARC_OK && j->gap)
+    arc_sphere_restore(j, state);
+}
+
 size_t arc_joint_bytes(const arc_joint *j) {
   const size_t n = window_of(j), size = (size_t)j->size;
   size_t numbers = 12 * (size_t)j->sites + (15 + (size_t)j->kept_count) * n;
   if (j->kernel)
-    numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* the remainder's table */;
+    numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* table of the remainder */;
   return sizeof *j + numbers * sizeof(double);
 }

@@ -1,5 +1,5 @@
-/* Wear of both bodies. Work p |s| is that of the cup's cells; the head takes it where it has turned
- * to, and as much of it in all. */
+/* Wear of both bodies. The work p |s| is computed at the cup's cells; the head receives the same
+ * total at the points that its rotation brings there. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 
@@ -7,14 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An update while it is made. */
+/* An update in progress. */
 typedef struct sweep {
   arc_joint *j;
   const arc_joint_wear_def *def;
   double cycles, alpha;
-  double *from[ARC_BODIES]; /* [sites] depths before it */
-  double *crept, *sheared;  /* [sites], [sites][3] creep and cross-shear before it */
-  double *gain[ARC_BODIES]; /* [sites] what an explicit one takes off at its end */
+  double *was;              /* state of the joint before it */
+  double *gain[ARC_BODIES]; /* [sites] wear that an explicit update removes at its end */
   double *shear, *mean;     /* [sites][3], [sites] of this cycle */
   double *k, *loss, *share; /* [sites] coefficient, k N p |s| of an instant [mm], cross-shear */
   arc_joint_record record;
@@ -22,18 +21,16 @@ typedef struct sweep {
 
 static int begin(sweep *s) {
   const size_t n = (size_t)s->j->sites;
-  const carve_part parts[] = {{&s->from[0], n}, {&s->from[1], n},    {&s->gain[0], n},
-                              {&s->gain[1], n}, {&s->shear, 3 * n},  {&s->mean, n},
-                              {&s->k, n},       {&s->loss, n},       {&s->share, n},
-                              {&s->crept, n},   {&s->sheared, 3 * n}};
+  const carve_part parts[] = {{&s->gain[0], n},   {&s->gain[1], n},
+                              {&s->shear, 3 * n}, {&s->mean, n},
+                              {&s->k, n},         {&s->loss, n},
+                              {&s->share, n},     {&s->was, arc_joint_state_count(s->j)}};
   if (!ARC_CARVE(parts)) return 0;
-  for (int b = 0; b < ARC_BODIES; b++) memcpy(s->from[b], s->j->h[b], n * sizeof(double));
-  memcpy(s->crept, s->j->creep, n * sizeof(double));
-  memcpy(s->sheared, s->j->shear, 3 * n * sizeof(double));
+  arc_joint_state(s->j, s->was);
   return 1;
 }
 
-/* Adds p |s| t t' of a cell, t the direction of sliding in (theta, phi). */
+/* Adds p |s| t t' of a cell, with t the direction of sliding in (theta, phi). */
 static void add_shear(sweep *s, const double w[3], int site, double p) {
   const double *n = s->j->normal + 3 * (size_t)site;
   const double slide[3] = {w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2],
@@ -49,7 +46,7 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* The head's part of an instant's wear, scaled to the cup's volume. */
+/* Wear of the head in an instant, scaled to the cup's volume. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
@@ -99,7 +96,7 @@ static double size_of(const double v[3]) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* All instants once. */
+/* Solves all instants once. */
 static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, arc_error *error) {
   double heaviest = 0;
   for (int step = 0; step < s->def->instants; step++) {
@@ -127,7 +124,7 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
   return ARC_OK;
 }
 
-/* Coefficients of the cup's cells by a cycle's cross-shear and mean pressure. */
+/* Coefficients of the cup's cells from a cycle's cross-shear and mean pressure. */
 static arc_status call_k(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double middle = s->record.cycles + s->cycles / 2;
@@ -141,7 +138,7 @@ static arc_status call_k(sweep *s, arc_error *error) {
   return ARC_OK;
 }
 
-/* Creep at the end of the update, by the mean pressure until then. */
+/* Creep at the end of the update, from the mean pressure until then. */
 static arc_status call_creep(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double end = s->record.cycles + s->cycles;
@@ -149,10 +146,11 @@ static arc_status call_creep(sweep *s, arc_error *error) {
     const double p = (j->pressed[i] + s->cycles * s->mean[i]) / end;
     if (p <= 0) continue;
     j->creep[i] = s->def->creep(s->def->context, p, end);
-    if (!(fabs(j->creep[i]) < j->def.radius))
-      return arc_fail(error, ARC_ARGUMENT,
-                      "field 'creep': the function returned %g, expected mm below the radius",
-                      j->creep[i]);
+    if (!(j->creep[i] >= 0 && j->creep[i] < j->def.radius))
+      return arc_fail(
+          error, ARC_ARGUMENT,
+          "field 'creep': the function returned %g, expected mm from 0 up to the radius",
+          j->creep[i]);
   }
   return ARC_OK;
 }
@@ -166,7 +164,7 @@ static arc_status set_alpha(sweep *s, arc_error *error) {
                   s->alpha);
 }
 
-/* What functions of the cycle say; it is passed once without wear for them. */
+/* Evaluates the functions of the cycle; they need one pass through the cycle without wear. */
 static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
   arc_joint *j = s->j;
   for (int i = 0; i < j->sites; i++) s->k[i] = s->def->k;
@@ -206,6 +204,7 @@ arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double 
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error) {
   sweep s = {.j = j, .def = def, .cycles = cycles, .record = *record};
+  const size_t count = arc_joint_state_count(j);
   arc_status status = check(def, cycles, error);
   if (status != ARC_OK) return status;
   if (!begin(&s)) return arc_fail(error, ARC_MEMORY, "out of memory for an update");
@@ -222,11 +221,9 @@ arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double 
     s.record.updates++;
     *record = s.record;
   } else {
-    for (int b = 0; b < ARC_BODIES; b++) memcpy(j->h[b], s.from[b], n * sizeof(double));
-    memcpy(j->creep, s.crept, n * sizeof(double));
-    memcpy(j->shear, s.sheared, 3 * n * sizeof(double));
+    arc_sphere_back(j, s.was, count);
   }
-  free(s.from[0]);
+  free(s.gain[0]);
   return status;
 }
 

@@ -1,9 +1,9 @@
-/* Springs as a kind: a rigid ball and a rigid flat, each under a layer of springs that yield alone
- * (Winkler), on a square of sites about x = z = 0. The contact rests there while the flat slides by
- * less than it is wide, so that both bodies wear site by site; p = K (approach - recess - depths).
- * It shows what a kind has to do, and has closed forms: K = 1 / (t / M_upper + t / M_lower), M = E
- * (1 - nu) / ((1 + nu) (1 - 2 nu)); unworn, load = pi R K approach^2. Beside this file the table of
- * kinds and the list of geometries know of it. */
+/* Kind of pair: a rigid ball and a rigid flat, each under a layer of independent springs (Winkler),
+ * on a square of sites about x = z = 0. The contact has a fixed position while the flat slides by
+ * less than the contact's width, so that both bodies wear site by site; p = K (approach - recess -
+ * depths). It is an example of a kind, with closed forms: K = 1 / (t / M_upper + t / M_lower), M =
+ * E (1 - nu) / ((1 + nu) (1 - 2 nu)); unworn, load = pi R K approach^2. Outside this file only the
+ * table of kinds and the list of geometries refer to it. */
 #include "archard/measure.h"
 #include "core/base/carve.h"
 #include "core/pair/model.h"
@@ -46,6 +46,8 @@ static double modulus(const arc_material m) {
 
 static arc_status check_model(const arc_model_def *def, arc_error *error) {
   const arc_status status = arc_settings_check(arc_model_settings, "", def, error);
+  if (status == ARC_OK && def->periodic)
+    return arc_fail(error, ARC_ARGUMENT, "field 'periodic': springs are not periodic");
   if (status != ARC_OK || arc_model_is_hertzian(def)) return status;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'geometry': springs lie under a ball and a flat without layers");
@@ -94,8 +96,8 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 
 /* --- one contact ------------------------------------------------------------------------------ */
 
-/* Pressures [count] over compliance `a` [mm/MPa] under a load [N], where the unloaded surfaces lie
- * `p` apart, which is overwritten: a p = approach - gap where positive, by Newton from above. */
+/* Pressures [count] with compliance `a` [mm/MPa] under a load [N]: a p = approach - gap where
+ * positive, by Newton's method from above. On entry p is the gap of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;
@@ -121,7 +123,7 @@ static arc_status press(const springs *s, double a, double load, double *p, arc_
   return ARC_OK;
 }
 
-/* Gaps of unloaded surfaces, deeper by depths [2 count] (NULL: as they are). */
+/* Gaps of the unloaded surfaces, worn by additional depths [2 count] (NULL: none). */
 static void gaps(const arc_shape *shape, const double *depth, double *gap) {
   const springs *s = under(shape);
   const spring_surfaces *f = on(shape);
@@ -299,7 +301,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 /* --- the cycle -------------------------------------------------------------------------------- */
 
-/* Sliding that point `at` of a window stands for [mm]. */
+/* Sliding distance of point `at` of a window [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = window->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -307,7 +309,7 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* The largest entry of -d rate / d depth: that of every site but for the common approach. */
+/* The largest entry of -d rate / d depth: the entry of every site without the common approach. */
 typedef struct spring_tangent {
   double value;
 } spring_tangent;
@@ -334,7 +336,7 @@ static arc_status add_point(arc_wear *w, const wear_window *window, double share
   return ARC_OK;
 }
 
-static arc_status rate_of(arc_wear *w, const wear_window *window, wear_watch *watch,
+static arc_status rate_of(arc_wear *w, const wear_window *window, wear_progress *progress,
                           wear_rate *rate, arc_error *error) {
   const springs *s = model_of(w->model);
   arc_status status = ARC_OK;
@@ -345,7 +347,7 @@ static arc_status rate_of(arc_wear *w, const wear_window *window, wear_watch *wa
     if (load == 0) continue;
     gaps(window->shape, window->depth, w->own);
     status = press(s, 1 / s->K, load, w->own, error);
-    watch->solutions++;
+    progress->solutions++;
     if (status == ARC_OK) status = add_point(w, window, weight(w, window, at), rate, error);
   }
   return status;
@@ -368,7 +370,7 @@ static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tan
 
 /* --- stages: a diagonal ----------------------------------------------------------------------- */
 
-/* Wear by h cycles makes the springs that much softer. */
+/* The compliance of the springs plus the wear of h cycles per pressure. */
 static arc_status stage(wear_stage *s, double h, double *rate) {
   const arc_wear *w = s->run;
   const springs *m = model_of(w->model);
@@ -378,7 +380,7 @@ static arc_status stage(wear_stage *s, double h, double *rate) {
   gaps(s->window.shape, s->known, p);
   const double load = s->window.block->line[s->window.first];
   const arc_status status = press(m, soft, load, p, &s->error);
-  s->watch->solutions++;
+  s->progress->solutions++;
   s->last = (wear_rate){.peak = 0};
   for (int i = 0; i < m->count && status == ARC_OK; i++) {
     s->last.peak = fmax(s->last.peak, p[i]);
@@ -413,9 +415,9 @@ static double natural_depth(const arc_wear *w) {
   return sqrt(w->def.load / (acos(-1) * s->handle.def.radius * s->K));
 }
 
-/* --- what is read and stored ------------------------------------------------------------------ */
+/* --- results and storage ---------------------------------------------------------------------- */
 
-/* Along x through the middle. */
+/* Profile along x through the middle. */
 static arc_status show(const arc_wear *w, arc_array **arrays, size_t *count, arc_error *error) {
   enum { names = 4 };
   const springs *s = model_of(w->model);

@@ -6,18 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* With more distinct positions than this, one pose is rebuilt at every point. */
-enum { most_poses = 2048 };
+/* With more distinct positions than this, one problem is rebuilt at every point. */
+enum { most_problems = 2048 };
 
 static arc_status block_create(wear_block *b, int count) {
   const size_t n = (size_t)count;
   *b = (wear_block){.count = count, .repeat = 1};
   b->x = calloc(5 * n, sizeof(double));
-  b->place = malloc(n * sizeof(int));
-  if (!b->x || !b->place) return ARC_MEMORY;
+  b->problem_of = malloc(n * sizeof(int));
+  if (!b->x || !b->problem_of) return ARC_MEMORY;
   b->line = b->x + n;
-  b->pose_x = b->line + n;
-  b->angle = b->pose_x + n;
+  b->problem_x = b->line + n;
+  b->angle = b->problem_x + n;
   return ARC_OK;
 }
 
@@ -27,15 +27,15 @@ static int compare(const void *a, const void *b) {
 }
 
 /* NSP, and sliding out of the plane, use the plate at x = 0 only. */
-static void one_pose(wear_block *b, double x) {
-  b->poses = 1;
-  for (int i = 0; i < b->count; i++) b->pose_x[i] = x;
-  memset(b->place, 0, (size_t)b->count * sizeof *b->place);
+static void one_problem(wear_block *b, double x) {
+  b->problems = 1;
+  for (int i = 0; i < b->count; i++) b->problem_x[i] = x;
+  memset(b->problem_of, 0, (size_t)b->count * sizeof *b->problem_of);
 }
 
-/* Equal positions share a pose. */
-static void find_poses(wear_block *b) {
-  double *position = b->pose_x; /* sorted, each once */
+/* Equal positions share a problem. */
+static void find_problems(wear_block *b) {
+  double *position = b->problem_x; /* sorted, each once */
   int n = 0;
   memcpy(position, b->x, (size_t)b->count * sizeof *b->x);
   qsort(position, (size_t)b->count, sizeof *position, compare);
@@ -43,10 +43,10 @@ static void find_poses(wear_block *b) {
     if (n == 0 || position[i] != position[n - 1]) position[n++] = position[i];
   for (int i = 0; i < b->count; i++) {
     const double *at = bsearch(&b->x[i], position, (size_t)n, sizeof *position, compare);
-    b->place[i] = n > most_poses ? 0 : (int)(at - position);
+    b->problem_of[i] = n > most_problems ? 0 : (int)(at - position);
   }
-  b->poses = n > most_poses ? 1 : n;
-  memcpy(b->pose_x, b->x, (size_t)b->count * sizeof *b->x);
+  b->problems = n > most_problems ? 1 : n;
+  memcpy(b->problem_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
 /* Sliding distance of a cycle driven by a force: the displacement is unknown until the contact is
@@ -88,11 +88,11 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   b->sliding = b->repeat * once;
   b->travel = high - low;
   if (m->rests)
-    one_pose(b, 0);
+    one_problem(b, 0);
   else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
-    one_pose(b, (low + high) / 2); /* points that stick keep their partners */
+    one_problem(b, (low + high) / 2); /* points that stick keep their partners */
   else
-    find_poses(b);
+    find_problems(b);
 }
 
 /* A cycle of an alternating force; the bodies are pressed together where it is about 0. */
@@ -128,9 +128,9 @@ static double along(double stroke, int i, int last) {
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 const wear_manner *m, wear_block *b) {
   if (def->tangential > 0) return by_force(def, model, m, b);
-  const int rubs = arc_wear_has_friction(def), over = m->strokes == 1;
-  const int back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
-  const int ends = m->rests && !rubs && def->update == ARC_UPDATE_CYCLE;
+  const int has_friction = arc_wear_has_friction(def), over = m->strokes == 1;
+  const int back = has_friction || (def->update == ARC_UPDATE_INCREMENT && !over);
+  const int ends = m->rests && !has_friction && def->update == ARC_UPDATE_CYCLE;
   const int half = ends ? 1 : increments_of(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
@@ -142,7 +142,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over && back ? 0.5 : over || back ? 1 : 2;
-  if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
+  if (has_friction) b->press = half + (half + 1) / 2; /* about x = 0 */
   b->load = def->load;
   finish(b, def, model, m);
   /* exactly r s, without the rounding of the sum */
@@ -228,7 +228,7 @@ arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *
 void arc_wear_blocks_free(wear_block **block, int count) {
   for (int b = 0; *block && b < count; b++) {
     free((*block)[b].x);
-    free((*block)[b].place);
+    free((*block)[b].problem_of);
   }
   free(*block);
   *block = NULL;

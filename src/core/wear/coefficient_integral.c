@@ -22,7 +22,7 @@ static const double before_point = 1 - 1e-9;
 /* Definition of a jump in a table: a change by this share of the larger value over an interval
  * shorter by this factor than its neighbours. */
 static const double large = 0.1, steep = 20;
-/* Minimum number of steps of an update: of a given length, and of a length to be found. */
+/* Minimum number of steps of an update of given length, and of unknown length. */
 static const double chosen_steps = 4, open_steps = 64;
 /* Relative tolerance for reaching the integral of a plan. */
 static const double near = 1e-3;
@@ -33,63 +33,69 @@ static const double per_cycle = 1.618, per_run = 3236;
  * than accepted steps. */
 enum { most_refused = 200 };
 
-typedef struct dose_way {
+/* Components of the integrated vector: k of the cylinder, k of the plate, friction. */
+enum { FRICTION = ARC_BODIES, COMPONENTS };
+
+typedef struct integration {
   arc_wear *w;
   const wear_plan *plan;
   const wear_rate *rate;
   arc_error *error;
-  double length;               /* of the plan [mm] */
-  double at;                   /* share of the way */
-  double y[WEAR_COEFFICIENTS]; /* integrals of k [mm2/N] and of friction over the share */
-  double k[WEAR_COEFFICIENTS]; /* at `at` */
-  double only[WEAR_COEFFICIENTS];
-  int calls, changed[WEAR_COEFFICIENTS]; /* 1 if any value differs from `only` */
-  int refused;                           /* steps, minus accepted steps */
-  int sampled;                           /* 1: no step could resolve the function */
-} dose_way;
+  double length;        /* of the plan [mm] */
+  double at;            /* share of the update */
+  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over the share */
+  double k[COMPONENTS]; /* at `at` */
+  double first[COMPONENTS];
+  int calls, changed[COMPONENTS]; /* 1 if any value differs from `first` */
+  int refused;                    /* steps, minus accepted steps */
+  int sampled;                    /* 1: no step could resolve the function */
+} integration;
 
 /* Reference value for changes of coefficient b. */
-static double size_of(int b, const double k[WEAR_COEFFICIENTS]) {
-  return b == WEAR_FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
+static double size_of(int b, const double k[COMPONENTS]) {
+  return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
 
-static double total(const double k[WEAR_COEFFICIENTS]) {
+static wear_coefficients from_vector(const double v[COMPONENTS]) {
+  return (wear_coefficients){{v[ARC_CYLINDER], v[ARC_PLATE]}, v[FRICTION]};
+}
+
+static double total(const double k[COMPONENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
 /* The coefficients at a share of the update, with integrals y up to there. */
-static arc_status ask(dose_way *s, double share, const double y[WEAR_COEFFICIENTS],
-                      double k[WEAR_COEFFICIENTS]) {
-  const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}, NULL, 0, 0};
+static arc_status evaluate(integration *s, double share, const double y[COMPONENTS],
+                           double k[COMPONENTS]) {
+  const update_coefficients gone = {.cycles = s->plan->times, .mean = from_vector(y)};
   const double off = arc_wear_has_state_functions(s->w) ? margin : table_margin;
   const double inside = fmin(fmax(share, off), 1 - off);
-  const arc_wear_record state = arc_wear_on_the_way(s->w, s->plan, inside, s->rate, &gone);
+  const arc_wear_record state = arc_wear_state_within(s->w, s->plan, inside, s->rate, &gone);
   arc_status status =
       arc_wear_coefficients(s->w, state.distance, state.distance, &state, k, s->error);
-  if (status == ARC_OK) status = arc_wear_friction_of(s->w, &state, &k[WEAR_FRICTION], s->error);
+  if (status == ARC_OK) status = arc_wear_friction_of(s->w, &state, &k[FRICTION], s->error);
   if (status != ARC_OK) return status;
-  if (s->calls++ == 0) memcpy(s->only, k, sizeof s->only);
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++) s->changed[b] |= k[b] != s->only[b];
+  if (s->calls++ == 0) memcpy(s->first, k, sizeof s->first);
+  for (int b = 0; b < COMPONENTS; b++) s->changed[b] |= k[b] != s->first[b];
   return ARC_OK;
 }
 
 /* One step of the Runge-Kutta pair to `next`: integrals and coefficients there, and error /
  * tolerance.
  */
-static arc_status try_step(dose_way *s, double h, double y[WEAR_COEFFICIENTS],
-                           double k[WEAR_COEFFICIENTS], double *error) {
+static arc_status try_step(integration *s, double h, double y[COMPONENTS], double k[COMPONENTS],
+                           double *error) {
   const double *k1 = s->k;
-  double k2[WEAR_COEFFICIENTS], k3[WEAR_COEFFICIENTS], on[WEAR_COEFFICIENTS];
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++) on[b] = s->y[b] + h / 2 * k1[b];
-  arc_status status = ask(s, s->at + h / 2, on, k2);
+  double k2[COMPONENTS], k3[COMPONENTS], on[COMPONENTS];
+  for (int b = 0; b < COMPONENTS; b++) on[b] = s->y[b] + h / 2 * k1[b];
+  arc_status status = evaluate(s, s->at + h / 2, on, k2);
   if (status != ARC_OK) return status;
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
-  if ((status = ask(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++)
-    y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
-  if ((status = ask(s, s->at + h * before_point, y, k)) != ARC_OK) return status;
+  for (int b = 0; b < COMPONENTS; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
+  if ((status = evaluate(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
+  for (int b = 0; b < COMPONENTS; b++) y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
+  if ((status = evaluate(s, s->at + h * before_point, y, k)) != ARC_OK) return status;
   *error = 0;
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++) {
+  for (int b = 0; b < COMPONENTS; b++) {
     const double scale =
         fmax(fmax(size_of(b, k1), size_of(b, k2)), fmax(size_of(b, k3), size_of(b, k)));
     const double off = fabs(-5 * k1[b] / 72 + k2[b] / 12 + k3[b] / 9 - k[b] / 8);
@@ -98,21 +104,21 @@ static arc_status try_step(dose_way *s, double h, double y[WEAR_COEFFICIENTS],
   return ARC_OK;
 }
 
-static void take_step(dose_way *s, double at, const double y[WEAR_COEFFICIENTS],
-                      const double k[WEAR_COEFFICIENTS]) {
+static void accept_step(integration *s, double at, const double y[COMPONENTS],
+                        const double k[COMPONENTS]) {
   s->at = at;
   memcpy(s->y, y, sizeof s->y);
   if (k != s->k) memcpy(s->k, k, sizeof s->k);
 }
 
-/* --- where to end ----------------------------------------------------------------------------- */
+/* --- end of a step ---------------------------------------------------------------------------- */
 
-static double distance_at(const dose_way *s, double share) {
+static double distance_at(const integration *s, double share) {
   return arc_wear_last(s->w)->distance + share * s->length;
 }
 
 /* The next point of a table beyond the present share, as a share. */
-static double next_point(const dose_way *s, const arc_series *table) {
+static double next_point(const integration *s, const arc_series *table) {
   const double here = distance_at(s, s->at + shortest);
   for (int i = 0; i < table->count; i++)
     if (table->distance[i] > here)
@@ -121,7 +127,7 @@ static double next_point(const dose_way *s, const arc_series *table) {
 }
 
 /* Table points are not used beyond the start of a function. */
-static double next_end(const dose_way *s) {
+static double next_end(const integration *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
   if (!d->k_function) end = fmin(end, next_point(s, &d->k_series));
@@ -131,7 +137,7 @@ static double next_end(const dose_way *s) {
 }
 
 /* True if a table jumps in the interval that ends at this share. */
-static int table_jumps(const dose_way *s, const arc_series *t, double share, double range) {
+static int table_jumps(const integration *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
     const double width = t->distance[i] - t->distance[i - 1];
@@ -146,35 +152,34 @@ static int table_jumps(const dose_way *s, const arc_series *t, double share, dou
   return 0;
 }
 
-static double range_of(int b, const double k[WEAR_COEFFICIENTS]) {
-  return b == WEAR_FRICTION ? k[b] : total(k);
+static double range_of(int b, const double k[COMPONENTS]) {
+  return b == FRICTION ? k[b] : total(k);
 }
 
-static int ends_jump(const dose_way *s, double share, double from,
-                     const double k[WEAR_COEFFICIENTS]) {
+static int ends_jump(const integration *s, double share, double from, const double k[COMPONENTS]) {
   const arc_wear_def *d = &s->w->def;
   if (share < margin * 10 || share > 1 - margin * 10) return 0;
   if (share - from <= 3 * shortest) { /* of a function */
-    for (int b = 0; b < WEAR_COEFFICIENTS; b++)
+    for (int b = 0; b < COMPONENTS; b++)
       if (fabs(k[b] - s->k[b]) > large * fmax(range_of(b, k), range_of(b, s->k))) return 1;
     return 0;
   }
   return (!d->k_function && table_jumps(s, &d->k_series, share, fmax(total(k), total(s->k)))) ||
          (!d->alpha_function && table_jumps(s, &d->alpha_series, share, 1)) ||
          (!d->friction_function &&
-          table_jumps(s, &d->friction_series, share, fmax(k[WEAR_FRICTION], s->k[WEAR_FRICTION])));
+          table_jumps(s, &d->friction_series, share, fmax(k[FRICTION], s->k[FRICTION])));
 }
 
-/* --- along the way ---------------------------------------------------------------------------- */
+/* --- integration ------------------------------------------------------------------------------ */
 
 /* Length of the first step; if the end is unknown, a part of the estimated length. */
-static double first_length(const dose_way *s, double longest) {
+static double first_length(const integration *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
 }
 
 /* Length of the longest step, as a share of the update. */
-static double longest_step(const dose_way *s) {
+static double longest_step(const integration *s) {
   const arc_wear *w = s->w;
   const double steps = isfinite(s->plan->most) ? open_steps : chosen_steps;
   const double run = w->def.distance - w->block[0].start_distance;
@@ -183,31 +188,31 @@ static double longest_step(const dose_way *s) {
 }
 
 /* Integrates the rest in even steps without error control. */
-static arc_status sample_rest(dose_way *s) {
+static arc_status sample_rest(integration *s) {
   const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
   s->sampled = 1;
   for (int i = 1; i <= steps; i++) {
-    double y[WEAR_COEFFICIENTS], k[WEAR_COEFFICIENTS], error;
+    double y[COMPONENTS], k[COMPONENTS], error;
     const arc_status status = try_step(s, h, y, k, &error);
     if (status != ARC_OK) return status;
     const double added = total(y) - total(s->y), left = most - total(s->y);
     const double share = added > left ? left / added : 1;
-    for (int b = 0; b < WEAR_COEFFICIENTS; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
-    take_step(s, i == steps && share == 1 ? 1 : s->at + share * h, y, k);
+    for (int b = 0; b < COMPONENTS; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
+    accept_step(s, i == steps && share == 1 ? 1 : s->at + share * h, y, k);
     if (share < 1) break;
   }
   return ARC_OK;
 }
 
 /* Integrates to the end: of the plan, of the integral allowed, or to a jump. */
-static arc_status go(dose_way *s) {
+static arc_status integrate(integration *s) {
   const double most = s->plan->most / s->length;
   const double longest = longest_step(s);
-  arc_status status = ask(s, 0, s->y, s->k);
+  arc_status status = evaluate(s, 0, s->y, s->k);
   double h = status == ARC_OK ? first_length(s, longest) : 0;
   while (status == ARC_OK && s->at < 1) {
-    double y[WEAR_COEFFICIENTS], k[WEAR_COEFFICIENTS], error, end = next_end(s);
+    double y[COMPONENTS], k[COMPONENTS], error, end = next_end(s);
     if (s->refused > most_refused) return sample_rest(s);
     h = fmax(fmin(h, longest), shortest);
     if (s->at + h * (1 + 1e-6) < end) end = s->at + h;
@@ -224,7 +229,7 @@ static arc_status go(dose_way *s) {
       return ARC_OK;
     }
     const int jump = ends_jump(s, end, s->at, k);
-    take_step(s, end, y, jump ? s->k : k); /* the part after a jump belongs to the next update */
+    accept_step(s, end, y, jump ? s->k : k); /* the part after a jump belongs to the next update */
     s->refused -= s->refused > 0 && length > 3 * shortest;
     if (jump || total(y) >= most * (1 - near)) return ARC_OK;
     h = length * fmin(5, error > 0 ? 0.9 * cbrt(1 / error) : 5);
@@ -239,29 +244,29 @@ static int varies(const arc_wear *w) {
 }
 
 /* Constant coefficients need no integration; the last two steps are equal. */
-static arc_status go_straight(dose_way *s) {
-  const arc_status status = ask(s, 0, s->y, s->k);
+static arc_status integrate_constant(integration *s) {
+  const arc_status status = evaluate(s, 0, s->y, s->k);
   const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));
   s->at = steps > 2 ? s->plan->most / all : 1 / fmax(steps, 1);
   return status;
 }
 
-arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,
-                         arc_error *error) {
-  dose_way s = {.w = w, .plan = plan, .rate = rate, .error = error};
+arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const wear_rate *rate,
+                                           update_coefficients *coefficients, arc_error *error) {
+  integration s = {.w = w, .plan = plan, .rate = rate, .error = error};
   s.length = plan->end - arc_wear_last(w)->distance;
-  const arc_status status = varies(w) ? go(&s) : go_straight(&s);
+  const arc_status status = varies(w) ? integrate(&s) : integrate_constant(&s);
   if (status != ARC_OK) return status;
-  double mean[WEAR_COEFFICIENTS];
-  for (int b = 0; b < WEAR_COEFFICIENTS; b++) {
-    mean[b] = s.changed[b] ? s.y[b] / s.at : s.only[b];
-    dose->last[b] = s.sampled ? NAN : s.k[b]; /* which tells nothing */
+  double mean[COMPONENTS], last[COMPONENTS];
+  for (int b = 0; b < COMPONENTS; b++) {
+    mean[b] = s.changed[b] ? s.y[b] / s.at : s.first[b];
+    last[b] = s.sampled ? NAN : s.k[b];
   }
-  memcpy(dose->k, mean, sizeof dose->k);
-  dose->begin = s.only[WEAR_FRICTION];
-  dose->friction = mean[WEAR_FRICTION];
-  dose->plan = s.changed[WEAR_FRICTION] ? plan : NULL;
+  coefficients->mean = from_vector(mean);
+  coefficients->last = from_vector(last);
+  coefficients->friction_at_start = s.first[FRICTION];
+  coefficients->plan = s.changed[FRICTION] ? plan : NULL;
   if (s.at < 1) arc_wear_plan_shorten(w, plan, s.at * plan->cycles);
-  dose->cycles = plan->times;
+  coefficients->cycles = plan->times;
   return ARC_OK;
 }

@@ -1,5 +1,6 @@
 /* Definitions of wear runs: defaults, checks, copies. */
 #include "core/wear/run.h"
+#include "core/base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,6 +26,7 @@ DECIDED(ARC_SLIP_LIST, 2, "plane/rate.c");
 DECIDED(ARC_RULE_LIST, 2, "plane/rate.c");
 DECIDED(ARC_UPDATE_LIST, 2, "wear/block.c, run.h");
 DECIDED(ARC_GEOMETRY_LIST, 2, "contact/shape.c, contact/mortar.c");
+DECIDED(ARC_CORRECTIONS_LIST, 2, "contact/shape.h");
 
 #define ARC_SETTING_OF arc_wear_def
 const arc_setting arc_wear_settings[] = {
@@ -67,7 +69,7 @@ void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
   def->k_series = def->alpha_series = (arc_series){0};
 }
 
-/* --- checks --- */
+/* --- checks ----------------------------------------------------------------------------------- */
 
 static arc_status check_points(const arc_loading *l, int number, arc_error *error) {
   for (int i = 0; i < l->count; i++) {
@@ -253,7 +255,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
   return status == ARC_OK ? arc_kind_of(model)->check(d, model, error) : status;
 }
 
-/* --- copies --- */
+/* --- copies ----------------------------------------------------------------------------------- */
 
 /* Copies x, load and the other arrays of a block to one allocation. */
 static arc_status copy_points(const arc_loading *from, arc_loading *to) {
@@ -319,8 +321,8 @@ arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy) {
 
 void arc_wear_def_free(arc_wear_def *def) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
-    if (arc_setting_series(s, def).count > 0) free((void *)(size_t)series_of(s, def)->distance);
-  for (int b = 0; b < def->blocks; b++) free((void *)(size_t)def->loading[b].x);
-  free((void *)(size_t)def->loading);
+    if (arc_setting_series(s, def).count > 0) arc_memory_release(series_of(s, def)->distance);
+  for (int b = 0; b < def->blocks; b++) arc_memory_release(def->loading[b].x);
+  arc_memory_release(def->loading);
   *def = (arc_wear_def){0};
 }

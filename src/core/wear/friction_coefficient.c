@@ -59,10 +59,10 @@ arc_status arc_wear_loop(arc_wear *w, const arc_callbacks *callbacks, arc_loop *
   const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
   wear_window cycle = {
       .block = block, .shape = w->shape, .last = block->count - 1, .state = arc_wear_last(w)};
-  wear_watch watch = {.callbacks = callbacks};
+  wear_progress progress = {.callbacks = callbacks};
   *loop = NULL;
   if (!arc_wear_has_friction(&w->def))
     return arc_fail(error, ARC_ARGUMENT, "field 'friction': a run without friction has no loop");
   const arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
-  return status == ARC_OK ? w->kind->loop(w, &cycle, &watch, loop, error) : status;
+  return status == ARC_OK ? w->kind->loop(w, &cycle, &progress, loop, error) : status;
 }

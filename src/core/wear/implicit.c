@@ -21,10 +21,10 @@ typedef struct sums {
   double of[SUMS];
 } sums;
 
-/* One update on its way. */
+/* One update in progress. */
 typedef struct implicit {
   wear_stage at;
-  const wear_dose *dose;
+  const update_coefficients *coefficients;
   int n;
   int steps, done; /* number of steps of the update; index of the present one */
   sums mean;       /* over these */
@@ -45,7 +45,7 @@ static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
-  return arc_wear_friction_on_the_way(s->at.run, s->dose, share, mu, &s->at.error);
+  return arc_wear_friction_within(s->at.run, s->coefficients, share, mu, &s->at.error);
 }
 
 static arc_status solve(implicit *s, double h, double *rate) {
@@ -109,7 +109,7 @@ static arc_status second_order(implicit *s, double cycles) {
   return status;
 }
 
-/* --- the error --- */
+/* --- the error -------------------------------------------------------------------------------- */
 
 /* Largest relevant error of the depths of one body, relative to the deepest. */
 static double depth_error(const implicit *s, int b) {
@@ -147,7 +147,7 @@ static arc_status run(implicit *s, wear_depths *depth) {
   if (status != ARC_OK) return status;
   const int first = s->at.run->def.order == 1;
   s->steps = count_steps(s);
-  const double length = s->dose->cycles / s->steps;
+  const double length = s->coefficients->cycles / s->steps;
   for (s->done = 0; s->done < s->steps; s->done++) {
     status = first ? first_order(s, length) : second_order(s, length);
     if (status != ARC_OK) return status;
@@ -156,9 +156,9 @@ static arc_status run(implicit *s, wear_depths *depth) {
   }
   memcpy(depth->node[0], s->at.z, (size_t)s->n * sizeof(double));
   depth->error = s->worst;
-  depth->energy = s->dose->cycles * s->mean.of[ENERGY];
-  depth->even = s->dose->cycles * s->mean.of[EVEN];
-  depth->pressed = s->dose->cycles * s->mean.of[PRESSED];
+  depth->energy = s->coefficients->cycles * s->mean.of[ENERGY];
+  depth->even = s->coefficients->cycles * s->mean.of[EVEN];
+  depth->pressed = s->coefficients->cycles * s->mean.of[PRESSED];
   return ARC_OK;
 }
 
@@ -169,7 +169,7 @@ static arc_status report(const implicit *s, arc_status status, arc_error *error)
   }
   const char *why = s->at.error.message;
   return arc_fail(error, status, "the implicit step did not converge for %g cycles%s%s",
-                  s->dose->cycles, why[0] ? "; on the way " : "", why);
+                  s->coefficients->cycles, why[0] ? "; on the way " : "", why);
 }
 
 static arc_status create(implicit *s) {
@@ -182,21 +182,24 @@ static arc_status create(implicit *s) {
   return kind->begin_stages ? kind->begin_stages(&s->at) : ARC_OK;
 }
 
-arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_dose *dose,
-                             wear_watch *watch, wear_depths *depth, arc_error *error) {
-  implicit s = {.at = {.run = w, .window = *window, .watch = watch}, .dose = dose};
+arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
+                             const update_coefficients *coefficients, wear_progress *progress,
+                             wear_depths *depth, arc_error *error) {
+  implicit s = {.at = {.run = w, .window = *window, .progress = progress},
+                .coefficients = coefficients};
   s.n = w->nc + w->np;
-  for (int b = 0; b < ARC_BODIES; b++) s.at.k[b] = sites_k(w, dose->k, b);
+  for (int b = 0; b < ARC_BODIES; b++) s.at.k[b] = sites_k(w, coefficients->mean.k, b);
   depth->error = 0;
   arc_status status = create(&s);
   if (status != ARC_OK)
     arc_fail(&s.at.error, status, "out of memory for an implicit step");
   else
     status = run(&s, depth);
-  depth->even = status == ARC_OK && w->manner.even ? dose->k[ARC_LOWER] * depth->even : 0;
+  depth->even =
+      status == ARC_OK && w->manner.even ? coefficients->mean.k[ARC_LOWER] * depth->even : 0;
   depth->peak = s.at.last.peak;
   if (w->kind->end_stages)
-    w->kind->end_stages(&s.at, dose->cycles, status == ARC_OK ? depth : NULL);
+    w->kind->end_stages(&s.at, coefficients->cycles, status == ARC_OK ? depth : NULL);
   free(s.at.z);
   return report(&s, status, error);
 }

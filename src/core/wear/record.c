@@ -26,8 +26,7 @@ const char *arc_wear_column_name(int column) {
   return names[column];
 }
 
-/* --- what rows can be ---------------------------------------------------------------------------
- */
+/* --- validity of rows */
 
 /* Largest recordable value, so that squares and sums do not overflow. */
 static const double largest = 1e100;
@@ -72,8 +71,7 @@ arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, 
   return status;
 }
 
-/* --- rows --------------------------------------------------------------------------------------
- */
+/* --- rows ------------------------------------------------------------------------------------- */
 
 /* A plain stroke has one load, to the bit. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {

@@ -18,7 +18,7 @@ typedef struct wear_start {
   int solutions;         /* it took, and no record counts yet */
   wear_tangent *tangent; /* NULL: none was ever wanted */
   int linear;            /* the tangent belongs to it */
-  double mu;             /* coefficient of friction it was found with */
+  double mu;             /* coefficient of friction of its computation */
 } wear_start;
 
 /* Inputs of the cached stability limit. */
@@ -74,7 +74,7 @@ static inline double *sites_from(const arc_wear *w, double *vector, int body) {
   return body == ARC_UPPER ? vector : vector + w->nc;
 }
 
-/* --- definition.c --- */
+/* --- definition.c ----------------------------------------------------------------------------- */
 /* Deep copy of series and loading into *copy; frees with arc_wear_def_free. ARC_MEMORY leaves
  * nothing to free. */
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
@@ -86,14 +86,14 @@ int arc_wear_jump_is_auto(const arc_wear_def *def);
 int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
-/* --- wear.c --- */
+/* --- wear.c ----------------------------------------------------------------------------------- */
 /* Sets all depths, [n] of the sites and the others, to zero. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
 /* Swaps two depths. */
 void arc_wear_exchange(arc_wear *a, arc_wear *b);
 
-/* --- block.c --- */
+/* --- block.c ---------------------------------------------------------------------------------- */
 /* The blocks of a checked definition: block [count], freed by arc_wear_blocks_free. */
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
@@ -103,7 +103,7 @@ double arc_wear_block_end(const wear_block *block);
 /* The block of the state at `cycle`. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 
-/* --- coefficient.c --- */
+/* --- coefficient.c ---------------------------------------------------------------------------- */
 /* Wear coefficients of both bodies [mm2/N], averaged over distances [from, to]; functions are
  * evaluated with `state`. */
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
@@ -134,13 +134,13 @@ double arc_wear_law_slope(const arc_wear *w, double p, double q);
 arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                               arc_wear **wear, arc_error *error);
 
-/* --- record.c --- */
+/* --- record.c --------------------------------------------------------------------------------- */
 /* Loads and travel of a record: a cycle of a block, or increment `first` of a generic one. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
 
-/* --- friction_coefficient.c --- */
+/* --- friction_coefficient.c ------------------------------------------------------------------- */
 /* True if the coefficient of friction is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
 /* The coefficient of friction of a state. Errors of the function. */

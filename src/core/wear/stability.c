@@ -19,9 +19,9 @@ static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const do
                        .last = block->count - 1,
                        .state = arc_wear_last(w),
                        .tangent = tangent};
-  wear_watch watch = {.callbacks = callbacks};
+  wear_progress progress = {.callbacks = callbacks};
   arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
-  if (status == ARC_OK) status = w->kind->rate(w, &cycle, &watch, &w->work.rate, error);
+  if (status == ARC_OK) status = w->kind->rate(w, &cycle, &progress, &w->work.rate, error);
   if (status == ARC_OK) *eigenvalue = w->kind->eigenvalue(w, k, tangent);
   w->kind->end_tangent(&tangent);
   return status;
@@ -35,7 +35,7 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
   return status == ARC_OK ? find_eigenvalue(w, block, k, callbacks, eigenvalue, error) : status;
 }
 
-/* --- warnings --- */
+/* --- warnings --------------------------------------------------------------------------------- */
 
 /* Explicit jumps that the user chose, of whole cycles. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
@@ -72,7 +72,7 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
   const arc_wear_record *now = arc_wear_last(w);
   if (!may_be_past(w, block, k, cycles)) return;
   if (find_eigenvalue(w, block, k, callbacks, &j->eigenvalue, NULL) != ARC_OK)
-    return; /* the step will tell */
+    return; /* the step reports the error */
   j->block = block;
   j->p_center = now->p_center;
   for (int b = 0; b < ARC_BODIES; b++) j->k[b] = k[b];
@@ -114,7 +114,8 @@ static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
   if (arc_wear_coefficients_now(w, k, NULL) == ARC_OK) judge(w, block, k, w->def.jump, callbacks);
 }
 
-void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks) {
+void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block,
+                              const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
   const double k[ARC_BODIES] = {now->k * now->alpha, now->k * (1 - now->alpha)};
   if (!callbacks || !callbacks->warn || w->judged.warned || !may_ripple(w, block)) return;

@@ -29,12 +29,12 @@ static const double worn = 0.05;
 typedef struct staged {
   arc_wear *w;
   wear_window window; /* of the trial */
-  wear_dose dose;
+  update_coefficients coefficients;
   wear_rate *rate; /* of the last stage */
   int n, stages;
   double even, energy;  /* sums of the rates */
   double pressed;       /* the same for the normal force over the sliding distance */
-  double peak;          /* pressure on the way of the first */
+  double peak;          /* pressure at the first stage */
   double *z, *sum;      /* [n] depths so far, sum of the rates */
   double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
 } staged;
@@ -55,7 +55,8 @@ static void go_through_layers(const staged *s, double *depth) {
 
 /* Wear of node i over the whole update, per rate [mm per MPa mm]; even wear moves no node. */
 static double scale(const staged *s, int i) {
-  return s->dose.cycles * sites_k(s->w, s->dose.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
+  return s->coefficients.cycles *
+         sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
 }
 
 /* Adds the present rate and makes an Euler step. */
@@ -73,14 +74,15 @@ static void add_stage(staged *s, int stage) {
   go_through_layers(s, s->z);
 }
 
-static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
+static arc_status run_stages(staged *s, wear_progress *progress, arc_error *error) {
   memcpy(s->first, s->rate->node[0], (size_t)s->n * sizeof *s->first);
   s->peak = s->rate->peak;
   add_stage(s, 0);
   for (int j = 1; j < s->stages; j++) {
     const double share = (double)j / (s->stages - 1);
-    arc_status status = arc_wear_friction_on_the_way(s->w, &s->dose, share, &s->window.mu, error);
-    if (status == ARC_OK) status = s->w->kind->rate(s->w, &s->window, watch, s->rate, error);
+    arc_status status =
+        arc_wear_friction_within(s->w, &s->coefficients, share, &s->window.mu, error);
+    if (status == ARC_OK) status = s->w->kind->rate(s->w, &s->window, progress, s->rate, error);
     if (status != ARC_OK) return status;
     add_stage(s, j);
   }
@@ -138,21 +140,25 @@ static int stages_for(const arc_wear *w, double cycles, double eigenvalue) {
   return how.by_thirds ? (stages + 2) / 3 * 3 : stages;
 }
 
-arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,
-                           double eigenvalue, wear_watch *watch, wear_rate *rate,
-                           wear_depths *depth, arc_error *error) {
-  staged s = {.w = w, .window = *window, .dose = *dose, .rate = rate, .n = w->nc + w->np};
-  s.stages = stages_for(w, dose->cycles, eigenvalue);
+arc_status arc_wear_stages(arc_wear *w, const wear_window *window,
+                           const update_coefficients *coefficients, double eigenvalue,
+                           wear_progress *progress, wear_rate *rate, wear_depths *depth,
+                           arc_error *error) {
+  staged s = {
+      .w = w, .window = *window, .coefficients = *coefficients, .rate = rate, .n = w->nc + w->np};
+  s.stages = stages_for(w, coefficients->cycles, eigenvalue);
   arc_status status = staged_create(&s);
   if (status != ARC_OK) return arc_fail(error, status, "out of memory for an update");
   s.window.tangent = NULL;
-  status = run_stages(&s, watch, error);
+  status = run_stages(&s, progress, error);
   if (status == ARC_OK) {
     for (int i = 0; i < s.n; i++) depth->node[0][i] = scale(&s, i) * s.sum[i] / s.stages;
     depth->peak = s.peak;
-    depth->pressed = dose->cycles * s.pressed / s.stages;
-    depth->even = w->manner.even ? dose->cycles * dose->k[ARC_PLATE] * s.even / s.stages : 0;
-    depth->energy = dose->cycles * s.energy / s.stages;
+    depth->pressed = coefficients->cycles * s.pressed / s.stages;
+    depth->even = w->manner.even
+                      ? coefficients->cycles * coefficients->mean.k[ARC_PLATE] * s.even / s.stages
+                      : 0;
+    depth->energy = coefficients->cycles * s.energy / s.stages;
     depth->error = estimate(&s, depth);
   }
   free(s.z);

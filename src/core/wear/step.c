@@ -9,25 +9,29 @@ static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
 
+static void add_deviation(double value, double predicted, double scale, double *largest) {
+  if (scale > 0) *largest = fmax(*largest, fabs(value - predicted) / scale);
+}
+
 /* Difference of functions of the state at the end of a step from their prediction, relative to the
  * largest; 0 without a prediction. */
-static arc_status find_surprise(arc_wear *w, const wear_outcome *out, double *surprise,
-                                arc_error *error) {
-  static const double margin = 1e-6; /* of the step: what jumps at its end is not its own */
+static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
+                                 arc_error *error) {
+  static const double margin = 1e-6; /* of the step: a jump at its end does not belong to it */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
-  double k[WEAR_COEFFICIENTS];
-  *surprise = 0;
+  wear_coefficients now;
+  *deviation = 0;
   end.distance -= margin * (end.distance - before->distance);
   end.cycle -= margin * (end.cycle - before->cycle);
-  arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, k, error);
-  if (status == ARC_OK) status = arc_wear_friction_of(w, &end, &k[WEAR_FRICTION], error);
-  const double largest = fmax(out->record.k, k[ARC_CYLINDER] + k[ARC_PLATE]);
-  for (int b = 0; b < WEAR_COEFFICIENTS && status == ARC_OK; b++) {
-    const double size = b == WEAR_FRICTION ? k[b] : largest;
-    if (size > 0) *surprise = fmax(*surprise, fabs(k[b] - out->foreseen[b]) / size);
-  } /* NaN says nothing */
-  return status;
+  arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, now.k, error);
+  if (status == ARC_OK) status = arc_wear_friction_of(w, &end, &now.friction, error);
+  if (status != ARC_OK) return status;
+  const double largest = fmax(out->record.k, now.k[ARC_CYLINDER] + now.k[ARC_PLATE]);
+  for (int b = 0; b < ARC_BODIES; b++)
+    add_deviation(now.k[b], out->predicted.k[b], largest, deviation);
+  add_deviation(now.friction, out->predicted.friction, now.friction, deviation);
+  return ARC_OK;
 }
 
 /* Change of both bodies' coefficients between two records, over the larger k. */
@@ -38,8 +42,8 @@ static double apart(const arc_wear_record *a, const arc_wear_record *b) {
 }
 
 /* Tries the plan on a copy of the shape; the run is unchanged. */
-static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
-                               arc_error *error) {
+static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *progress,
+                               wear_outcome *out, arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
   arc_wear_record *record = &out->record;
   *record = *last;
@@ -47,12 +51,12 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_watch *watch, 
   arc_wear_note_motion(w, plan->block, plan->first, record);
   w->kind->discard(&out->shape);
   arc_status status = w->kind->copy(w->shape, &out->shape, error);
-  if (status == ARC_OK) status = arc_wear_update(w, plan, watch, out, error);
+  if (status == ARC_OK) status = arc_wear_update(w, plan, progress, out, error);
   if (status != ARC_OK) return status;
   record->cycle = last->cycle + plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;
-  record->solutions = last->solutions + watch->solutions;
+  record->solutions = last->solutions + progress->solutions;
   return w->kind->measure(w, out->shape, record, error);
 }
 
@@ -65,43 +69,43 @@ static double added_by(const arc_wear *w, const arc_wear_record *end) {
 /* Steps of second order are repeated with the computed final state as prediction, if functions of
  * the state differ from their first prediction. Automatic steps include the remaining error: half
  * the difference, or less than a third of it with a parabola. */
-static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *ahead, wear_watch *watch,
-                         wear_outcome *out, arc_error *error) {
+static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
+                         wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
   static const double let_pass = 0.02, usual = 1e-3, left_over = 0.3;
   const double tolerance = tolerance_of(w, plan), goal = tolerance > 0 ? tolerance : usual;
-  double surprise = 0, off = 0;
+  double deviation = 0, off = 0;
   for (int try = 0; try < most_tries; try++) {
-    arc_status status = attempt_once(w, plan, watch, out, error);
+    arc_status status = attempt_once(w, plan, progress, out, error);
     const int follows = status == ARC_OK && (tolerance > 0 || arc_wear_follows(w, plan));
     if (!follows || !arc_wear_has_state_functions(w)) return status;
-    if ((status = find_surprise(w, out, &surprise, error)) != ARC_OK) return status;
-    if (plan->ahead) off = fmax(off, left_over * apart(ahead, &out->record));
-    *ahead = out->record;
-    plan->ahead = ahead;
-    if (!arc_wear_follows(w, plan) || surprise * added_by(w, ahead) <= let_pass * goal) break;
+    if ((status = find_deviation(w, out, &deviation, error)) != ARC_OK) return status;
+    if (plan->end_state) off = fmax(off, left_over * apart(end_state, &out->record));
+    *end_state = out->record;
+    plan->end_state = end_state;
+    if (!arc_wear_follows(w, plan) || deviation * added_by(w, end_state) <= let_pass * goal) break;
   }
   if (tolerance > 0)
     out->record.error =
-        fmax(out->record.error, fmax(surprise / 2, off) * added_by(w, &out->record) / tolerance);
+        fmax(out->record.error, fmax(deviation / 2, off) * added_by(w, &out->record) / tolerance);
   return ARC_OK;
 }
 
-static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+static arc_status attempt(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                           arc_error *error) {
-  arc_wear_record ahead = {0};
-  plan->ahead = NULL;
-  const arc_status status = follow(w, plan, &ahead, watch, out, error);
-  plan->ahead = NULL;
+  arc_wear_record end_state = {0};
+  plan->end_state = NULL;
+  const arc_status status = follow(w, plan, &end_state, progress, out, error);
+  plan->end_state = NULL;
   return status;
 }
 
 /* With a discontinuous law no implicit solution may exist: then the plan becomes explicit, at half
  * the stability limit. */
-static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_watch *watch,
+static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_progress *progress,
                                    arc_error *error) {
   double eigenvalue;
-  const arc_status status = arc_wear_stability(w, watch->callbacks, &eigenvalue, error);
+  const arc_status status = arc_wear_stability(w, progress->callbacks, &eigenvalue, error);
   plan->explicit = 1;
   if (status == ARC_OK && plan->block->periodic && eigenvalue * plan->cycles > 1)
     arc_wear_plan_shorten(w, plan, 1 / eigenvalue);
@@ -130,13 +134,13 @@ static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status statu
 }
 
 /* Repeats steps that do not converge, or whose error is too large, with a shorter length. */
-static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *watch,
+static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                     wear_outcome *out, arc_error *error) {
   enum { most_cuts = 20, most_failures = 3, patience = 6 };
   const wear_plan whole_plan = *plan;
   int failures = 0;
   for (int cut = 0;; cut++) {
-    arc_status status = attempt(w, plan, watch, out, error);
+    arc_status status = attempt(w, plan, progress, out, error);
     if ((w->def.scheme != ARC_IMPLICIT && !plan->staged) || cut == most_cuts) return status;
     if (status == ARC_OK && out->record.error <= passable(plan)) return status;
     if (!plan->staged && has_outgrown(w, status)) return status;
@@ -147,7 +151,7 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *wa
     if (is_at_edge(w, plan, status)) return status;
     if (!plan->staged && !plan->explicit && (failures == most_failures || cut == patience)) {
       *plan = whole_plan;
-      if ((status = give_up_implicit(w, plan, watch, error)) != ARC_OK) return status;
+      if ((status = give_up_implicit(w, plan, progress, error)) != ARC_OK) return status;
     } else if (status != ARC_OK) {
       arc_wear_plan_shorten(w, plan, plan->cycles / 4);
     } else {
@@ -176,7 +180,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
 /* Shortens a step that passed a target until it ends on it, by the Illinois method.
  */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
-                              wear_watch *watch, wear_outcome *out, arc_error *error) {
+                              wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 60 };
   double now = beyond(&out->record, t);
   const double close =
@@ -188,7 +192,7 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
     const double cycles = low + (high - low) * below / (below - above);
     wear_plan plan = *whole_plan;
     arc_wear_plan_shorten(w, &plan, cycles);
-    const arc_status status = attempt(w, &plan, watch, out, error);
+    const arc_status status = attempt(w, &plan, progress, out, error);
     if (status != ARC_OK) return status;
     now = beyond(&out->record, t);
     if ((now < 0) == (below < 0)) {
@@ -205,13 +209,13 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
 }
 
 /* The first target passed in the step. */
-static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_watch *watch,
+static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_progress *progress,
                                wear_targets *targets, wear_outcome *out, arc_error *error) {
   wear_plan first = *plan;
   for (size_t i = 0; i < targets->count; i++) {
     const arc_wear_target *t = &targets->target[i];
     if (!passed(w, &out->record, t)) continue;
-    const arc_status status = meet_target(w, &first, t, watch, out, error);
+    const arc_status status = meet_target(w, &first, t, progress, out, error);
     if (status != ARC_OK) return status;
     arc_wear_plan_shorten(w, &first, out->record.jump);
     targets->reached = (int)i;
@@ -223,11 +227,11 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
                            wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
-  wear_watch watch = {.callbacks = callbacks}; /* includes failed attempts */
+  wear_progress progress = {.callbacks = callbacks}; /* includes failed attempts */
   arc_status status = arc_wear_plan_step(w, limit, callbacks, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
-  status = attempt_with_cuts(w, &plan, &watch, &out, error);
-  if (status == ARC_OK) status = meet_targets(w, &plan, &watch, targets, &out, error);
+  status = attempt_with_cuts(w, &plan, &progress, &out, error);
+  if (status == ARC_OK) status = meet_targets(w, &plan, &progress, targets, &out, error);
   if (status == ARC_OK) status = arc_wear_refuse_ripples(w, &plan, &out, callbacks, error);
   if (status == ARC_OK) status = arc_wear_solve_next_cycle(w, &plan, &out, callbacks, error);
   if (status == ARC_OK) status = arc_wear_append(w, &out.record, error);
@@ -238,7 +242,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
     out.shape = old;
   }
   w->kind->discard(&out.shape);
-  if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
+  if (status == ARC_OK) arc_wear_warn_of_ripples(w, plan.block, callbacks);
   if (status == ARC_OK && callbacks && callbacks->warn && w->kind->warn_coarse && !w->coarse)
     w->coarse = w->kind->warn_coarse(w, callbacks);
 #ifdef ARC_CHECKS

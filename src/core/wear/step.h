@@ -14,29 +14,32 @@ typedef struct wear_plan {
   int first;     /* generic history: the increment */
   int explicit;  /* explicit step of an implicit run */
   int staged;    /* explicit, in stages, with an estimate of its error */
-  const arc_wear_record *ahead; /* the state at the end, by an attempt; NULL: none yet */
+  const arc_wear_record *end_state; /* the state at the end, by an attempt; NULL: none yet */
 } wear_plan;
 
-/* Coefficients that may change: wear of both bodies [mm2/N], friction. */
-enum { WEAR_FRICTION = ARC_BODIES, WEAR_COEFFICIENTS };
+/* Coefficients that may change during a run. */
+typedef struct wear_coefficients {
+  double k[ARC_BODIES]; /* of wear [mm2/N] */
+  double friction;      /* [-] */
+} wear_coefficients;
 
 /* Outcome of a step. */
 typedef struct wear_outcome {
   arc_shape *shape;
   arc_wear_record record;
-  double foreseen[WEAR_COEFFICIENTS]; /* those expected at the end */
+  wear_coefficients predicted; /* for the end of the step; NaN: unpredictable */
 } wear_outcome;
 
-/* Cycles at wear coefficients [mm2/N]. */
-typedef struct wear_dose {
+/* Cycles and coefficients of an update. */
+typedef struct update_coefficients {
   double cycles;
-  double k[ARC_BODIES];
-  double last[WEAR_COEFFICIENTS]; /* predicted for the end of an update; NaN: unpredictable */
-  const wear_plan *plan;          /* on which friction changes; NULL: it does not */
-  double begin, friction;         /* coefficient it begins with, and its mean */
-} wear_dose;
+  wear_coefficients mean;
+  wear_coefficients last;   /* predicted for the end of the update; NaN: unpredictable */
+  double friction_at_start; /* after a jump there */
+  const wear_plan *plan;    /* on which friction changes; NULL: it is constant */
+} update_coefficients;
 
-/* --- step_length.c --- */
+/* --- step_length.c ---------------------------------------------------------------------------- */
 /* Plans the next step towards `limit` [mm] and enters its block. *moved: 1 unless the limit is
  * reached. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
@@ -46,49 +49,51 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* True if the wear of the plan is negligible compared with automatic updates. */
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
-/* --- predictor.c --- */
-/* Depths of a rate over a dose. */
-void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
-                             wear_depths *depth);
+/* --- predictor.c ------------------------------------------------------------------------------ */
+/* Depths of a rate over an update. */
+void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
+                             const update_coefficients *coefficients, wear_depths *depth);
 /* True if functions of the state are evaluated with intermediate pressures and widths (updates of
  * second order), not with those at the start. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
-/* The state at a share of an update; with a rate, also the depths over a dose. */
-arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
-                                    const wear_rate *rate, const wear_dose *dose);
-/* The coefficient of friction at a share of a dose; *mu is unchanged if it is constant.
- */
-arc_status arc_wear_friction_on_the_way(arc_wear *w, const wear_dose *dose, double share,
-                                        double *mu, arc_error *error);
+/* The state at a share of an update; with a rate, also the depths at these coefficients. */
+arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double share,
+                                      const wear_rate *rate,
+                                      const update_coefficients *coefficients);
+/* The coefficient of friction at a share of an update; *mu is unchanged if it is constant. */
+arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
+                                    double share, double *mu, arc_error *error);
 
-/* --- coefficient_integral.c --- */
+/* --- coefficient_integral.c ------------------------------------------------------------------- */
 /* The coefficients over a planned update, integrated: tables exactly, functions along the path
  * predicted by `rate` (NULL: distance and cycles only). Shortens the plan at a jump of a
  * coefficient, or where `most` is reached. */
-arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,
-                         arc_error *error);
+arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const wear_rate *rate,
+                                           update_coefficients *coefficients, arc_error *error);
 
-/* --- stages.c --- */
+/* --- stages.c --------------------------------------------------------------------------------- */
 /* Accepted estimated error of an update in stages, relative to the depth. */
 #define ARC_STAGED_TOLERANCE 3e-3
-/* The longest update that stages can take [cycles], at an eigenvalue [1/cycle]. */
+/* The longest stable update in stages [cycles], at an eigenvalue [1/cycle]. */
 double arc_wear_longest_staged(const arc_wear *w, double eigenvalue);
 /* Depths of an explicit update in the number of stages given by the eigenvalue, with an error
  * estimate. `rate` is that at the start; it is overwritten. */
-arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,
-                           double eigenvalue, wear_watch *watch, wear_rate *rate,
-                           wear_depths *depth, arc_error *error);
+arc_status arc_wear_stages(arc_wear *w, const wear_window *window,
+                           const update_coefficients *coefficients, double eigenvalue,
+                           wear_progress *progress, wear_rate *rate, wear_depths *depth,
+                           arc_error *error);
 
-/* --- implicit.c --- */
+/* --- implicit.c ------------------------------------------------------------------------------- */
 /* Depths of an implicit update over a window, with an error estimate if the definition has a
  * tolerance. ARC_NOT_CONVERGED: try fewer cycles. */
-arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_dose *dose,
-                             wear_watch *watch, wear_depths *depth, arc_error *error);
+arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
+                             const update_coefficients *coefficients, wear_progress *progress,
+                             wear_depths *depth, arc_error *error);
 
-/* --- update.c --- */
+/* --- update.c --------------------------------------------------------------------------------- */
 /* Wears the shape of an outcome (a copy of the run's) by the plan, which may be shortened. Updates,
  * volumes, coefficients and error are added to its record (initially that of the run). */
-arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error);
 
 /* Solves a cycle on the surfaces after an explicit update, with which the next one starts, and
@@ -96,7 +101,7 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
 arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                                      const arc_callbacks *callbacks, arc_error *error);
 
-/* --- stability.c --- */
+/* --- stability.c ------------------------------------------------------------------------------ */
 /* Gives the warnings about a definition, once, before the run continues. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
 /* Warns once per definition if the last update exceeded the stability limit; recomputes the limit
@@ -105,6 +110,6 @@ void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
  * past the stability limit: ARC_NOT_CONVERGED. */
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
                                    const arc_callbacks *callbacks, arc_error *error);
-void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
+void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif

@@ -8,25 +8,25 @@ static const double rounding = 1e-12;
 /* Relative tolerance for a complete last step. */
 static const double whole = 1e-9;
 
-/* --- how far --- */
+/* --- lengths of updates */
 
 /* Integral of k over the distance [mm3/N] that wears the deepest node by `depth` [mm] at the
  * present pressure. */
-static double dose_for(const arc_wear *w, double depth) {
+static double k_integral_for(const arc_wear *w, double depth) {
   const double p = arc_wear_last(w)->p_center;
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Cycles of a dose at these coefficients. */
-static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double dose) {
+/* Cycles for an integral of k over the distance [mm3/N]. */
+static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double k_integral) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
-  return per_cycle > 0 ? dose / per_cycle : INFINITY;
+  return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
 /* Largest wear of an update, relative to the natural depth or to the present depth. */
-static const double first_bite = 0.15, later_bite = 0.05;
+static const double first_depth = 0.15, later_depth = 0.05;
 /* The same for the first implicit update, without an error estimate. */
-static const double first_implicit_bite = 0.06;
+static const double first_implicit_depth = 0.06;
 /* Share of the stability limit 2 / eigenvalue that automatic updates use. */
 static const double safe_share = 0.6;
 
@@ -36,37 +36,37 @@ static double total_depth(const arc_wear *w) {
 }
 
 /* Smallest wear limit of automatic updates [mm]. */
-static double bite(const arc_wear *w) {
-  return fmax(first_bite * w->kind->natural_depth(w), later_bite * total_depth(w));
+static double depth_limit(const arc_wear *w) {
+  return fmax(first_depth * w->kind->natural_depth(w), later_depth * total_depth(w));
 }
 
-/* --- what wears evenly --- */
+/* --- even wear */
 
 /* Even wear changes the contact only by thinner layers. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
 
-static double layer_dose(const arc_wear *w, int scars) {
-  return w->kind->layer_dose ? w->kind->layer_dose(w, scars) : INFINITY;
+static double layer_k_integral(const arc_wear *w, int scars) {
+  return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
 /* The same if nothing else wears, independent of the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
-  return fmin(w->kind->even_dose(w, bite(w)), layer_dose(w, 0));
+  return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
 }
 
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
   static const double little = 0.01;
   const arc_wear_record *now = arc_wear_last(w);
-  return now->k * (plan->end - now->distance) * now->p_max < little * bite(w);
+  return now->k * (plan->end - now->distance) * now->p_max < little * depth_limit(w);
 }
 
 /* Updates of one stage: limited by stability and by the wear of an update. */
 static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                              arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
-  plan->most = only_evenly(w) ? most_evenly(w) : dose_for(w, bite(w));
+  plan->most = only_evenly(w) ? most_evenly(w) : k_integral_for(w, depth_limit(w));
   if (w->manner.closed) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
   if (status == ARC_OK) status = arc_wear_stability(w, callbacks, &eigenvalue, error);
@@ -82,7 +82,7 @@ static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
   if (w->records < 2 || !(now->error > 0))
-    return dose_for(w, first_bite * w->kind->natural_depth(w));
+    return k_integral_for(w, first_depth * w->kind->natural_depth(w));
   const double last = now->k * (now->distance - now[-1].distance);
   return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
@@ -92,7 +92,7 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
                                  arc_error *error) {
   if (splits_cycles(w) || w->manner.closed) return plan_plain(w, callbacks, plan, error);
   plan->staged = 1;
-  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), layer_dose(w, 1));
+  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), layer_k_integral(w, 1));
   return ARC_OK;
 }
 
@@ -112,12 +112,12 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
         w->records > 2 ? now[-1].jump : 0; /* a last step may have been cut short */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
-    *jump =
-        cycles_for(block, k,
-                   only_evenly(w) ? most_evenly(w)
-                                  : dose_for(w, first_implicit_bite * w->kind->natural_depth(w)));
+    *jump = cycles_for(block, k,
+                       only_evenly(w)
+                           ? most_evenly(w)
+                           : k_integral_for(w, first_implicit_depth * w->kind->natural_depth(w)));
   }
-  *jump = fmin(*jump, cycles_for(block, k, layer_dose(w, 1)));
+  *jump = fmin(*jump, cycles_for(block, k, layer_k_integral(w, 1)));
   return ARC_OK;
 }
 
@@ -174,7 +174,7 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };
-  static const double nothing = 1e-12; /* of the way that is left */
+  static const double nothing = 1e-12; /* of the remaining distance */
   if (!plan->block->periodic || w->records <= many) return ARC_OK;
   const arc_wear_record *now = arc_wear_last(w);
   const double gone = now->distance - (now - many)->distance, left = limit - now->distance;

@@ -19,7 +19,7 @@ arc_status arc_wear_surfaces(const arc_wear *w, arc_array **surfaces, size_t *co
 typedef struct shown {
   const arc_array *first;
   size_t count;
-  int line; /* sites have one coordinate, x, and stand in order */
+  int line; /* sites have one coordinate, x, and are in order */
 } shown;
 
 static int is_named(const arc_array *array, const char *name) {

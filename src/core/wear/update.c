@@ -27,30 +27,31 @@ static double load_distance(const arc_wear *w, const wear_block *b, int first, i
   return b->repeat * sum * w->manner.thickness;
 }
 
-/* --- by which scheme --- */
+/* --- by which scheme -------------------------------------------------------------------------- */
 
 static int is_explicit(const arc_wear *w, const wear_plan *plan) {
   return w->def.scheme == ARC_EXPLICIT || plan->explicit;
 }
 
-/* Computes the depths of a dose over a window. */
+/* Computes the depths of an update over a window. */
 static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_window *window,
-                              const wear_dose *dose, wear_watch *watch, wear_depths *depth,
-                              arc_error *error) {
-  if (!is_explicit(w, plan)) return arc_wear_implicit(w, window, dose, watch, depth, error);
+                              const update_coefficients *coefficients, wear_progress *progress,
+                              wear_depths *depth, arc_error *error) {
+  if (!is_explicit(w, plan))
+    return arc_wear_implicit(w, window, coefficients, progress, depth, error);
   wear_rate *rate = &w->work.rate;
-  const arc_status status = w->kind->rate(w, window, watch, rate, error);
-  if (status == ARC_OK) arc_wear_depths_of_rate(w, rate, dose, depth);
+  const arc_status status = w->kind->rate(w, window, progress, rate, error);
+  if (status == ARC_OK) arc_wear_depths_of_rate(w, rate, coefficients, depth);
   return status;
 }
 
 /* Updates at every increment of a cycle (Eq. 4 with p_{i-1} of the previous geometry).
  */
-static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
-                               arc_error *error) {
-  wear_dose whole_dose;
+static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
+                               wear_outcome *out, arc_error *error) {
+  update_coefficients whole;
   if (isfinite(plan->most)) { /* a length that was chosen by k */
-    const arc_status status = arc_wear_dose(w, plan, NULL, &whole_dose, error);
+    const arc_status status = arc_wear_integrate_coefficients(w, plan, NULL, &whole, error);
     if (status != ARC_OK) return status;
   }
   const wear_block *b = plan->block;
@@ -65,7 +66,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
     arc_wear_record middle = *record;
     middle.distance = from + part * length / 2;
     middle.cycle = start.cycle + (gone + part / 2) * plan->cycles;
-    wear_dose dose = {.cycles = plan->cycles};
+    update_coefficients coefficients = {.cycles = plan->cycles};
     const wear_window window = {.block = b,
                                 .shape = out->shape,
                                 .first = i,
@@ -73,18 +74,19 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
                                 .chained = i > 0,
                                 .state = &middle};
     arc_status status =
-        arc_wear_coefficients(w, from, from + part * length, &middle, dose.k, error);
-    if (status == ARC_OK) status = find_depths(w, plan, &window, &dose, watch, depth, error);
+        arc_wear_coefficients(w, from, from + part * length, &middle, coefficients.mean.k, error);
+    if (status == ARC_OK)
+      status = find_depths(w, plan, &window, &coefficients, progress, depth, error);
     if (status == ARC_OK) status = apply(w, depth, out, error);
     if (status != ARC_OK) return status;
     gone += part;
     record->distance = start.distance + gone * length;
     record->cycle = start.cycle + gone * plan->cycles;
-    record->solutions = start.solutions + watch->solutions;
+    record->solutions = start.solutions + progress->solutions;
     record->depth_cylinder = w->kind->deepest(out->shape, ARC_CYLINDER);
     record->depth_plate = w->kind->deepest(out->shape, ARC_PLATE);
-    arc_wear_note_coefficients(dose.k, record);
-    memcpy(out->foreseen, dose.k, sizeof dose.k);
+    arc_wear_note_coefficients(coefficients.mean.k, record);
+    memcpy(out->predicted.k, coefficients.mean.k, sizeof out->predicted.k);
   }
   return ARC_OK;
 }
@@ -94,12 +96,12 @@ typedef struct whole {
   arc_wear *w;
   wear_plan *plan;
   wear_window window;
-  wear_watch *watch;
+  wear_progress *progress;
   wear_rate *rate; /* at the start, where known */
-  wear_dose dose;
+  update_coefficients coefficients;
 } whole;
 
-/* --- the start --- */
+/* --- the start -------------------------------------------------------------------------------- */
 
 static arc_status want_tangent(arc_wear *w, arc_error *error) {
   if (!w->start.tangent) w->start.tangent = w->kind->tangent(w);
@@ -109,17 +111,17 @@ static arc_status want_tangent(arc_wear *w, arc_error *error) {
 /* Solves a window at the start of an update; the wear of whole cycles is cached unless factors
  * depend on the state. */
 static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
-                              wear_watch *watch, arc_error *error) {
+                              wear_progress *progress, arc_error *error) {
   wear_start *s = &w->start;
-  const int before = watch->solutions;
+  const int before = progress->solutions;
   s->block = NULL;
   s->linear = plan->staged;
   s->mu = window.mu;
   arc_status status = s->linear ? want_tangent(w, error) : ARC_OK;
   window.tangent = s->linear ? s->tangent : NULL;
-  if (status == ARC_OK) status = w->kind->rate(w, &window, watch, &s->rate, error);
+  if (status == ARC_OK) status = w->kind->rate(w, &window, progress, &s->rate, error);
   if (status != ARC_OK) return status;
-  s->solutions = watch->solutions - before;
+  s->solutions = progress->solutions - before;
   if (plan->block->periodic && !w->def.local_factor) s->block = plan->block;
   return ARC_OK;
 }
@@ -144,14 +146,15 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   w->start.block = NULL;
   const int asked = is_explicit(w, plan) || arc_wear_has_friction(&w->def);
   if (!asked || !plan->block->periodic || splits_cycles(w)) return ARC_OK;
-  wear_watch later = {.callbacks = callbacks};
+  wear_progress later = {.callbacks = callbacks};
   wear_window cycle = {.block = plan->block,
                        .shape = out->shape,
                        .last = plan->block->count - 1,
                        .state = w->def.local_factor ? NULL : &out->record};
   arc_status status = arc_wear_friction(w, &out->record, &cycle.mu, error);
   if (status == ARC_OK) status = solve_start(w, plan, cycle, &later, error);
-  if (status == ARC_ZONE || status == ARC_NUMERIC) return ARC_OK; /* the next step will tell */
+  if (status == ARC_ZONE || status == ARC_NUMERIC)
+    return ARC_OK; /* the next step reports the error */
   if (status != ARC_OK) return status;
   out->record.p_peak = w->start.rate.peak;
   note_rubbing(w, &w->start.rate, &out->record);
@@ -169,23 +172,23 @@ static arc_status find_start(whole *u, arc_error *error) {
   arc_status status = ARC_OK;
   if (kept->block == u->plan->block && kept->mu == u->window.mu &&
       (kept->linear || !u->plan->staged))
-    u->watch->solutions += kept->solutions;
+    u->progress->solutions += kept->solutions;
   else
-    status = solve_start(w, u->plan, u->window, u->watch, error);
+    status = solve_start(w, u->plan, u->window, u->progress, error);
   if (status == ARC_OK) take_start(w, u->rate);
   return status;
 }
 
-/* The dose of the plan, limited by the number of stages, and the eigenvalue. */
-static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
+/* The coefficients of the plan, limited by the number of stages, and the eigenvalue. */
+static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
-  arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
+  arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
   for (int cut = 0; cut < 3 && u->plan->staged && status == ARC_OK; cut++) {
-    *eigenvalue = w->kind->eigenvalue(w, u->dose.k, w->start.tangent);
+    *eigenvalue = w->kind->eigenvalue(w, u->coefficients.mean.k, w->start.tangent);
     const double longest = arc_wear_longest_staged(w, *eigenvalue);
-    if (u->dose.cycles <= longest) break;
+    if (u->coefficients.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);
-    status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
+    status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
   }
   return status;
 }
@@ -195,40 +198,61 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
-  const double mu = asks ? u->dose.begin : u->dose.friction;
+  const double mu = asks ? u->coefficients.friction_at_start : u->coefficients.mean.friction;
   if (fabs(mu - u->window.mu) <= slight * mu) return ARC_OK;
-  const arc_wear_record middle = arc_wear_on_the_way(u->w, u->plan, 0.5, NULL, NULL);
+  const arc_wear_record middle = arc_wear_state_within(u->w, u->plan, 0.5, NULL, NULL);
   u->window.mu = mu;
   const arc_status status = arc_wear_friction_carries(u->w, &middle, mu, error);
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *error) {
+/* Implicit updates with a tolerance use the surface-dependent data of their middle. */
+static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
+  arc_wear *w = u->w;
+  wear_rate *rate = &w->work.rate;
+  if (!w->kind->look_ahead || is_explicit(w, u->plan) || w->def.tolerance == 0 ||
+      !u->plan->block->periodic)
+    return ARC_OK;
+  const update_coefficients half = {.cycles = u->coefficients.cycles / 2,
+                                    .mean = u->coefficients.mean};
+  arc_status status = u->rate ? ARC_OK : w->kind->rate(w, &u->window, u->progress, rate, error);
+  if (status != ARC_OK) return status;
+  arc_wear_depths_of_rate(w, rate, &half, depth);
+  return w->kind->look_ahead(w, shape, depth, error);
+}
+
+static arc_status depths_of_update(whole *u, arc_shape *shape, wear_depths *depth,
+                                   arc_error *error) {
   arc_wear *w = u->w;
   double eigenvalue = 0;
   arc_status status = find_start(u, error);
-  if (status == ARC_OK) status = find_dose(u, &eigenvalue, error);
+  if (status == ARC_OK) status = find_coefficients(u, &eigenvalue, error);
   if (status == ARC_OK) status = find_friction(u, error);
   if (status != ARC_OK) return status;
   if (u->plan->staged)
-    return arc_wear_stages(w, &u->window, &u->dose, eigenvalue, u->watch, u->rate, depth, error);
+    return arc_wear_stages(w, &u->window, &u->coefficients, eigenvalue, u->progress, u->rate, depth,
+                           error);
   const int again = arc_wear_has_state_functions(w) && w->def.local_factor;
   if (is_explicit(w, u->plan) && !again) {
-    arc_wear_depths_of_rate(w, u->rate, &u->dose, depth);
+    arc_wear_depths_of_rate(w, u->rate, &u->coefficients, depth);
     return ARC_OK;
   }
-  const wear_dose half = {u->dose.cycles / 2, {u->dose.k[0], u->dose.k[1]}, {0}, NULL, 0, 0};
-  const arc_wear_record middle = arc_wear_on_the_way(w, u->plan, 0.5, u->rate, &half);
+  const update_coefficients half = {.cycles = u->coefficients.cycles / 2,
+                                    .mean = u->coefficients.mean};
+  const arc_wear_record middle = arc_wear_state_within(w, u->plan, 0.5, u->rate, &half);
   u->window.state = &middle;
-  return find_depths(w, u->plan, &u->window, &u->dose, u->watch, depth, error);
+  status = look_ahead(u, shape, depth, error);
+  if (status != ARC_OK) return status;
+  return find_depths(w, u->plan, &u->window, &u->coefficients, u->progress, depth, error);
 }
 
-static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
-                               arc_error *error) {
+static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
+                               wear_outcome *out, arc_error *error) {
   const int generic = !plan->block->periodic;
-  const arc_wear_record middle =
-      arc_wear_has_state_functions(w) ? out->record : arc_wear_on_the_way(w, plan, 0.5, NULL, NULL);
-  whole u = {.w = w, .plan = plan, .watch = watch};
+  const arc_wear_record middle = arc_wear_has_state_functions(w)
+                                     ? out->record
+                                     : arc_wear_state_within(w, plan, 0.5, NULL, NULL);
+  whole u = {.w = w, .plan = plan, .progress = progress};
   u.window = (wear_window){.block = plan->block,
                            .shape = out->shape,
                            .first = generic ? plan->first : 0,
@@ -237,18 +261,18 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
   wear_depths *depth = &w->work.depth;
   arc_status status = arc_wear_friction(w, &out->record, &u.window.mu, error);
   if (status != ARC_OK) return status;
-  status = depths_of_update(&u, depth, error);
+  status = depths_of_update(&u, out->shape, depth, error);
   if (status != ARC_OK) return status;
-  arc_wear_note_coefficients(u.dose.k, &out->record);
-  memcpy(out->foreseen, u.dose.last, sizeof out->foreseen);
+  arc_wear_note_coefficients(u.coefficients.mean.k, &out->record);
+  out->predicted = u.coefficients.last;
   return apply(w, depth, out, error);
 }
 
-arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error) {
   const int split = splits_cycles(w) && plan->block->periodic;
-  const arc_status status =
-      split ? split_update(w, plan, watch, out, error) : whole_update(w, plan, watch, out, error);
+  const arc_status status = split ? split_update(w, plan, progress, out, error)
+                                  : whole_update(w, plan, progress, out, error);
   out->record.update += split ? plan->block->count - 1 : 1;
   const int generic = !plan->block->periodic;
   const int first = generic ? plan->first : 0, last = plan->block->count - 1;

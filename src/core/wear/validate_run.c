@@ -1,11 +1,11 @@
-/* Checks of a run: history, volumes, and those of its kind. */
+/* Checks of a run: history, volumes, and the checks of its kind. */
 #include "core/wear/run.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* --- history --- */
+/* --- history ---------------------------------------------------------------------------------- */
 
 /* alpha-tilde is not a number before any wear. */
 static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
@@ -38,7 +38,7 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
   return ARC_OK;
 }
 
-/* --- volumes: k L d of Archard's law --- */
+/* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
 /* True if the volume must be k L d by the records: not with changing loads, laws, factors or
  * elastic slip, nor with tables averaged at every increment. */
@@ -76,7 +76,7 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
   for (size_t i = 1; i < count && status == ARC_OK; i++) {
     status = check_finite(&r[i], error);
     if (status == ARC_OK) status = check_growth(&r[i - 1], &r[i], error);
-    /* what lies before was made under another definition */
+    /* earlier rows have another definition */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
       if (!w->manner.layered[b]) /* layers go by a k of their own, which no record has */

@@ -135,13 +135,13 @@ void arc_wear_destroy(arc_wear **wear) {
 }
 
 /* Moves a changed run to more sites if its contact would leave the present ones. */
-static arc_status make_room(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
+static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
   arc_error why = {0};
   const arc_status status = check_reach(*w, &why);
   if (status == ARC_OK) return ARC_OK;
-  if (status != ARC_ZONE || !growth || !growth->has_room(*w))
+  if (status != ARC_ZONE || !growth || !growth->can_grow(*w))
     return arc_fail(error, status, "%s", why.message);
   const arc_status grown = growth->grow(*w, status, callbacks, &larger, error);
   if (grown == ARC_STOPPED) return grown;
@@ -181,13 +181,13 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, const arc_mesh_
   arc_wear *changed;
   status = take_up(w->model, &def, w->shape, w->history, w->records, &changed, error);
   if (status == ARC_OK && mesh) status = go_over(&changed, mesh, callbacks, error);
-  if (status == ARC_OK) status = make_room(&changed, callbacks, error);
+  if (status == ARC_OK) status = enlarge_model(&changed, callbacks, error);
   if (status == ARC_OK) arc_wear_exchange(w, changed);
   arc_wear_destroy(&changed);
   return status;
 }
 
-/* --- what a run tells --- */
+/* --- results of a run */
 
 double arc_wear_open_k(const arc_wear *w, arc_body body) {
   const arc_wear_record *now = arc_wear_last(w);

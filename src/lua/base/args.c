@@ -17,10 +17,20 @@ const char *args_show_number(lua_State *L, double value) {
   return lua_pushstring(L, text);
 }
 
-void args_refuse(lua_State *L, args_place place, const char *name, const char *expected) {
+/* The value is on top of the stack; near: what may be meant, or NULL. */
+static void refuse_field(lua_State *L, args_location location, const char *name,
+                         const char *expected, const char *near) __attribute__((noreturn));
+
+static void refuse_field(lua_State *L, args_location location, const char *name,
+                         const char *expected, const char *near) {
   const char *shown = names_push_shown(L, lua_gettop(L));
-  error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': expected %s, got %s", place.prefix, name,
-              expected, shown);
+  error_raise(L, ARC_ARGUMENT, location.where, "field '%s%s': expected %s, got %s%s%s%s",
+              location.prefix, name, expected, shown, near ? "; did you mean \"" : "",
+              near ? near : "", near ? "\"?" : "");
+}
+
+void args_refuse(lua_State *L, args_location location, const char *name, const char *expected) {
+  refuse_field(L, location, name, expected, NULL);
 }
 
 static const char *push_known(lua_State *L, const arc_setting *list) {
@@ -34,27 +44,31 @@ static const char *push_known(lua_State *L, const arc_setting *list) {
   return lua_tostring(L, -1);
 }
 
-void args_unknown(lua_State *L, args_place place, const arc_setting *list, const char *name) {
+void args_unknown(lua_State *L, args_location location, const arc_setting *list, const char *name) {
   names_search search = names_begin(name);
   for (const arc_setting *field = list; field->name; field++) names_offer(&search, field->name);
   if (search.best)
-    error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
-                place.prefix, name, search.best);
+    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (did you mean '%s'?)",
+                location.prefix, name, search.best);
   static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
-  for (int i = 0; of_model[i] && place.prefix[0] == '\0'; i++) names_offer(&search, of_model[i]);
+  for (int i = 0; of_model[i] && location.prefix[0] == '\0'; i++) names_offer(&search, of_model[i]);
   if (search.best)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
                 search.best);
-  error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
-              push_known(L, list));
+  if (strcmp(name, "E") == 0 || strcmp(name, "nu") == 0)
+    error_raise(L, ARC_ARGUMENT, location.where,
+                "unknown field '%s%s': it is a field of the material of a body", location.prefix,
+                name);
+  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (known: %s)", location.prefix,
+              name, push_known(L, list));
 }
 
-void args_refuse_position(lua_State *L, args_place place) {
-  const size_t length = strlen(place.prefix);
+void args_refuse_position(lua_State *L, args_location location) {
+  const size_t length = strlen(location.prefix);
   const char *key = luaL_tolstring(L, -2, NULL);
-  lua_pushlstring(L, place.prefix, length > 0 ? length - 1 : 0);
-  error_raise(L, ARC_ARGUMENT, place.where, "fields are given by name; found [%s]%s%s", key,
+  lua_pushlstring(L, location.prefix, length > 0 ? length - 1 : 0);
+  error_raise(L, ARC_ARGUMENT, location.where, "fields are given by name; found [%s]%s%s", key,
               length > 0 ? " in " : "", lua_tostring(L, -1));
 }
 
@@ -64,37 +78,50 @@ void args_check_table(lua_State *L, int index, const char *where) {
               names_push_shown(L, index));
 }
 
-void args_check_names(lua_State *L, int index, args_place place, const arc_setting *list) {
+void args_check_names(lua_State *L, int index, args_location location, const arc_setting *list) {
   index = lua_absindex(L, index);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, location);
     if (!arc_setting_find(list, names_push_text(L, -2)))
-      args_unknown(L, place, list, lua_tostring(L, -1));
+      args_unknown(L, location, list, lua_tostring(L, -1));
     lua_pop(L, 1);
   }
 }
 
-/* --- reading --------------------------------------------------------------------------------- */
+/* --- reading ---------------------------------------------------------------------------------- */
 
 enum { LONGEST_TEXT = 240 }; /* bytes of the description of a setting's values */
 
-static void refuse(lua_State *L, args_place place, const arc_setting *s) __attribute__((noreturn));
+static void refuse(lua_State *L, args_location location, const arc_setting *s)
+    __attribute__((noreturn));
 
-static void refuse(lua_State *L, args_place place, const arc_setting *s) {
-  char expected[LONGEST_TEXT];
-  args_refuse(L, place, s->name, arc_setting_expected(s, expected, sizeof expected));
+/* The choice with the nearest name to the text on top of the stack, or NULL. */
+static const char *nearest_choice(lua_State *L, const arc_setting *s) {
+  if (s->kind != ARC_CHOICE || s->choices == arc_switch_names || lua_type(L, -1) != LUA_TSTRING)
+    return NULL;
+  names_search search = names_begin(lua_tostring(L, -1));
+  for (int i = 0; s->choices[i]; i++) names_offer(&search, s->choices[i]);
+  return search.best;
 }
 
-double args_number(lua_State *L, args_place place, const arc_setting *s) {
+static void refuse(lua_State *L, args_location location, const arc_setting *s) {
+  char expected[LONGEST_TEXT];
+  refuse_field(L, location, s->name, arc_setting_expected(s, expected, sizeof expected),
+               nearest_choice(L, s));
+}
+
+double args_number(lua_State *L, args_location location, const arc_setting *s) {
   arc_error error = {0};
-  if (lua_type(L, -1) != LUA_TNUMBER) refuse(L, place, s);
+  if (lua_type(L, -1) != LUA_TNUMBER) refuse(L, location, s);
   const double value = lua_tonumber(L, -1);
-  error_check(L, arc_setting_check_number(s, place.prefix, value, &error), &error, place.where, -1);
+  error_check(L, arc_setting_check_number(s, location.prefix, value, &error), &error,
+              location.where, -1);
   return value;
 }
 
 /* Index of the text at `index` in `choices`, or -1. "plane" means "plane strain". */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
+  if (choices == arc_switch_names) return lua_isboolean(L, index) ? lua_toboolean(L, index) : -1;
   if (lua_type(L, index) != LUA_TSTRING) return -1;
   const char *word = lua_tostring(L, index);
   if (strcmp(word, "plane") == 0) word = "plane strain";
@@ -103,7 +130,7 @@ static int find_choice(lua_State *L, int index, const char *const *choices) {
   return -1;
 }
 
-int args_choice(lua_State *L, int index, args_place place, const char *name,
+int args_choice(lua_State *L, int index, args_location location, const char *name,
                 const char *const *choices, int otherwise) {
   if (lua_isnoneornil(L, index) && otherwise >= 0) return otherwise;
   const int found = find_choice(L, index, choices);
@@ -112,7 +139,7 @@ int args_choice(lua_State *L, int index, args_place place, const char *name,
     lua_pushnil(L);
   else
     lua_pushvalue(L, index);
-  refuse(L, place, &(arc_setting){.name = name, .kind = ARC_CHOICE, .choices = choices});
+  refuse(L, location, &(arc_setting){.name = name, .kind = ARC_CHOICE, .choices = choices});
 }
 
 static void set_number(const arc_setting *s, void *definition, double value) {
@@ -134,43 +161,47 @@ static int other_form(lua_State *L, const arc_setting *s, void *definition) {
          (s->forms & ARC_SERIES && type == LUA_TTABLE);
 }
 
-static void read_number(lua_State *L, args_place place, const arc_setting *s, void *definition) {
-  if (!other_form(L, s, definition)) set_number(s, definition, args_number(L, place, s));
+static void read_number(lua_State *L, args_location location, const arc_setting *s,
+                        void *definition) {
+  if (!other_form(L, s, definition)) set_number(s, definition, args_number(L, location, s));
 }
 
-static void read_text(lua_State *L, args_place place, const arc_setting *s, char *to) {
+static void read_text(lua_State *L, args_location location, const arc_setting *s, char *to) {
   size_t length;
   const char *text = lua_type(L, -1) == LUA_TSTRING ? lua_tolstring(L, -1, &length) : NULL;
   if (!text || length == 0 || length >= ARC_TEXT_SIZE || strlen(text) != length)
-    refuse(L, place, s);
+    refuse(L, location, s);
   memcpy(to, text, length + 1);
 }
 
 /* Reads a group from a table of its fields or from an object of its class. */
-static void read_group(lua_State *L, args_place place, const arc_setting *s, void *definition) {
+static void read_group(lua_State *L, args_location location, const arc_setting *s,
+                       void *definition) {
   void *member = arc_setting_member(s, definition);
   if (s->class_name && box_copy_value(L, -1, s->class_name, member)) return;
-  if (!lua_istable(L, -1)) refuse(L, place, s);
-  args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, s->name)};
+  if (!lua_istable(L, -1)) refuse(L, location, s);
+  args_location inside = {location.where, lua_pushfstring(L, "%s%s.", location.prefix, s->name)};
   args_read(L, -2, inside, s->group, member);
   lua_pop(L, 1);
 }
 
 /* Reads the value on top of the stack into the member of the setting. */
-static void read_value(lua_State *L, args_place place, const arc_setting *s, void *definition) {
+static void read_value(lua_State *L, args_location location, const arc_setting *s,
+                       void *definition) {
   switch (s->kind) {
   case ARC_NUMBER:
   case ARC_WHOLE:
-    read_number(L, place, s, definition);
+    read_number(L, location, s, definition);
     break;
   case ARC_CHOICE:
-    *(int *)arc_setting_member(s, definition) = args_choice(L, -1, place, s->name, s->choices, -1);
+    *(int *)arc_setting_member(s, definition) =
+        args_choice(L, -1, location, s->name, s->choices, -1);
     break;
   case ARC_TEXT:
-    read_text(L, place, s, arc_setting_member(s, definition));
+    read_text(L, location, s, arc_setting_member(s, definition));
     break;
   case ARC_GROUP:
-    read_group(L, place, s, definition);
+    read_group(L, location, s, definition);
     break;
   case ARC_OTHER:
     break;
@@ -199,15 +230,15 @@ int args_given(lua_State *L, int index, const char *name) {
   return type != LUA_TNIL;
 }
 
-void args_read(lua_State *L, int index, args_place place, const arc_setting *list,
+void args_read(lua_State *L, int index, args_location location, const arc_setting *list,
                void *definition) {
   if (lua_isnoneornil(L, index)) return;
-  luaL_checkstack(L, 12, place.where);
+  luaL_checkstack(L, 12, location.where);
   index = lua_absindex(L, index);
-  args_check_table(L, index, place.where);
-  args_check_names(L, index, place, list);
+  args_check_table(L, index, location.where);
+  args_check_names(L, index, location, list);
   for (const arc_setting *s = list; s->name; s++) {
-    if (lua_getfield(L, index, s->name) != LUA_TNIL) read_value(L, place, s, definition);
+    if (lua_getfield(L, index, s->name) != LUA_TNIL) read_value(L, location, s, definition);
     lua_pop(L, 1);
   }
 }

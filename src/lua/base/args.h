@@ -11,10 +11,10 @@
 #include <math.h>
 
 /* Context of a field in error messages: "wear: field 'mesh.size': ...". */
-typedef struct args_place {
+typedef struct args_location {
   const char *where;  /* name of the function: "wear" */
   const char *prefix; /* prefix of the field's name: "mesh." or "" */
-} args_place;
+} args_location;
 
 /* Rows of a list of settings for values that exist only in scripts: a number above 0, and a name
  * whose value the caller reads. */
@@ -26,32 +26,32 @@ typedef struct args_place {
 /* Reads the table at `index` (nil or none: no change) into `definition`, which contains the
  * defaults. Reads numbers, choices, texts, "auto" and groups (a group also from an object of its
  * class). For functions and series only the type is checked; the caller reads them. */
-void args_read(lua_State *L, int index, args_place place, const arc_setting *list,
+void args_read(lua_State *L, int index, args_location location, const arc_setting *list,
                void *definition);
 
 /* Checks only the names of the fields; the value at `index` must be a table. */
-void args_check_names(lua_State *L, int index, args_place place, const arc_setting *list);
+void args_check_names(lua_State *L, int index, args_location location, const arc_setting *list);
 
 /* Raises an error if the value at `index` is not a table. */
 void args_check_table(lua_State *L, int index, const char *where);
 
 /* Raises the error for a field without a name; its key is below the top of the stack. */
-void args_refuse_position(lua_State *L, args_place place) __attribute__((noreturn));
+void args_refuse_position(lua_State *L, args_location location) __attribute__((noreturn));
 
 /* Raises the error for a name that is not in the list. */
-void args_unknown(lua_State *L, args_place place, const arc_setting *list, const char *name)
+void args_unknown(lua_State *L, args_location location, const arc_setting *list, const char *name)
     __attribute__((noreturn));
 
 /* Returns the number on top of the stack; raises an error if it is not finite or out of range. */
-double args_number(lua_State *L, args_place place, const arc_setting *setting);
+double args_number(lua_State *L, args_location location, const arc_setting *setting);
 
 /* Returns the index in `choices` of the text at `index`. Returns `otherwise` for nil or none if
  * `otherwise` >= 0. `name` is the field's name in the error message. */
-int args_choice(lua_State *L, int index, args_place place, const char *name,
+int args_choice(lua_State *L, int index, args_location location, const char *name,
                 const char *const *choices, int otherwise);
 
 /* Raises "field 'NAME': expected EXPECTED, got ..." for the value on top of the stack. */
-void args_refuse(lua_State *L, args_place place, const char *name, const char *expected)
+void args_refuse(lua_State *L, args_location location, const char *name, const char *expected)
     __attribute__((noreturn));
 
 /* Pushes field `name` of the table at `index`, or nil if that is not a table. Returns the type. */

@@ -20,18 +20,18 @@ static int is_any(double value) {
   return 1;
 }
 
-size_t array_length(lua_State *L, args_place place, const char *name, size_t most) {
+size_t array_length(lua_State *L, args_location location, const char *name, size_t most) {
   const size_t length = lua_rawlen(L, -1);
   if (length <= most) return length;
-  error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': expected at most %I items, got %I",
-              place.prefix, name, (LUAI_UACINT)most, (LUAI_UACINT)length);
+  error_raise(L, ARC_ARGUMENT, location.where, "field '%s%s': expected at most %I items, got %I",
+              location.prefix, name, (LUAI_UACINT)most, (LUAI_UACINT)length);
 }
 
-static double *read_kind(lua_State *L, args_place place, const char *name, size_t *count,
+static double *read_kind(lua_State *L, args_location location, const char *name, size_t *count,
                          kind wanted) {
-  if (!lua_istable(L, -1)) args_refuse(L, place, name, "an array of numbers");
+  if (!lua_istable(L, -1)) args_refuse(L, location, name, "an array of numbers");
   int table = lua_gettop(L);
-  *count = array_length(L, place, name, ARRAY_MOST);
+  *count = array_length(L, location, name, ARRAY_MOST);
   double *values = array_buffer(L, *count);
   for (size_t i = 0; i < *count; i++) {
     lua_rawgeti(L, table, (lua_Integer)i + 1);
@@ -39,17 +39,17 @@ static double *read_kind(lua_State *L, args_place place, const char *name, size_
     if (lua_type(L, -1) != LUA_TNUMBER || !wanted.fits(values[i])) {
       const char *element = lua_pushfstring(L, "%s[%d]", name, (int)i + 1);
       lua_insert(L, -2);
-      args_refuse(L, place, element, wanted.expected);
+      args_refuse(L, location, element, wanted.expected);
     }
     lua_pop(L, 1);
   }
   return values;
 }
 
-double *array_read(lua_State *L, args_place place, const char *name, size_t *count) {
-  return read_kind(L, place, name, count, (kind){is_finite, "a finite number"});
+double *array_read(lua_State *L, args_location location, const char *name, size_t *count) {
+  return read_kind(L, location, name, count, (kind){is_finite, "a finite number"});
 }
 
-double *array_read_any(lua_State *L, args_place place, const char *name, size_t *count) {
-  return read_kind(L, place, name, count, (kind){is_any, "a number"});
+double *array_read_any(lua_State *L, args_location location, const char *name, size_t *count) {
+  return read_kind(L, location, name, count, (kind){is_any, "a number"});
 }

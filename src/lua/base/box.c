@@ -123,10 +123,15 @@ static int class_eq(lua_State *L) {
   return 1;
 }
 
+/* Lua's light userdata are not const: what is pushed here is only read. */
+static void push_pointer(lua_State *L, const void *pointer) {
+  lua_pushlightuserdata(L, (void *)(uintptr_t)pointer);
+}
+
 /* Sets field `name` of the table on top to a C function with the class as upvalue. */
 static void set_function(lua_State *L, const char *name, const box_class *class,
                          lua_CFunction function) {
-  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  push_pointer(L, class);
   lua_pushcclosure(L, function, 1);
   lua_setfield(L, -2, name);
 }
@@ -143,8 +148,8 @@ static void push_readers(lua_State *L, const box_class *class) {
   lua_newtable(L);
   for (const arc_setting *s = class->settings; s && s->name; s++) {
     if (s->kind == ARC_OTHER) continue;
-    lua_pushlightuserdata(L, (void *)(uintptr_t) class);
-    lua_pushlightuserdata(L, (void *)(uintptr_t)s);
+    push_pointer(L, class);
+    push_pointer(L, s);
     lua_pushcclosure(L, setting_field, 2);
     lua_setfield(L, -2, s->name);
   }
@@ -184,14 +189,14 @@ static void fill_metatable(lua_State *L, const box_class *class) {
   push_methods(L, class);
   lua_pushvalue(L, -1);
   lua_setfield(L, -3, "__methods");
-  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  push_pointer(L, class);
   lua_insert(L, -2);
   push_readers(L, class);
   push_names(L, class);
   lua_pushcclosure(L, class_index, 4);
   lua_setfield(L, -2, "__index");
   set_function(L, "__newindex", class, class_newindex);
-  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  push_pointer(L, class);
   lua_pushcclosure(L, class_tostring, 1);
   call_wrap(L);
   lua_setfield(L, -2, "__tostring");
@@ -213,7 +218,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
-  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  push_pointer(L, class);
   lua_rawset(L, LUA_REGISTRYINDEX);
 }
 

@@ -1,13 +1,17 @@
-/* Restricts file access to two folders: replaces arc_file_allowed of the library, which allows all
- * files. The folders apply to the whole process. */
+/* Restricts file access to two folders, and writing to a part of the disk: replaces
+ * arc_file_allowed of the library, which allows all files. Applies to the whole process. */
 #include "lua/base/confine.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/statvfs.h>
 
 /* Absolute paths without symbolic links; "" if not confined. */
-static struct { char read[PATH_MAX], write[PATH_MAX]; } confined;
+static struct {
+  char read[PATH_MAX], write[PATH_MAX];
+  double least; /* free bytes that the disk keeps; 0: any */
+} confined;
 
 static arc_status no_folder(const char *folder, arc_error *error) {
   return arc_fail(error, ARC_IO, "%s: no such folder", folder);
@@ -26,23 +30,39 @@ const char *confine_folder(void) {
   return confined.read[0] ? confined.read : NULL;
 }
 
+double confine_free(void) {
+  struct statvfs disk;
+  return statvfs(confined.write, &disk) == 0 ? (double)disk.f_bavail * (double)disk.f_frsize : 0;
+}
+
+void confine_disk(double least) {
+  confined.least = least;
+}
+
+double confine_least(void) {
+  return confined.least;
+}
+
 static int is_below(const char *path, const char *folder) {
   const size_t length = strlen(folder);
   if (strncmp(path, folder, length) != 0) return 0;
   return path[length] == '/' || path[length] == '\0' || folder[length - 1] == '/';
 }
 
-arc_status arc_file_allowed(const char *path, arc_file_use use, arc_error *error) {
-  char whole[PATH_MAX];
+arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use,
+                            arc_error *error) {
   if (!confined.read[0]) return ARC_OK;
-  const int known = arc_file_resolve(path, whole) == 0;
-  if (known && is_below(whole, confined.write)) return ARC_OK;
+  const int inside = is_below(path, confined.write);
+  if (inside && use == ARC_FILE_WRITE && confine_free() < confined.least)
+    return arc_fail(error, ARC_IO,
+                    "cannot write '%.200s': the disk has lost all the space of the sandbox", name);
+  if (inside) return ARC_OK;
   if (use == ARC_FILE_WRITE)
     return arc_fail(error, ARC_IO,
-                    "cannot write '%.200s': it is not below the working folder (sandbox)", path);
-  if (known && is_below(whole, confined.read)) return ARC_OK;
+                    "cannot write '%.200s': it is not below the working folder (sandbox)", name);
+  if (is_below(path, confined.read)) return ARC_OK;
   return arc_fail(error, ARC_IO,
                   "cannot read '%.200s': it is not below the folder of the script or the working "
                   "folder (sandbox)",
-                  path);
+                  name);
 }

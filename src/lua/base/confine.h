@@ -1,4 +1,4 @@
-/* lua/confine.h - the folders to which file access of this program is confined (sandbox). */
+/* lua/confine.h - the folders and the disk space to which this program is confined (sandbox). */
 #ifndef LUA_CONFINE_H
 #define LUA_CONFINE_H
 
@@ -11,5 +11,13 @@ arc_status confine_files(const char *read, const char *write, arc_error *error);
 
 /* The folder of readable files, or NULL if not confined. */
 const char *confine_folder(void);
+
+/* Free bytes of the disk of the folder `write`; 0 if unknown. */
+double confine_free(void);
+
+/* From now on no file is written while the disk has fewer free bytes. */
+void confine_disk(double least);
+/* This number; 0: none. */
+double confine_least(void);
 
 #endif

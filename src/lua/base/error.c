@@ -56,9 +56,9 @@ int error_user_level(lua_State *L) {
 }
 
 void error_push_plain(lua_State *L, const char *text) {
-  const size_t room = 4 * strlen(text) + 1;
-  char *shown = lua_newuserdatauv(L, room, 0);
-  arc_show_text(text, shown, room);
+  const size_t capacity = 4 * strlen(text) + 1;
+  char *shown = lua_newuserdatauv(L, capacity, 0);
+  arc_show_text(text, shown, capacity);
   lua_pushstring(L, shown);
   lua_remove(L, -2);
 }
@@ -139,10 +139,25 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   throw(L);
 }
 
+/* Pushes the text at index 1 without its lines of our own scripts' frames. */
+static int without_own(lua_State *L) {
+  luaL_Buffer kept;
+  luaL_buffinit(L, &kept);
+  for (const char *line = lua_tostring(L, 1), *end; *line; line = end) {
+    end = line + strcspn(line, "\n");
+    end += *end == '\n';
+    if (strncmp(line, "\tscripts/", 9) != 0) luaL_addlstring(&kept, line, (size_t)(end - line));
+  }
+  luaL_pushresult(&kept);
+  return 1;
+}
+
 /* Adds a traceback to plain text, since the frames are lost later; error objects stay unchanged. */
 static int add_traceback(lua_State *L) {
-  if (lua_type(L, 1) == LUA_TSTRING) luaL_traceback(L, L, lua_tostring(L, 1), 1);
-  return 1;
+  if (lua_type(L, 1) != LUA_TSTRING) return 1;
+  luaL_traceback(L, L, lua_tostring(L, 1), 1);
+  lua_replace(L, 1);
+  return without_own(L);
 }
 
 int error_pcall(lua_State *L, int arguments, int results) {

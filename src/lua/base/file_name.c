@@ -17,5 +17,5 @@ const char *path_argument(lua_State *L, int index, const char *where, const char
   const char *expected = trouble_with(L, index);
   if (!expected) return lua_tostring(L, index);
   lua_pushvalue(L, index);
-  args_refuse(L, (args_place){where, ""}, name, expected);
+  args_refuse(L, (args_location){where, ""}, name, expected);
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* --- the nearest known name ------------------------------------------------------------------ */
+/* --- the nearest known name ------------------------------------------------------------------- */
 
 enum { LONGEST = 31 };
 
@@ -38,14 +38,32 @@ static int distance_of(const char *a, const char *b) {
 /* Known names for symbols and terms of textbooks and other programs; "" if none. */
 static const char *meaning_of(const char *name) {
   static const char *const pairs[][2] = {
-      {"mu", "friction"},      {"R", "radius"},     {"r", "radius"},
-      {"diameter", "radius"},  {"P", "load"},       {"F", "load"},
-      {"L", "load"},           {"force", "load"},   {"N", "cycles"},
-      {"Q", "tangential"},     {"v", "nu"},         {"poisson", "nu"},
-      {"young", "E"},          {"e", "E"},          {"s", "stroke"},
-      {"amplitude", "stroke"}, {"d", "distance"},   {"cores", "workers"},
-      {"threads", "workers"},  {"color", "colour"},
+      {"mu", "friction"},
+      {"R", "radius"},
+      {"r", "radius"},
+      {"diameter", "radius"},
+      {"P", "load"},
+      {"F", "load"},
+      {"L", "load"},
+      {"force", "load"},
+      {"N", "cycles"},
+      {"Q", "tangential"},
+      {"v", "nu"},
+      {"poisson", "nu"},
+      {"young", "E"},
+      {"e", "E"},
+      {"s", "stroke"},
+      {"amplitude", "stroke"},
+      {"d", "distance"},
+      {"cores", "workers"},
+      {"threads", "workers"},
+      {"color", "colour"},
+      {"speed", "distance"},
+      {"velocity", "distance"},
+      {"time", "cycles"},
+      {"frequency", "cycles"},
   };
+  if (strncmp(name, "k_", 2) == 0) return "k_cylinder";
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
     if (strcmp(name, pairs[i][0]) == 0) return pairs[i][1];
   return "";
@@ -83,7 +101,7 @@ static int names_nearest(lua_State *L) {
   return 1;
 }
 
-/* --- values ---------------------------------------------------------------------------------- */
+/* --- values ----------------------------------------------------------------------------------- */
 
 /* C strings end at a zero byte, so zero bytes are shown as \0. */
 const char *names_push_text(lua_State *L, int index) {
@@ -146,7 +164,7 @@ static int names_plain(lua_State *L) {
   return 1;
 }
 
-/* --- errors ---------------------------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------------------------- */
 
 /* raise(where, status, message): raises an error object. */
 static int names_raise(lua_State *L) {

@@ -30,6 +30,8 @@ void settings_push(lua_State *L, const arc_setting *s, const void *definition) {
     lua_pushnumber(L, *(const double *)member);
   else if (s->kind == ARC_WHOLE)
     lua_pushinteger(L, *(const int *)member);
+  else if (s->choices == arc_switch_names)
+    lua_pushboolean(L, *(const int *)member);
   else if (s->kind == ARC_CHOICE)
     lua_pushstring(L, s->choices[*(const int *)member]);
   else if (s->kind == ARC_TEXT && *(const char *)member)

@@ -6,6 +6,7 @@
 #include "lua/base/scripts.h"
 
 #include <lauxlib.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char lax_key = 0; /* registry key, by its address */
@@ -36,7 +37,7 @@ int strict_reads_called(lua_State *L) {
   return reads_at(L, 2);
 }
 
-/* --- known names ----------------------------------------------------------------------------- */
+/* --- known names ------------------------------------------------------------------------------ */
 
 /* Offers the text keys of the table at `index` and the text values of its list part. */
 static void offer_all(lua_State *L, int index, names_search *search) {
@@ -50,16 +51,64 @@ static void offer_all(lua_State *L, int index, names_search *search) {
   }
 }
 
+static int by_text(const void *a, const void *b) {
+  return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Pushes " (known: cylinder, plate)" with the text keys of the table at `index`; "" without any or
+ * for more than eight. */
+static const char *push_few(lua_State *L, int index) {
+  enum { most = 8 };
+  const char *keys[most];
+  int count = 0;
+  if (!lua_istable(L, index)) return lua_pushliteral(L, "");
+  index = lua_absindex(L, index);
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) continue;
+    if (count == most) {
+      lua_pop(L, 2);
+      return lua_pushliteral(L, "");
+    }
+    keys[count++] = lua_tostring(L, -2);
+  }
+  qsort(keys, (size_t)count, sizeof *keys, by_text);
+  lua_pushliteral(L, "");
+  for (int i = 0; i < count; i++) {
+    lua_pushfstring(L, "%s%s%s", lua_tostring(L, -1), i == 0 ? " (known: " : ", ", keys[i]);
+    lua_remove(L, -2);
+  }
+  if (count > 0) lua_pushliteral(L, ")"), lua_concat(L, 2);
+  return lua_tostring(L, -1);
+}
+
+/* Names of other programs that stand for something elsewhere. */
+static const char *elsewhere(const char *where, const char *name) {
+  static const char *const list[][3] = {
+      {"body", "cup", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"},
+      {"body", "socket", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"}};
+  for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+    if (strcmp(where, list[i][0]) == 0 && strcmp(name, list[i][1]) == 0) return list[i][2];
+  return NULL;
+}
+
 void strict_refuse(lua_State *L, const char *where, const char *name, int known) {
   names_search search = names_begin(name);
+  const char *meant = elsewhere(where, name);
+  if (meant) error_raise(L, ARC_ARGUMENT, where, "no field '%s'%s", name, meant);
   luaL_checkstack(L, 10, where);
+  known = lua_absindex(L, known);
   offer_all(L, known, &search);
   if (search.best)
     error_raise(L, ARC_ARGUMENT, where, "no field '%s'; did you mean '%s'?", name, search.best);
-  error_raise(L, ARC_ARGUMENT, where, "no field '%s'", name);
+  const char *few = push_few(L, known);
+  if (lua_istable(L, known) && luaL_getmetafield(L, known, "__call") != LUA_TNIL)
+    error_raise(L, ARC_ARGUMENT, where,
+                "no field '%s'%s; for methods of what %s{} makes: help \"%s.%s\"", name, few, where,
+                where, name);
+  error_raise(L, ARC_ARGUMENT, where, "no field '%s'%s", name, few);
 }
 
-/* --- tables ---------------------------------------------------------------------------------- */
+/* --- tables ----------------------------------------------------------------------------------- */
 
 /* __index(table, name). Upvalues: the table's name, aliases of its fields or nil. */
 static int table_index(lua_State *L) {
@@ -147,7 +196,7 @@ void strict_module(lua_State *L, const char *where) {
   lua_setmetatable(L, -2);
 }
 
-/* --- globals --------------------------------------------------------------------------------- */
+/* --- globals ---------------------------------------------------------------------------------- */
 
 /* Names that Lua programs test to detect their environment, and `_`, the prompt's last value.
  * Reading them gives nil. */
@@ -203,7 +252,7 @@ void strict_globals(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* --- Lua's own libraries --------------------------------------------------------------------- */
+/* --- Lua's own libraries ---------------------------------------------------------------------- */
 
 /* Library functions of other Lua versions, which programs test for. Reading them gives nil. */
 static const char *const asked_of_libraries[] = {
@@ -241,8 +290,7 @@ void strict_libraries(lua_State *L) {
   }
 }
 
-/* --- the module archard.strict ------------------------------------------------------------------
- */
+/* --- the module archard.strict ---------------------------------------------------------------- */
 
 /* table(t, where) -> t */
 static int module_table(lua_State *L) {
@@ -273,14 +321,40 @@ static int module_refuse(lua_State *L) {
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }
 
+/* Pushes the field `name` (index 2) of the object at index 1: of a read-only one, a userdata, from
+ * its table. */
+static int push_own(lua_State *L) {
+  if (lua_type(L, 1) != LUA_TUSERDATA) return lua_pushnil(L), LUA_TNIL;
+  lua_getiuservalue(L, 1, 1);
+  lua_pushvalue(L, 2);
+  return lua_rawget(L, -2);
+}
+
 /* __index(object, name). Upvalues: methods of the class, names of all its fields, its name. */
 static int object_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
-  if (!strict_reads(L) || is_listed(L, lua_upvalueindex(2), 2)) return 0;
-  strict_refuse(L, lua_tostring(L, lua_upvalueindex(3)), lua_tostring(L, 2), lua_upvalueindex(2));
+  if (strict_reads(L) && !is_listed(L, lua_upvalueindex(2), 2))
+    strict_refuse(L, lua_tostring(L, lua_upvalueindex(3)), lua_tostring(L, 2), lua_upvalueindex(2));
+  push_own(L);
+  return 1;
+}
+
+/* __newindex(object, name, value) of read-only objects: for our own scripts. Upvalue: its name. */
+static int object_newindex(lua_State *L) {
+  lua_settop(L, 3);
+  if (strict_reads(L)) {
+    const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    error_raise(L, ARC_ARGUMENT, lua_tostring(L, lua_upvalueindex(1)),
+                "field '%s' cannot be set: the object is read-only", name);
+  }
+  if (lua_type(L, 1) != LUA_TUSERDATA) return lua_rawset(L, 1), 0;
+  lua_getiuservalue(L, 1, 1);
+  lua_replace(L, 1);
+  lua_rawset(L, 1);
+  return 0;
 }
 
 /* Pops a table and appends its text keys and list values to the list below. */
@@ -345,6 +419,9 @@ static int module_class(lua_State *L) {
   lua_getfield(L, 1, "__name");
   lua_pushcclosure(L, object_index, 3);
   lua_setfield(L, 1, "__index");
+  lua_getfield(L, 1, "__name");
+  lua_pushcclosure(L, object_newindex, 1);
+  lua_setfield(L, 1, "__newindex");
   lua_settop(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
   lua_getfield(L, 1, "__name");
@@ -363,10 +440,38 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
+/* is(value, name) -> whether a value is an object of the class with this __name */
+static int module_is(lua_State *L) {
+  const char *name = luaL_checkstring(L, 2);
+  lua_settop(L, 1);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
+  lua_getfield(L, 2, name);
+  lua_pushboolean(L, lua_getmetatable(L, 1) && lua_rawequal(L, -1, 3));
+  return 1;
+}
+
+/* object(fields, class) -> a read-only object of a class with the fields of a table */
+static int module_object(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  luaL_checktype(L, 2, LUA_TTABLE);
+  lua_settop(L, 2);
+  lua_newuserdatauv(L, 0, 1);
+  lua_pushvalue(L, 1);
+  lua_setiuservalue(L, -2, 1);
+  lua_pushvalue(L, 2);
+  lua_setmetatable(L, -2);
+  return 1;
+}
+
 int luaopen_archard_strict(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"table", module_table}, {"refuse", module_refuse},           {"methods", module_methods},
-      {"class", module_class}, {"class_named", module_class_named}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"table", module_table},
+                                       {"refuse", module_refuse},
+                                       {"methods", module_methods},
+                                       {"class", module_class},
+                                       {"class_named", module_class_named},
+                                       {"is", module_is},
+                                       {"object", module_object},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

@@ -8,7 +8,7 @@
 /* Reads the fields `upper` and `lower` of the definition table at `index` into the bodies and
  * materials of `def`, whose radius must be set. Profiles are valid until the calling C function
  * returns. */
-void body_read(lua_State *L, int index, args_place place, arc_model_def *def);
+void body_read(lua_State *L, int index, args_location location, arc_model_def *def);
 
 /* Reads only kind and name of the bodies, without errors, for code that runs before the model is
  * built. */

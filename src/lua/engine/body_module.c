@@ -46,10 +46,10 @@ static void add_material_names(luaL_Buffer *text) {
   }
 }
 
-static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name)
+static void refuse_name(lua_State *L, args_location location, arc_solid kind, const char *name)
     __attribute__((noreturn));
 
-static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name) {
+static void refuse_name(lua_State *L, args_location location, arc_solid kind, const char *name) {
   luaL_Buffer known;
   luaL_buffinit(L, &known);
   for (const char *const *own = arc_body_fields(kind); *own; own++) {
@@ -60,22 +60,22 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
   add_material_names(&known);
   luaL_addstring(&known, ", material, layers, materials");
   luaL_pushresult(&known);
-  error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' of a %s (known: %s)",
-              place.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
+  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' of a %s (known: %s)",
+              location.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
 }
 
-static void check_names(lua_State *L, int index, args_place place, arc_solid kind) {
+static void check_names(lua_State *L, int index, args_location location, arc_solid kind) {
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, location);
     const char *name = names_push_text(L, -2);
-    if (!is_known(kind, name)) refuse_name(L, place, kind, name);
+    if (!is_known(kind, name)) refuse_name(L, location, kind, name);
     lua_pop(L, 1);
   }
 }
 
 /* Reads the fields of the table at `index` that are in the list, except groups and lists
  * (materials, layers), which have their own functions. */
-static void read_part(lua_State *L, int index, args_place place, const arc_setting *list,
+static void read_part(lua_State *L, int index, args_location location, const arc_setting *list,
                       void *definition) {
   lua_newtable(L);
   for (const arc_setting *s = list; s->name; s++) {
@@ -83,40 +83,40 @@ static void read_part(lua_State *L, int index, args_place place, const arc_setti
     lua_getfield(L, index, s->name);
     lua_setfield(L, -2, s->name);
   }
-  args_read(L, -1, place, list, definition);
+  args_read(L, -1, location, list, definition);
   lua_pop(L, 1);
 }
 
 /* --- materials and layers --------------------------------------------------------------------- */
 
 /* Raises an error if both `material` and one of E, nu and k are given. */
-static void refuse_both(lua_State *L, int index, args_place place) {
+static void refuse_both(lua_State *L, int index, args_location location) {
   if (!args_given(L, index, "material")) return;
   for (const arc_setting *s = arc_material_settings; s->name; s++)
     if (s->kind != ARC_TEXT && args_given(L, index, s->name))
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "fields '%smaterial' and '%s%s': expected one of them, got both", place.prefix,
-                  place.prefix, s->name);
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "fields '%smaterial' and '%s%s': expected one of them, got both", location.prefix,
+                  location.prefix, s->name);
 }
 
 /* Reads the material in field `name`. */
-static void read_whole(lua_State *L, int index, args_place place, const char *name,
+static void read_whole(lua_State *L, int index, args_location location, const char *name,
                        arc_material *to) {
   const arc_setting whole[] = {ARC_MATERIAL_SETTING(0, name, ""), {.name = NULL}};
   lua_newtable(L);
   lua_getfield(L, index, name);
   lua_setfield(L, -2, name);
-  args_read(L, -1, place, whole, to);
+  args_read(L, -1, location, whole, to);
   lua_pop(L, 1);
 }
 
 /* Reads the material from the field `material` or from E, nu and k. */
-static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
-  refuse_both(L, index, place);
-  read_whole(L, index, place, "material", to);
+static void read_material(lua_State *L, int index, args_location location, arc_material *to) {
+  refuse_both(L, index, location);
+  read_whole(L, index, location, "material", to);
   for (const arc_setting *s = arc_material_settings; s->name; s++)
     if (s->kind != ARC_TEXT)
-      read_part(L, index, place, (const arc_setting[]){*s, {.name = NULL}}, to);
+      read_part(L, index, location, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
 /* True for the settings of a layer in `layers`: all but its name (for `materials`) and its
@@ -125,19 +125,19 @@ static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
 }
 
-static void refuse_layer_name(lua_State *L, args_place place, const char *name) {
+static void refuse_layer_name(lua_State *L, args_location location, const char *name) {
   luaL_Buffer known;
   luaL_buffinit(L, &known);
   for (const arc_setting *s = arc_layer_settings; s->name; s++)
     if (s->kind != ARC_TEXT) luaL_addstring(&known, s->name), luaL_addstring(&known, ", ");
   add_material_names(&known);
   luaL_pushresult(&known);
-  error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
-              lua_tostring(L, -1));
+  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (known: %s)", location.prefix,
+              name, lua_tostring(L, -1));
 }
 
-static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
-  if (!lua_istable(L, -1)) args_refuse(L, place, "", "a table { thickness=, material= }");
+static void read_layer(lua_State *L, args_location location, arc_layer *layer) {
+  if (!lua_istable(L, -1)) args_refuse(L, location, "", "a table { thickness=, material= }");
   const int at = lua_gettop(L);
   layer->material = arc_material_default();
   for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 3)) {
@@ -145,49 +145,50 @@ static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
     const char *name = names_push_text(L, -1);
     const arc_setting *s = arc_setting_find(arc_layer_settings, name);
     if ((!s || s->kind == ARC_TEXT) && !arc_setting_find(arc_material_settings, name))
-      refuse_layer_name(L, place, name);
+      refuse_layer_name(L, location, name);
   }
   for (const arc_setting *s = arc_layer_settings; s->name; s++)
-    if (is_of_layer(s)) read_part(L, at, place, (const arc_setting[]){*s, {.name = NULL}}, layer);
+    if (is_of_layer(s))
+      read_part(L, at, location, (const arc_setting[]){*s, {.name = NULL}}, layer);
   if (layer->thickness == 0) {
     lua_pushnil(L);
-    args_refuse(L, place, "thickness", "a number > 0 mm");
+    args_refuse(L, location, "thickness", "a number > 0 mm");
   }
   if (!args_given(L, at, "material") && !args_given(L, at, "E")) {
     lua_pushnil(L);
-    args_refuse(L, place, "material",
+    args_refuse(L, location, "material",
                 "a material object or a table " ARC_MATERIAL_TABLE ", or the field E");
   }
-  read_material(L, at, place, &layer->material);
+  read_material(L, at, location, &layer->material);
 }
 
 static const char a_list[] = "a list { { thickness=, material= } }";
 
 /* Counts the layers of the list on top of the stack; raises an error if a key is not an index. */
-static int count_layers(lua_State *L, args_place place) {
-  if (!lua_istable(L, -1)) args_refuse(L, place, "layers", a_list);
-  const int count = (int)array_length(L, place, "layers", ARC_MOST_LAYERS);
+static int count_layers(lua_State *L, args_location location) {
+  if (!lua_istable(L, -1)) args_refuse(L, location, "layers", a_list);
+  const int count = (int)array_length(L, location, "layers", ARC_MOST_LAYERS);
   for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
     const lua_Integer at = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
     if (at < 1 || at > count)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%slayers': expected %s, got a table that is not a list", place.prefix,
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%slayers': expected %s, got a table that is not a list", location.prefix,
                   a_list);
   }
   return count;
 }
 
-static void read_layers(lua_State *L, int index, args_place place, arc_body_def *def) {
+static void read_layers(lua_State *L, int index, args_location location, arc_body_def *def) {
   if (lua_getfield(L, index, "layers") == LUA_TNIL) {
     lua_pop(L, 1);
     return;
   }
-  const int count = count_layers(L, place);
+  const int count = count_layers(L, location);
   for (int l = 0; l < count; l++) {
     lua_rawgeti(L, -1, l + 1);
-    const char *prefix = lua_pushfstring(L, "%slayers[%d].", place.prefix, l + 1);
+    const char *prefix = lua_pushfstring(L, "%slayers[%d].", location.prefix, l + 1);
     lua_insert(L, -2);
-    read_layer(L, (args_place){place.where, prefix}, &def->layer[l]);
+    read_layer(L, (args_location){location.where, prefix}, &def->layer[l]);
     lua_pop(L, 2);
   }
   lua_pop(L, 1);
@@ -203,17 +204,17 @@ static void enter_name(arc_body_def *def, int count, const char *name) {
 }
 
 /* Reads the keys of the table at `index` as names of materials; returns their number. */
-static int read_names(lua_State *L, int index, args_place place, arc_body_def *def) {
+static int read_names(lua_State *L, int index, args_location location, arc_body_def *def) {
   int count = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, location);
     if (lua_rawlen(L, -2) == 0 || lua_rawlen(L, -2) >= ARC_TEXT_SIZE)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%s': expected " ARC_BODY_NAME ", got \"%s\"", place.prefix,
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%s': expected " ARC_BODY_NAME ", got \"%s\"", location.prefix,
                   lua_tostring(L, -2));
     if (count == ARC_MESH_MATERIALS)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%s': expected at most %d materials, got more", place.prefix,
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%s': expected at most %d materials, got more", location.prefix,
                   ARC_MESH_MATERIALS);
     enter_name(def, count++, lua_tostring(L, -2));
   }
@@ -221,16 +222,18 @@ static int read_names(lua_State *L, int index, args_place place, arc_body_def *d
 }
 
 /* Reads `materials`, sorted by name, since Lua tables have no order. */
-static void read_materials(lua_State *L, int index, args_place place, arc_body_def *def) {
+static void read_materials(lua_State *L, int index, args_location location, arc_body_def *def) {
   const int top = lua_gettop(L);
   if (lua_getfield(L, index, "materials") != LUA_TNIL) {
     if (!lua_istable(L, -1))
-      args_refuse(L, place, "materials", "a table { NAME = material{}, ... } by the mesh's names");
+      args_refuse(L, location, "materials",
+                  "a table { NAME = material{}, ... } by the mesh's names");
     if (arc_body_layers(def) > 0)
-      error_raise(L, ARC_ARGUMENT, place.where,
+      error_raise(L, ARC_ARGUMENT, location.where,
                   "fields '%slayers' and '%smaterials': expected one of them, got both",
-                  place.prefix, place.prefix);
-    const args_place inside = {place.where, lua_pushfstring(L, "%smaterials.", place.prefix)};
+                  location.prefix, location.prefix);
+    const args_location inside = {location.where,
+                                  lua_pushfstring(L, "%smaterials.", location.prefix)};
     const int count = read_names(L, top + 1, inside, def);
     for (int l = 0; l < count; l++) {
       def->layer[l].material = arc_material_default();
@@ -242,53 +245,54 @@ static void read_materials(lua_State *L, int index, args_place place, arc_body_d
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-static arc_solid read_kind(lua_State *L, int index, args_place place) {
+static arc_solid read_kind(lua_State *L, int index, args_location location) {
   lua_getfield(L, index, "kind");
-  const int kind = args_choice(L, -1, place, "kind", arc_solid_names, ARC_SOLID_USUAL);
+  const int kind = args_choice(L, -1, location, "kind", arc_solid_names, ARC_SOLID_USUAL);
   lua_pop(L, 1);
   if (kind == ARC_SOLID_USUAL)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "field '%skind': expected a body, e.g. body.cylinder{ radius=10 }, got a "
                 "table without kind",
-                place.prefix);
+                location.prefix);
   return (arc_solid)kind;
 }
 
-static void read_at(lua_State *L, int index, args_place place, double radius, arc_body_def *def,
-                    arc_material *material) {
-  luaL_checkstack(L, 20, place.where);
-  const arc_solid kind = read_kind(L, index, place);
-  check_names(L, index, place, kind);
+static void read_at(lua_State *L, int index, args_location location, double radius,
+                    arc_body_def *def, arc_material *material) {
+  luaL_checkstack(L, 20, location.where);
+  const arc_solid kind = read_kind(L, index, location);
+  check_names(L, index, location, kind);
   *def = (arc_body_def){0};
   arc_settings_default(arc_body_settings, def);
-  read_part(L, index, place, arc_body_settings, def);
-  read_material(L, index, place, material);
-  read_layers(L, index, place, def);
-  read_materials(L, index, place, def);
-  if (has_points(kind)) body_read_profile(L, index, place, radius, def);
-  if (has_map(kind)) body_read_map(L, index, place, def);
+  read_part(L, index, location, arc_body_settings, def);
+  read_material(L, index, location, material);
+  read_layers(L, index, location, def);
+  read_materials(L, index, location, def);
+  if (has_points(kind)) body_read_profile(L, index, location, radius, def);
+  if (has_map(kind)) body_read_map(L, index, location, def);
 }
 
 /* Raises an error if the field `cylinder` or `plate` (material) is given for a body, which has its
  * own material. */
-static void refuse_pair(lua_State *L, int index, args_place place, arc_body body) {
+static void refuse_pair(lua_State *L, int index, args_location location, arc_body body) {
   const char *role = arc_model_role_name(body), *usual = arc_body_name(body);
   if (args_given(L, index, usual))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields '%s%s' and '%s%s': expected one of them (a body has its own E, nu and k), "
                 "got both",
-                place.prefix, role, place.prefix, usual);
+                location.prefix, role, location.prefix, usual);
 }
 
-void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
+void body_read(lua_State *L, int index, args_location location, arc_model_def *def) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const char *role = arc_model_role_name((arc_body)b);
     const int top = lua_gettop(L);
     if (lua_getfield(L, index, role) != LUA_TNIL) {
       if (!lua_istable(L, -1))
-        args_refuse(L, place, role, "a body, e.g. body.cylinder{ radius=10 }");
-      refuse_pair(L, index, place, (arc_body)b);
-      const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, role)};
+        args_refuse(L, location, role, "a body, e.g. body.cylinder{ radius=10 }");
+      refuse_pair(L, index, location, (arc_body)b);
+      const args_location inside = {location.where,
+                                    lua_pushfstring(L, "%s%s.", location.prefix, role)};
       read_at(L, top + 1, inside, def->radius, &def->body[b], &def->material[b]);
     }
     lua_settop(L, top);
@@ -312,12 +316,11 @@ void body_read_names(lua_State *L, int index, arc_model_def *def) {
   }
 }
 
-/* --- printing ----------------------------------------------------------------------------------
- */
+/* --- printing --------------------------------------------------------------------------------- */
 
 static int body_tostring(lua_State *L) {
   arc_model_def model = arc_model_default();
-  read_at(L, 1, (args_place){"body", ""}, model.radius, &model.body[ARC_UPPER],
+  read_at(L, 1, (args_location){"body", ""}, model.radius, &model.body[ARC_UPPER],
           &model.material[ARC_UPPER]);
   luaL_Buffer text;
   luaL_buffinit(L, &text);
@@ -329,7 +332,7 @@ static int body_tostring(lua_State *L) {
 /* Sets the metatable of the table on top: a table of fields that prints as a body. */
 static void set_body_class(lua_State *L) {
   if (luaL_newmetatable(L, "archard.body")) {
-    lua_pushcfunction(L, body_tostring);
+    call_push(L, body_tostring);
     lua_setfield(L, -2, "__tostring");
     lua_pushboolean(L, 1);
     lua_setfield(L, -2, "__plain");
@@ -436,7 +439,7 @@ static int make(lua_State *L) {
   const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
   char where[40];
   snprintf(where, sizeof where, "body.%s", arc_solid_names[kind]);
-  const args_place place = {where, ""};
+  const args_location location = {where, ""};
   arc_body_def def;
   arc_material material = arc_material_default();
   arc_error error = {0};
@@ -448,10 +451,10 @@ static int make(lua_State *L) {
     lua_newtable(L);
   else
     args_push_copy(L, 1);
-  if (has_map(kind)) body_take_map(L, place);
+  if (has_map(kind)) body_take_map(L, location);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");
-  read_at(L, 2, place, arc_model_default().radius, &def, &material);
+  read_at(L, 2, location, arc_model_default().radius, &def, &material);
   def = arc_body_resolve(&def, ARC_UPPER, arc_model_default().radius);
   error_check(L, arc_body_check(&def, "", &error), &error, where, -1);
   lua_settop(L, 2);

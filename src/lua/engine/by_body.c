@@ -42,7 +42,7 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
     lua_pushnil(L);
   else
     lua_pushvalue(L, index);
-  args_refuse(L, (args_place){where, ""}, "body", expected);
+  args_refuse(L, (args_location){where, ""}, "body", expected);
 }
 
 /* --- tables ----------------------------------------------------------------------------------- */
@@ -141,7 +141,7 @@ void push_body_names(lua_State *L, const arc_model_def *def) {
   by_body_named(L, def, "model.bodies");
 }
 
-void push_usual_names(lua_State *L, int index, args_place place, const arc_model_def *def) {
+void push_usual_names(lua_State *L, int index, args_location location, const arc_model_def *def) {
   index = lua_absindex(L, index);
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
@@ -149,14 +149,14 @@ void push_usual_names(lua_State *L, int index, args_place place, const arc_model
     const char *name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
     const int found = name ? body_find(def, name, &body) : 0;
     if (found < 0)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%s%s': ambiguous: both bodies match; use upper or lower", place.prefix,
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%s%s': ambiguous: both bodies match; use upper or lower", location.prefix,
                   name);
     if (found) {
       lua_getfield(L, -3, body_names[body]);
       if (!lua_isnil(L, -1))
-        error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': this body is given twice",
-                    place.prefix, name);
+        error_raise(L, ARC_ARGUMENT, location.where, "field '%s%s': this body is given twice",
+                    location.prefix, name);
       lua_pop(L, 1);
       lua_pushstring(L, body_names[body]);
     } else {

@@ -30,7 +30,7 @@ extern const box_class mesh_class;    /* thing: mesh_view (mesh_class.c) */
 extern const box_class contact_class; /* thing: arc_contact; user value: the model's box */
 extern const box_class wear_class;    /* thing: arc_wear; user value: the model's box */
 
-/* --- bodies by name (by_body.c); a NULL definition means the default bodies --- */
+/* --- bodies by name (by_body.c); a NULL definition means the default bodies ------------------- */
 
 /* {"cylinder", "plate", NULL}, indexed by arc_body: names of fields in definitions and files. */
 extern const char *const body_names[];
@@ -57,18 +57,18 @@ void push_by_body(lua_State *L, const arc_model_def *def, double upper, double l
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 void push_body_names(lua_State *L, const arc_model_def *def);
 /* Pushes a copy of the table at `index` whose keys for bodies are replaced by body_names. */
-void push_usual_names(lua_State *L, int index, args_place place, const arc_model_def *def);
+void push_usual_names(lua_State *L, int index, args_location location, const arc_model_def *def);
 
 /* Pushes a material object. */
 void material_push(lua_State *L, arc_material material);
 
-/* --- joints (joint_module.c) --- */
+/* --- joints (joint_module.c) ------------------------------------------------------------------ */
 
 /* If the field `model` of the definition at index 1 is a joint, calls its method ("contact",
  * "wear") with the definition without `model`; returns 1 with the result on top. Else returns 0. */
 int joint_takes(lua_State *L, const char *method);
 
-/* --- models (model_class.c) --- */
+/* --- models (model_class.c) ------------------------------------------------------------------- */
 
 /* Computes the half widths of the zones [mm] that a contact or run needs on a model; `asker`: its
  * definition. */
@@ -94,7 +94,7 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 /* Raises an error if the bodies have no meshes (surface_maps.c). */
 void model_check_meshed(lua_State *L, const arc_model *model, const char *where);
 
-/* --- sharing them (model_share.c) --- */
+/* --- sharing them (model_share.c) ------------------------------------------------------------- */
 
 /* Pushes a box with the model of this definition: a cached model or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
@@ -119,7 +119,7 @@ const arc_mesh *mesh_of(lua_State *L, int index, const char *where);
  * triangle is 0. */
 void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 
-/* --- worn shapes (worn.c) --- */
+/* --- worn shapes (worn.c) --------------------------------------------------------------------- */
 
 extern const box_class shape_class; /* thing: arc_shape; internal */
 
@@ -143,7 +143,7 @@ const arc_model_def *worn_model_def(lua_State *L, int worn);
  * it); else NULL. */
 arc_model *worn_given_model(lua_State *L, int worn);
 
-/* --- others --- */
+/* --- others ----------------------------------------------------------------------------------- */
 
 /* Pushes { x=, p= }, the pressure on a body [mm, MPa]. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);

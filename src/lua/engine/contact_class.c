@@ -6,13 +6,15 @@
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
+#include "lua/engine/peak.h"
 #include "lua/engine/surface_maps.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* --- the object ------------------------------------------------------------------------------ */
+/* --- the object ------------------------------------------------------------------------------- */
 
 static void destroy_contact(void *thing) {
   arc_contact *contact = thing;
@@ -37,6 +39,7 @@ NUMBER_FIELD(contact, normal_force, result(L).normal_force)
 NUMBER_FIELD(contact, approach, result(L).approach)
 NUMBER_FIELD(contact, tangential, result(L).tangential)
 NUMBER_FIELD(contact, energy, result(L).energy)
+NUMBER_FIELD(contact, energy_error, result(L).energy_error)
 NUMBER_FIELD(contact, z, result(L).z)
 NUMBER_FIELD(contact, tangential_z, result(L).tangential_z)
 
@@ -84,29 +87,44 @@ static int contact_model(lua_State *L) {
   return 1;
 }
 
+/* Writes where the largest pressure lies, "" at the centre. */
+static void show_peak(const arc_contact *contact, const arc_contact_result *solved, char *text,
+                      size_t size) {
+  arc_error error = {0};
+  arc_array *arrays = NULL;
+  size_t count = 0;
+  text[0] = '\0';
+  if (!(solved->p_max > solved->p_center)) return;
+  if (arc_contact_surfaces(contact, &arrays, &count, &error) != ARC_OK) return;
+  peak_position(arrays, count, solved->p_center, text, size);
+  free(arrays);
+}
+
 static int contact_tostring(lua_State *L) {
   const arc_contact_def *def = arc_contact_definition(self(L));
   arc_contact_result solved = result(L);
-  char text[480];
+  char text[560], at[80];
+  show_peak(self(L), &solved, at, sizeof at);
   snprintf(text, sizeof text,
            "contact: load %.6g N, plate at x = %.6g mm\n"
-           "  pressure  centre %.6g MPa, largest %.6g MPa\n"
+           "  pressure  centre %.6g MPa, largest %.6g MPa%s\n"
            "  width     half %.6g mm, from %.6g to %.6g mm\n"
            "  approach  %.6g mm (%d iterations)",
-           def->load, def->x, solved.p_center, solved.p_max, solved.half_width, solved.left,
+           def->load, def->x, solved.p_center, solved.p_max, at, solved.half_width, solved.left,
            solved.right, solved.approach, solved.iterations);
   if (arc_model_has_maps(model_of(self(L))))
     snprintf(text, sizeof text,
              "contact: load %.6g N, lower body at x = %.6g mm\n"
-             "  pressure  centre %.6g MPa, largest %.6g MPa\n"
+             "  pressure  centre %.6g MPa, largest %.6g MPa%s\n"
              "  size      half widths %.6g mm along x, %.6g mm along z; area %.6g mm2\n"
              "  approach  %.6g mm (%d iterations)",
-             def->load, def->x, solved.p_center, solved.p_max, solved.half_width,
+             def->load, def->x, solved.p_center, solved.p_max, at, solved.half_width,
              solved.half_width_z, solved.area, solved.approach, solved.iterations);
   lua_pushstring(L, text);
   if (def->friction == 0) return 1;
   snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
-           def->friction, solved.tangential, solved.energy);
+           def->friction, fabs(solved.tangential) < 1e-9 * def->load ? 0 : solved.tangential,
+           solved.energy);
   lua_pushstring(L, text);
   lua_concat(L, 2);
   return 1;
@@ -228,7 +246,7 @@ static int contact_slip(lua_State *L) {
   return 1;
 }
 
-/* --- the calls that made it ------------------------------------------------------------------ */
+/* --- the calls that made it ------------------------------------------------------------------- */
 
 /* Pushes a copy of the table at `index`, empty where there is none; what is in it is shared. */
 static void push_copy(lua_State *L, int index) {
@@ -274,7 +292,7 @@ int luaopen_archard_contact_record(lua_State *L) {
   return 1;
 }
 
-/* --- construction ---------------------------------------------------------------------------- */
+/* --- construction ----------------------------------------------------------------------------- */
 
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
@@ -336,7 +354,7 @@ static int contact_new(lua_State *L) {
   arc_contact_def def = arc_contact_default();
   lua_settop(L, 1);
   if (joint_takes(L, "contact")) return 1;
-  args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
+  args_read(L, 1, (args_location){"contact", ""}, arc_contact_settings, &def);
   worn_check(L, 1, "contact");
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
@@ -357,23 +375,23 @@ static int contact_new(lua_State *L) {
 /* contact:move{ x=, z=, load=, tangential=, tangential_z=, increments= } */
 static int contact_move(lua_State *L) {
   const arc_contact *from = self(L);
-  const args_place place = {"contact:move", ""};
+  const args_location location = {"contact:move", ""};
   arc_motion_def motion = arc_contact_motion(from);
   lua_settop(L, 2);
-  args_read(L, 2, place, arc_motion_settings, &motion);
+  args_read(L, 2, location, arc_motion_settings, &motion);
   motion.by_force = args_given(L, 2, "tangential");
   if (motion.by_force && args_given(L, 2, "x"))
     error_raise(
-        L, ARC_ARGUMENT, place.where,
+        L, ARC_ARGUMENT, location.where,
         "fields 'x' and 'tangential': expected one of them (displacement or force), got both");
   motion.by_force_z = args_given(L, 2, "tangential_z");
   if (motion.by_force_z && args_given(L, 2, "z"))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'z' and 'tangential_z': expected one of them, got both");
   lua_getiuservalue(L, 1, 1);
   arc_error error = {0};
   const request asked = {.from = from, .motion = &motion};
-  error_check(L, push_contact(L, lua_gettop(L), &asked, &error), &error, place.where, -1);
+  error_check(L, push_contact(L, lua_gettop(L), &asked, &error), &error, location.where, -1);
   keep_call(L, 2, 1);
   return 1;
 }
@@ -390,6 +408,7 @@ static const luaL_Reg fields[] = {
     {"normal_force", contact_normal_force},
     {"tangential", contact_tangential},
     {"energy", contact_energy},
+    {"energy_error", contact_energy_error},
     {"z", contact_z},
     {"tangential_z", contact_tangential_z},
     {"stick", contact_stick},

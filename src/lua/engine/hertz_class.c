@@ -78,7 +78,7 @@ static const box_class hertz_class = {
 static int hertz_new(lua_State *L) {
   arc_hertz_def def = arc_hertz_default();
   arc_error error = {0};
-  args_read(L, 1, (args_place){"hertz", ""}, arc_hertz_settings, &def);
+  args_read(L, 1, (args_location){"hertz", ""}, arc_hertz_settings, &def);
   hertz_value *value = box_push(L, &hertz_class)->thing;
   value->def = def;
   arc_status status = arc_hertz_of(&def, &value->result, &error);

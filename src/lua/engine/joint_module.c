@@ -6,6 +6,7 @@
 #include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/scripts.h"
 #include "lua/engine/classes.h"
 
 #include <lauxlib.h>
@@ -34,51 +35,66 @@ static double number_of(lua_State *L, const char *name, double otherwise) {
 
 /* --- definitions ------------------------------------------------------------------------------ */
 
-static arc_material material_on_top(lua_State *L) {
+/* Reads the field `material` of the table on top. */
+static arc_material read_material(lua_State *L) {
   const arc_material usual = arc_material_default();
-  return (arc_material){.E = number_of(L, "E", usual.E), .nu = number_of(L, "nu", usual.nu)};
+  lua_getfield(L, -1, "material");
+  luaL_checktype(L, -1, LUA_TTABLE);
+  const arc_material read = {.E = number_of(L, "E", usual.E), .nu = number_of(L, "nu", usual.nu)};
+  lua_pop(L, 1);
+  return read;
 }
 
-/* Reads the list of { thickness=, E=, nu= } in field `name` of the table on top. */
-static void read_layers(lua_State *L, const char *name, arc_layer *layer) {
+/* Reads the list of { thickness=, material= } in field `layers` of the table on top. */
+static void read_layers(lua_State *L, arc_layer *layer) {
   memset(layer, 0, ARC_MOST_LAYERS * sizeof *layer);
-  lua_getfield(L, -1, name);
+  lua_getfield(L, -1, "layers");
   for (int i = 0; i < ARC_MOST_LAYERS && lua_istable(L, -1); i++) {
     lua_rawgeti(L, -1, i + 1);
     if (lua_istable(L, -1)) {
       layer[i].thickness = number_of(L, "thickness", 0);
-      layer[i].material = material_on_top(L);
+      layer[i].material = read_material(L);
     }
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
 }
 
-/* create{ radius=, clearance=, inclination=, cover=, size=, foundation=, core=, head=, cup= } */
+static void read_head(lua_State *L, arc_joint_def *def) {
+  lua_getfield(L, 1, "head");
+  def->radius = number_of(L, "radius", def->radius);
+  def->core = read_material(L);
+  read_layers(L, def->head);
+  lua_pop(L, 1);
+}
+
+static void read_cup(lua_State *L, arc_joint_def *def) {
+  lua_getfield(L, 1, "cup");
+  def->clearance = number_of(L, "clearance", def->clearance);
+  def->inclination = number_of(L, "inclination", def->inclination);
+  def->cover = number_of(L, "cover", def->cover);
+  read_layers(L, def->cup);
+  lua_pop(L, 1);
+}
+
+/* create{ head={ radius=, material=, layers= }, cup={ clearance=, inclination=, cover=, layers= },
+ * foundation=, order=, mesh={ size= } } */
 static int sphere_create(lua_State *L) {
   arc_joint_def def = arc_joint_default();
   arc_error error = {0};
   arc_joint *joint;
-  luaL_checktype(L, 1, LUA_TTABLE);
+  luaL_argexpected(L, lua_istable(L, 1) || lua_isuserdata(L, 1), 1, "joint");
   lua_settop(L, 1);
-  def.radius = number_of(L, "radius", def.radius);
-  def.clearance = number_of(L, "clearance", def.clearance);
-  def.inclination = number_of(L, "inclination", def.inclination);
-  def.cover = number_of(L, "cover", def.cover);
+  read_head(L, &def);
+  read_cup(L, &def);
+  def.second_order = number_of(L, "order", 1) > 1;
+  lua_getfield(L, 1, "mesh");
   def.size = number_of(L, "size", def.size);
-  lua_getfield(L, -1, "second_order");
-  def.second_order = lua_toboolean(L, -1);
   lua_pop(L, 1);
-  lua_getfield(L, -1, "foundation");
-  def.foundation = (arc_foundation)args_choice(L, -1, (args_place){"joint", ""}, "foundation",
+  lua_getfield(L, 1, "foundation");
+  def.foundation = (arc_foundation)args_choice(L, -1, (args_location){"joint", ""}, "foundation",
                                                arc_foundation_names, 0);
   lua_pop(L, 1);
-  lua_getfield(L, -1, "core");
-  luaL_checktype(L, -1, LUA_TTABLE);
-  def.core = material_on_top(L);
-  lua_pop(L, 1);
-  read_layers(L, "head_layers", def.head);
-  read_layers(L, "cup_layers", def.cup);
   box *made = box_push(L, &sphere_class);
   const arc_status status = arc_joint_create(&def, &joint, &error);
   error_check(L, status, &error, "joint", -1);
@@ -118,7 +134,7 @@ static int sphere_named(lua_State *L) {
 static double *list_at(lua_State *L, int index, const char *name, size_t expected) {
   size_t count;
   lua_pushvalue(L, index);
-  double *list = array_read(L, (args_place){"gait", ""}, name, &count);
+  double *list = array_read(L, (args_location){"gait", ""}, name, &count);
   if (count != expected)
     error_raise(L, ARC_ARGUMENT, "gait", "field '%s': expected %d numbers, got %d", name,
                 (int)expected, (int)count);
@@ -141,7 +157,7 @@ static int sphere_angles(lua_State *L) {
 static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
   size_t count;
   lua_pushvalue(L, index);
-  const double *list = array_read(L, (args_place){"wear", ""}, "loading", &count);
+  const double *list = array_read(L, (args_location){"wear", ""}, "loading", &count);
   *n = (int)(count / numbers);
   return (const arc_gait_instant *)(const void *)list;
 }
@@ -157,14 +173,15 @@ static int sphere_path(lua_State *L) {
 
 /* --- contact ---------------------------------------------------------------------------------- */
 
-/* press(joint, Fx, Fy, Fz) -> { p_max=, ... } */
+/* press(joint, Fx, Fy, Fz, rotation of the head or nil) -> { p_max=, ... } */
 static int sphere_press(lua_State *L) {
   arc_joint *joint = joint_at(L, 1, "contact");
   const double load[] = {luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checknumber(L, 4)};
   const arc_callbacks callbacks = {.stop = interrupt_pending};
+  const double *rotation = lua_istable(L, 5) ? list_at(L, 5, "rotation", 9) : NULL;
   arc_joint_contact c;
   arc_error error = {0};
-  const arc_status status = arc_joint_press(joint, NULL, load, &callbacks, &c, &error);
+  const arc_status status = arc_joint_press(joint, rotation, load, &callbacks, &c, &error);
   error_check(L, status, &error, "contact", -1);
   lua_createtable(L, 0, 9);
   array_set_number(L, "p_max", c.p_max);
@@ -230,7 +247,7 @@ static int push_function(called *c, int function, double cycles) {
   if (c->failed) return 0;
   lua_pushvalue(c->L, function);
   lua_createtable(c->L, 0, 3);
-  array_set_number(c->L, "cycles", cycles);
+  array_set_number(c->L, "cycle", cycles);
   return 1;
 }
 
@@ -295,6 +312,7 @@ typedef struct worn {
   called functions;
   arc_joint_record record;
   double cycles;
+  size_t bytes; /* of the joint before the update */
 } worn;
 
 static const arc_callbacks interruptible = {.stop = interrupt_pending};
@@ -315,10 +333,13 @@ static void begin_wear(lua_State *L, worn *w, int arguments) {
   if (!w->def.alpha_function) w->def.alpha = luaL_checknumber(L, 4);
   if (w->holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "this joint is already running");
   w->holder->busy = 1;
+  w->bytes = arc_joint_bytes(w->holder->thing);
 }
 
 static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
+  const size_t bytes = arc_joint_bytes(w->holder->thing);
   w->holder->busy = 0;
+  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* its window has grown */
   if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);
@@ -365,7 +386,7 @@ static int sphere_set_state(lua_State *L) {
   size_t count;
   arc_joint *joint = joint_at(L, 1, "joint.open");
   lua_settop(L, 2);
-  const double *state = array_read_any(L, (args_place){"joint.open", ""}, "state", &count);
+  const double *state = array_read_any(L, (args_location){"joint.open", ""}, "state", &count);
   error_check(L, arc_joint_set_state(joint, state, count, &error), &error, "joint.open", -1);
   return 0;
 }
@@ -379,13 +400,42 @@ static int sphere_limit(lua_State *L) {
   return 1;
 }
 
+/* sensitivity(run, options) */
+static int sphere_sensitivity(lua_State *L) {
+  lua_settop(L, 2);
+  script_require(L, "archard.uncertainty.sensitivity");
+  lua_insert(L, 1);
+  lua_call(L, 2, 1);
+  return 1;
+}
+
+static int has_field(lua_State *L, const char *name) {
+  lua_pushstring(L, name);
+  const int has = lua_rawget(L, -2) != LUA_TNIL;
+  lua_pop(L, 1);
+  return has;
+}
+
+/* Whether the value on top is a joint, or a table of its fields, which becomes one. */
+static int is_joint(lua_State *L) {
+  if (luaL_getmetafield(L, -1, "__name") != LUA_TNIL) {
+    const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "joint") == 0;
+    lua_pop(L, 1);
+    return is;
+  }
+  if (!lua_istable(L, -1)) return 0;
+  if (!has_field(L, "cup") && !has_field(L, "head")) return 0;
+  script_require(L, "archard.joint.joint");
+  lua_insert(L, -2);
+  lua_call(L, 1, 1);
+  return 1;
+}
+
 int joint_takes(lua_State *L, const char *method) {
   if (!lua_istable(L, 1)) return 0;
   lua_pushliteral(L, "model");
   lua_rawget(L, 1);
-  const int is_joint = lua_istable(L, -1) && luaL_getmetafield(L, -1, "__name") == LUA_TSTRING &&
-                       strcmp(lua_tostring(L, -1), "joint") == 0;
-  if (!is_joint) {
+  if (!is_joint(L)) {
     lua_settop(L, 1);
     return 0;
   }
@@ -412,6 +462,7 @@ int luaopen_archard_sphere(lua_State *L) {
                                        {"advance", sphere_advance},
                                        {"state", sphere_state},
                                        {"set_state", sphere_set_state},
+                                       {"sensitivity", sphere_sensitivity},
                                        {NULL, NULL}};
   call_new_library(L, functions);
   return 1;

@@ -32,15 +32,15 @@ int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate) 
 
 /* Reads the tables at indices `x` and `y`, which must have equal length, into buffers on the stack.
  */
-static arc_depths read_columns(lua_State *L, args_place place, int x, int y) {
+static arc_depths read_columns(lua_State *L, args_location location, int x, int y) {
   arc_depths read;
   size_t count;
   lua_pushvalue(L, x);
-  read.x = array_read(L, place, "x", &read.count);
+  read.x = array_read(L, location, "x", &read.count);
   lua_pushvalue(L, y);
-  read.h = array_read(L, place, "y", &count);
+  read.h = array_read(L, location, "y", &count);
   if (count != read.count)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "expected arrays of equal length, got %d and %d numbers", (int)read.count,
                 (int)count);
   return read;
@@ -53,7 +53,7 @@ static arc_depths read_profile(lua_State *L, const char *where, int index) {
   lua_getfield(L, index, "x");
   lua_getfield(L, index, "h");
   const int top = lua_gettop(L);
-  return read_columns(L, (args_place){where, ""}, top - 1, top);
+  return read_columns(L, (args_location){where, ""}, top - 1, top);
 }
 
 /* combined(cylinder, plate) -> { x=, h= }, the sum of two profiles (Eq. 31) */
@@ -75,7 +75,7 @@ static int measure_local_partition(lua_State *L) {
  * reach */
 static int measure_sawtooth(lua_State *L) {
   const double reach = luaL_checknumber(L, 3);
-  const arc_depths y = read_columns(L, (args_place){"measure.sawtooth", ""}, 1, 2);
+  const arc_depths y = read_columns(L, (args_location){"measure.sawtooth", ""}, 1, 2);
   lua_pushnumber(L, arc_measure_sawtooth(y.x, y.h, y.count, -reach, reach));
   return 1;
 }
@@ -85,7 +85,7 @@ static int measure_sawtooth(lua_State *L) {
 /* Reads the names of the bodies from the model table at index 1 (nil: the default bodies). */
 static arc_model_def read_names(lua_State *L) {
   arc_model_def def = {0};
-  if (lua_istable(L, 1)) body_read_names(L, 1, &def);
+  if (lua_istable(L, 1) || lua_isuserdata(L, 1)) body_read_names(L, 1, &def);
   return def;
 }
 
@@ -103,11 +103,24 @@ static int measure_by_body(lua_State *L) {
   return 1;
 }
 
+/* columns(model, history, where) -> history, whose columns also have the names of the bodies */
+static int measure_columns(lua_State *L) {
+  const arc_model_def def = read_names(L);
+  luaL_checktype(L, 2, LUA_TTABLE);
+  const char *where = luaL_optstring(L, 3, "history");
+  lua_pushvalue(L, 2);
+  columns_by_body(L, &def, where);
+  return 1;
+}
+
 int luaopen_archard_measure(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"bodies", measure_bodies},     {"by_body", measure_by_body},
-      {"combined", measure_combined}, {"local_partition", measure_local_partition},
-      {"sawtooth", measure_sawtooth}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"bodies", measure_bodies},
+                                       {"by_body", measure_by_body},
+                                       {"columns", measure_columns},
+                                       {"combined", measure_combined},
+                                       {"local_partition", measure_local_partition},
+                                       {"sawtooth", measure_sawtooth},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

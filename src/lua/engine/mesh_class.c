@@ -213,7 +213,7 @@ static int mesh_write(lua_State *L) {
   else if (ending && strcmp(ending, ".csv") == 0)
     status = write_csv(L, path, mesh, &error);
   else
-    args_refuse(L, (args_place){where, ""}, "path",
+    args_refuse(L, (args_location){where, ""}, "path",
                 "a file name that ends in .vtk, .vtu, .inp, .msh or .csv");
   error_check(L, status, &error, where, -1);
   return 0;

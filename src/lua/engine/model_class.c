@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- the definition -------------------------------------------------------------------------- */
+/* --- the definition --------------------------------------------------------------------------- */
 
 /* A definition with all values at their defaults ("auto" where possible). */
 static arc_model_def begin_definition(void) {
@@ -23,14 +23,14 @@ static arc_model_def begin_definition(void) {
 
 /* Raises an error if both mesh.size and mesh.fineness are given. A given size switches off
  * fineness. */
-static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_def *mesh) {
+static void check_fineness(lua_State *L, int index, args_location location, arc_mesh_def *mesh) {
   if (args_get(L, index, "mesh") == LUA_TTABLE) {
     const int at = lua_gettop(L);
     const int size = args_given(L, at, "size") && mesh->size > 0;
     if (size && args_given(L, at, "fineness"))
-      error_raise(L, ARC_ARGUMENT, place.where,
+      error_raise(L, ARC_ARGUMENT, location.where,
                   "fields '%smesh.size' and '%smesh.fineness': expected one of them, got both",
-                  place.prefix, place.prefix);
+                  location.prefix, location.prefix);
     if (size) mesh->fineness = 0;
   }
   lua_pop(L, 1);
@@ -38,13 +38,13 @@ static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_d
 
 /* Replaces names of bodies in mesh.zone of the definition on top of the stack (a copy) by
  * body_names. */
-static void rename_zones(lua_State *L, args_place place, const arc_model_def *def) {
+static void rename_zones(lua_State *L, args_location location, const arc_model_def *def) {
   const int top = lua_gettop(L);
   if (args_get(L, top, "mesh") == LUA_TTABLE && args_get(L, top + 1, "zone") == LUA_TTABLE) {
     args_push_copy(L, top + 1);
-    push_usual_names(L, top + 2,
-                     (args_place){place.where, lua_pushfstring(L, "%smesh.zone.", place.prefix)},
-                     def);
+    push_usual_names(
+        L, top + 2,
+        (args_location){location.where, lua_pushfstring(L, "%smesh.zone.", location.prefix)}, def);
     lua_setfield(L, top + 3, "zone");
     lua_pushvalue(L, top + 3);
     lua_setfield(L, top, "mesh");
@@ -53,9 +53,9 @@ static void rename_zones(lua_State *L, args_place place, const arc_model_def *de
 }
 
 /* Pushes a copy of the table at `index` without upper and lower, which body_read reads. */
-static void push_without_bodies(lua_State *L, int index, args_place place) {
+static void push_without_bodies(lua_State *L, int index, args_location location) {
   /* raises an error */
-  if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL);
+  if (!lua_istable(L, index)) args_read(L, index, location, arc_model_settings, NULL);
   args_push_copy(L, index);
   lua_pushnil(L);
   lua_setfield(L, -2, "upper");
@@ -64,16 +64,16 @@ static void push_without_bodies(lua_State *L, int index, args_place place) {
 }
 
 /* Reads the table at `index` into the definition; nil: no change. */
-static void read_definition(lua_State *L, int index, args_place place, arc_model_def *def) {
+static void read_definition(lua_State *L, int index, args_location location, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
   arc_model_def called = *def;
-  push_without_bodies(L, index, place);
+  push_without_bodies(L, index, location);
   body_read_names(L, lua_absindex(L, index), &called);
-  rename_zones(L, place, &called);
-  args_read(L, -1, place, arc_model_settings, def);
+  rename_zones(L, location, &called);
+  args_read(L, -1, location, arc_model_settings, def);
   lua_pop(L, 1);
-  body_read(L, lua_absindex(L, index), place, def);
-  check_fineness(L, index, place, &def->mesh);
+  body_read(L, lua_absindex(L, index), location, def);
+  check_fineness(L, index, location, &def->mesh);
 }
 
 /* Prepares reading a table of mesh settings: if a size or fineness is given, values derived from
@@ -87,17 +87,17 @@ static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
 }
 
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh) {
-  const args_place place = {where, "mesh."};
+  const args_location location = {where, "mesh."};
   const int type = args_get(L, index, "mesh");
   if (type == LUA_TTABLE) {
     begin_mesh(L, lua_gettop(L), mesh);
-    args_read(L, lua_gettop(L), place, arc_mesh_settings, mesh);
+    args_read(L, lua_gettop(L), location, arc_mesh_settings, mesh);
     lua_pop(L, 1);
-    check_fineness(L, index, (args_place){where, ""}, mesh);
+    check_fineness(L, index, (args_location){where, ""}, mesh);
     return 1;
   }
   if (type != LUA_TNIL)
-    args_refuse(L, (args_place){where, ""}, "mesh", "a table of the fields of model{ mesh = }");
+    args_refuse(L, (args_location){where, ""}, "mesh", "a table of the fields of model{ mesh = }");
   lua_pop(L, 1);
   return 0;
 }
@@ -122,35 +122,35 @@ static const box_class given_class = {.name = "two meshes",
 
 /* Replaces the text on top of the stack by a box with both meshes. The text is a file name, or the
  * contents of a mesh file (it contains newlines). */
-static arc_mesh **push_meshes(lua_State *L, args_place place) {
+static arc_mesh **push_meshes(lua_State *L, args_location location) {
   const int top = lua_gettop(L);
   size_t length;
   const char *text = lua_tolstring(L, top, &length);
   const int is_mesh = strchr(text, '\n') != NULL;
-  const char *name = lua_pushfstring(L, "%smesh", place.prefix);
-  if (!is_mesh) path_argument(L, top, place.where, name);
+  const char *name = lua_pushfstring(L, "%smesh", location.prefix);
+  if (!is_mesh) path_argument(L, top, location.where, name);
   arc_error error = {0};
   arc_mesh **given = box_push(L, &given_class)->thing;
   const arc_status status = is_mesh ? arc_mesh_parse_msh(name, text, length, given, &error)
                                     : arc_mesh_read_msh(text, given, &error);
-  error_check(L, status, &error, place.where, -1);
+  error_check(L, status, &error, location.where, -1);
   lua_replace(L, top);
   lua_settop(L, top);
   return given;
 }
 
 /* Reads all fields of the table at `index` except `mesh`, which is a text. */
-static void read_beside_mesh(lua_State *L, int index, args_place place, arc_model_def *def) {
+static void read_beside_mesh(lua_State *L, int index, args_location location, arc_model_def *def) {
   args_push_copy(L, index);
   lua_pushnil(L);
   lua_setfield(L, -2, "mesh");
-  read_definition(L, lua_gettop(L), place, def);
+  read_definition(L, lua_gettop(L), location, def);
   lua_pop(L, 1);
 }
 
 /* Pushes the model of the table at `index` if its field `mesh` is a text; else pushes nothing and
  * returns NULL. The file is read at each call, since it may have changed. */
-static arc_model *push_of_mesh(lua_State *L, int index, args_place place) {
+static arc_model *push_of_mesh(lua_State *L, int index, args_location location) {
   if (!lua_istable(L, index)) return NULL;
   index = lua_absindex(L, index);
   if (args_get(L, index, "mesh") != LUA_TSTRING) {
@@ -158,27 +158,27 @@ static arc_model *push_of_mesh(lua_State *L, int index, args_place place) {
     return NULL;
   }
   arc_model_def def = begin_definition();
-  read_beside_mesh(L, index, place, &def);
-  arc_mesh **given = push_meshes(L, place);
+  read_beside_mesh(L, index, location, &def);
+  arc_mesh **given = push_meshes(L, location);
   if (!args_given(L, index, "radius")) def.radius = given[ARC_CYLINDER]->radius;
-  arc_model *model = model_push_given(L, &def, given, place.where);
+  arc_model *model = model_push_given(L, &def, given, location.where);
   lua_remove(L, -2);
   return model;
 }
 
 /* model{ radius=, cylinder=, plate=, thickness=, mesh={...} | "pair.msh" } */
 static int model_new(lua_State *L) {
-  const args_place place = {"model", ""};
+  const args_location location = {"model", ""};
   lua_settop(L, 1);
-  if (push_of_mesh(L, 1, place)) return 1;
+  if (push_of_mesh(L, 1, location)) return 1;
   arc_model_def def = begin_definition();
-  if (!lua_isnil(L, 1)) read_definition(L, 1, place, &def);
+  if (!lua_isnil(L, 1)) read_definition(L, 1, location, &def);
   if (!arc_model_has_maps(&def)) arc_model_fit_alone(&def);
   model_push(L, &def, "model");
   return 1;
 }
 
-/* --- model as an argument -------------------------------------------------------------------- */
+/* --- model as an argument --------------------------------------------------------------------- */
 
 static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zones_fn zones,
                        const void *asker) {
@@ -193,15 +193,15 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   args_get(L, 1, "model");
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
-    args_refuse(L, (args_place){where, ""}, "model", "a model object or a table of its fields");
+    args_refuse(L, (args_location){where, ""}, "model", "a model object or a table of its fields");
   arc_model *kept = lua_isnil(L, -1) ? worn_given_model(L, worn) : NULL;
   if (kept) {
     lua_pop(L, 1);
     model_push_living(L, kept);
     return kept;
   }
-  const args_place place = {where, "model."};
-  arc_model *given = push_of_mesh(L, -1, place);
+  const args_location location = {where, "model."};
+  arc_model *given = push_of_mesh(L, -1, location);
   if (given) {
     lua_remove(L, -2);
     return given;
@@ -212,7 +212,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
     def = *other;
     for (int body = 0; body < ARC_BODIES; body++) def.mesh.zone[body] = 0;
   }
-  read_definition(L, lua_gettop(L), place, &def);
+  read_definition(L, lua_gettop(L), location, &def);
   lua_pop(L, 1);
   if (!arc_model_has_maps(&def)) {
     arc_model_fit(&def, load);
@@ -249,7 +249,7 @@ arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *wh
   return model_push(L, &def, where);
 }
 
-/* --- the object ------------------------------------------------------------------------------ */
+/* --- the object ------------------------------------------------------------------------------- */
 
 static void model_release(void *thing) {
   arc_model *model = thing;

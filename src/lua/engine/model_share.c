@@ -9,7 +9,7 @@
 
 static const char cache_key = 0, last_key = 0; /* registry keys, by their addresses */
 
-/* --- building and sharing -------------------------------------------------------------------- */
+/* --- building and sharing --------------------------------------------------------------------- */
 
 static int add_to_key(void *context, const char *path, const arc_setting *s, const void *def) {
   char text[40];
@@ -123,7 +123,7 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   building shown = {.L = L};
   const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
   const arc_status status = given ? arc_model_build_given(def, given, &callbacks, &model, &error)
-                                  : arc_model_build_watched(def, &callbacks, &model, &error);
+                                  : arc_model_build_with_callbacks(def, &callbacks, &model, &error);
   end_build(L, holder, model, &shown, status, &error, where);
 }
 

@@ -34,12 +34,18 @@ static void set_flag(lua_State *L, const char *name, int flag) {
   lua_setfield(L, -2, name);
 }
 
+/* True for words; true and false are no words. */
+static int is_choice(const arc_setting *s) {
+  return s->kind == ARC_CHOICE && s->choices != arc_switch_names;
+}
+
 /* Sets the list of values for completion. */
 static void set_values(lua_State *L, const arc_setting *s) {
   lua_newtable(L);
   int count = 0;
-  for (int i = 0; s->choices && s->choices[i]; i++) {
-    lua_pushstring(L, s->choices[i]);
+  const char *const *words = is_choice(s) ? s->choices : NULL;
+  for (int i = 0; words && words[i]; i++) {
+    lua_pushstring(L, words[i]);
     lua_rawseti(L, -2, ++count);
   }
   if (s->forms & ARC_AUTOMATIC) {
@@ -76,7 +82,7 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
     set_bound(L, "high", s->high);
   }
   set_flag(L, "plain", s->kind != ARC_OTHER);
-  set_flag(L, "choice", s->kind == ARC_CHOICE);
+  set_flag(L, "choice", is_choice(s));
   set_flag(L, "group", s->kind == ARC_GROUP);
   set_flag(L, "series", (s->forms & ARC_SERIES) != 0);
   set_flag(L, "optional", (s->forms & ARC_OPTIONAL) != 0);

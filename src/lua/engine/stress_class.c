@@ -65,7 +65,8 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   lua_Integer best = 1;
   double largest = -HUGE_VAL;
   const int is_list = lua_getfield(L, -1, name) == LUA_TTABLE;
-  const size_t count = is_list ? array_length(L, (args_place){"stress", ""}, name, ARRAY_MOST) : 0;
+  const size_t count =
+      is_list ? array_length(L, (args_location){"stress", ""}, name, ARRAY_MOST) : 0;
   for (size_t i = 1; i <= count; i++) {
     if (lua_rawgeti(L, -1, (lua_Integer)i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
       largest = lua_tonumber(L, -1);

@@ -20,10 +20,10 @@ typedef struct cut {
 static cut read_cut(lua_State *L, int index, const char *where, const arc_model_def *def) {
   static const arc_setting known[] = {
       ARGS_OTHER("x"), ARGS_OTHER("y"), ARGS_OTHER("z"), ARGS_OTHER("body"), {.name = NULL}};
-  const args_place place = {where, ""};
+  const args_location location = {where, ""};
   cut c = {0, 0, ARC_LOWER};
   args_check_table(L, index, where);
-  args_check_names(L, index, place, known);
+  args_check_names(L, index, location, known);
   for (const char *axis = "xyz"; *axis; axis++) {
     const char name[] = {*axis, '\0'};
     if (args_get(L, index, name) != LUA_TNIL) {
@@ -31,7 +31,7 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
         error_raise(L, ARC_ARGUMENT, where,
                     "fields 'x', 'y' and 'z': expected one of them, got %s and %s",
                     c.axis == 'x' ? "x" : "y", name);
-      if (!lua_isnumber(L, -1)) args_refuse(L, place, name, "a number in mm");
+      if (!lua_isnumber(L, -1)) args_refuse(L, location, name, "a number in mm");
       c.axis = *axis;
       c.at = lua_tonumber(L, -1);
     }

@@ -107,14 +107,14 @@ static const arc_setting places[] = {ARGS_OTHER("x"), ARGS_OTHER("z"), {.name = 
 static int read_place(lua_State *L, int index, const char *where, double *wanted) {
   *wanted = 0;
   if (lua_isnoneornil(L, index)) return 0;
-  const args_place place = {where, ""};
+  const args_location location = {where, ""};
   args_check_table(L, index, where);
-  args_check_names(L, index, place, places);
+  args_check_names(L, index, location, places);
   const int at_x = args_given(L, index, "x");
   if (at_x && args_given(L, index, "z"))
     error_raise(L, ARC_ARGUMENT, where, "fields 'x' and 'z': expected one of them, got both");
   if (args_get(L, index, at_x ? "x" : "z") != LUA_TNIL) {
-    if (!lua_isnumber(L, -1)) args_refuse(L, place, at_x ? "x" : "z", "a number in mm");
+    if (!lua_isnumber(L, -1)) args_refuse(L, location, at_x ? "x" : "z", "a number in mm");
     *wanted = lua_tonumber(L, -1);
   }
   lua_pop(L, 1);

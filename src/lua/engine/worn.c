@@ -29,25 +29,25 @@ static const arc_setting by_body[] = {
 
 static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."};
 
-/* --- profiles given as arrays ---------------------------------------------------------------- */
+/* --- profiles given as arrays ----------------------------------------------------------------- */
 
 /* Pushes field `name` of the profile at `index` and a buffer with its numbers; returns the numbers.
  */
-static const double *push_column(lua_State *L, int index, args_place place, const char *name,
+static const double *push_column(lua_State *L, int index, args_location location, const char *name,
                                  size_t *count) {
   lua_getfield(L, index, name);
-  return array_read(L, place, name, count);
+  return array_read(L, location, name, count);
 }
 
-static void check_profile(lua_State *L, args_place place, arc_depths profile) {
+static void check_profile(lua_State *L, args_location location, arc_depths profile) {
   for (size_t i = 0; i < profile.count; i++) {
     if (profile.h[i] < 0)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%sh[%d]': expected a depth >= 0 in mm, got %s", place.prefix, (int)i + 1,
-                  args_show_number(L, profile.h[i]));
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%sh[%d]': expected a depth >= 0 in mm, got %s", location.prefix,
+                  (int)i + 1, args_show_number(L, profile.h[i]));
     if (i > 0 && profile.x[i] <= profile.x[i - 1])
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%sx[%d]': expected increasing x, got %s after %s", place.prefix,
+      error_raise(L, ARC_ARGUMENT, location.where,
+                  "field '%sx[%d]': expected increasing x, got %s after %s", location.prefix,
                   (int)i + 1, args_show_number(L, profile.x[i]),
                   args_show_number(L, profile.x[i - 1]));
   }
@@ -55,23 +55,23 @@ static void check_profile(lua_State *L, args_place place, arc_depths profile) {
 
 /* Reads and checks { x=, h= } at `index`, or the result of the object's __worn. The buffers stay on
  * the stack. */
-static arc_depths push_profile(lua_State *L, int index, args_place place) {
+static arc_depths push_profile(lua_State *L, int index, args_location location) {
   size_t depths = 0;
   arc_depths profile = {0, NULL, NULL};
   index = lua_absindex(L, index);
-  luaL_checkstack(L, 12, place.where);
+  luaL_checkstack(L, 12, location.where);
   if (luaL_callmeta(L, index, "__worn")) index = lua_gettop(L);
   if (!lua_istable(L, index))
-    args_refuse(L, place, "", "a table { x=, h= }, also as result of __worn");
-  profile.x = push_column(L, index, place, "x", &profile.count);
-  profile.h = push_column(L, index, place, "h", &depths);
+    args_refuse(L, location, "", "a table { x=, h= }, also as result of __worn");
+  profile.x = push_column(L, index, location, "x", &profile.count);
+  profile.h = push_column(L, index, location, "h", &depths);
   if (depths != profile.count || depths < 2)
     error_raise(
-        L, ARC_ARGUMENT, place.where,
+        L, ARC_ARGUMENT, location.where,
         "fields '%sx' and '%sh': expected two arrays of equal length (2 or more), got %d and "
         "%d numbers",
-        place.prefix, place.prefix, (int)profile.count, (int)depths);
-  check_profile(L, place, profile);
+        location.prefix, location.prefix, (int)profile.count, (int)depths);
+  check_profile(L, location, profile);
   return profile;
 }
 
@@ -91,12 +91,12 @@ static arc_model_def names_of_model(lua_State *L, int index) {
 /* Replaces the table by body on top by a copy with the keys body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
-  push_usual_names(L, -1, (args_place){where, "worn."}, &def);
+  push_usual_names(L, -1, (args_location){where, "worn."}, &def);
   lua_remove(L, -2);
 }
 
 void worn_check(lua_State *L, int index, const char *where) {
-  args_place place = {where, ""};
+  args_location location = {where, ""};
   args_get(L, index, "worn");
   if (lua_isnil(L, -1)) return;
   if (box_test(L, -1, &wear_class)) {
@@ -104,17 +104,17 @@ void worn_check(lua_State *L, int index, const char *where) {
     return;
   }
   if (!lua_istable(L, -1))
-    args_refuse(L, place, "worn", "a wear object or a table { cylinder=, plate= }");
+    args_refuse(L, location, "worn", "a wear object or a table { cylinder=, plate= }");
   use_usual_names(L, index, where);
   int worn = lua_gettop(L);
-  args_check_names(L, worn, (args_place){where, "worn."}, by_body);
+  args_check_names(L, worn, (args_location){where, "worn."}, by_body);
   for (int body = 0; body < ARC_BODIES; body++) {
     int type = lua_getfield(L, worn, body_names[body]);
     const int map = type == LUA_TTABLE && worn_is_map(L, -1);
     if (type == LUA_TTABLE && !map)
-      push_profile(L, -1, (args_place){where, prefixes[body]});
+      push_profile(L, -1, (args_location){where, prefixes[body]});
     else if (type != LUA_TNIL && type != LUA_TFUNCTION && !map)
-      args_refuse(L, (args_place){where, "worn."}, body_names[body],
+      args_refuse(L, (args_location){where, "worn."}, body_names[body],
                   "a function of x, a table { x=, h= } or, in 3-D, a map");
     lua_settop(L, worn);
   }
@@ -131,15 +131,15 @@ arc_model *worn_given_model(lua_State *L, int worn) {
   return model && arc_model_is_given(model) ? model : NULL;
 }
 
-/* --- depths at the nodes --------------------------------------------------------------------- */
+/* --- depths at the nodes ---------------------------------------------------------------------- */
 
 /* Samples the profile at `index` at the nodes of the body. */
-static void sample_profile(lua_State *L, int index, args_place place, const arc_shape *shape,
+static void sample_profile(lua_State *L, int index, args_location location, const arc_shape *shape,
                            arc_body body, double *depth) {
   arc_error error = {0};
-  const arc_depths profile = push_profile(L, index, place);
+  const arc_depths profile = push_profile(L, index, location);
   const arc_status status = arc_shape_sample(shape, body, profile, depth, &error);
-  error_check(L, status, &error, place.where, -1);
+  error_check(L, status, &error, location.where, -1);
 }
 
 /* Calls the function at `index` for the depth [mm] at `x`. */
@@ -164,10 +164,10 @@ static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body,
   const char *name = body_names[body];
   int type = lua_getfield(L, worn, name), value = lua_gettop(L);
   if (type == LUA_TTABLE && worn_is_map(L, value))
-    args_refuse(L, (args_place){where, "worn."}, name,
+    args_refuse(L, (args_location){where, "worn."}, name,
                 "a function of x or a table { x=, h= }: maps are for geometry = \"3-D\"");
   if (type == LUA_TTABLE)
-    sample_profile(L, value, (args_place){where, prefixes[body]}, shape, body, depth);
+    sample_profile(L, value, (args_location){where, prefixes[body]}, shape, body, depth);
   for (int i = 0; type == LUA_TFUNCTION && i < nodes.count; i++)
     depth[i] = call_depth(L, value, where, name, nodes.x[i]);
   return type != LUA_TNIL;

@@ -8,11 +8,11 @@
 
 #include <stdio.h>
 
-static const args_place *at_body(arc_body body, const char *where, char prefix[40],
-                                 args_place *place) {
+static const args_location *at_body(arc_body body, const char *where, char prefix[40],
+                                    args_location *location) {
   snprintf(prefix, 40, "worn.%s.", body_names[body]);
-  *place = (args_place){where, prefix};
-  return place;
+  *location = (args_location){where, prefix};
+  return location;
 }
 
 int worn_is_map(lua_State *L, int index) {
@@ -27,7 +27,7 @@ int worn_is_map(lua_State *L, int index) {
   return is;
 }
 
-/* --- maps of depths -------------------------------------------------------------------------- */
+/* --- maps of depths --------------------------------------------------------------------------- */
 
 /* Depths on an even grid, x-major; the depth is 0 outside the grid. */
 typedef struct depth_map {
@@ -36,20 +36,20 @@ typedef struct depth_map {
 } depth_map;
 
 /* Reads the map at `index`, which was checked when it was made; the buffers stay on the stack. */
-static depth_map push_depth_map(lua_State *L, int index, args_place place) {
+static depth_map push_depth_map(lua_State *L, int index, args_location location) {
   depth_map m;
   size_t count;
   index = lua_absindex(L, index);
-  luaL_checkstack(L, 12, place.where);
+  luaL_checkstack(L, 12, location.where);
   lua_getfield(L, index, "x");
-  m.x = array_read(L, place, "x", &m.nx);
+  m.x = array_read(L, location, "x", &m.nx);
   lua_getfield(L, index, "z");
-  m.z = array_read(L, place, "z", &m.nz);
+  m.z = array_read(L, location, "z", &m.nz);
   lua_getfield(L, index, "y");
-  m.h = array_read(L, place, "y", &count);
+  m.h = array_read(L, location, "y", &count);
   if (m.nx < 2 || m.nz < 2 || count != m.nx * m.nz)
-    error_raise(L, ARC_ARGUMENT, place.where, "field '%sy': expected a map, as returned by map{}",
-                place.prefix);
+    error_raise(L, ARC_ARGUMENT, location.where,
+                "field '%sy': expected a map, as returned by map{}", location.prefix);
   return m;
 }
 
@@ -82,7 +82,7 @@ static void widen(const depth_map *m, double half[2]) {
       }
 }
 
-/* --- functions ------------------------------------------------------------------------------- */
+/* --- functions -------------------------------------------------------------------------------- */
 
 static double call_depth(lua_State *L, int index, const char *where, arc_body body, double x,
                          double z) {
@@ -100,12 +100,12 @@ static double call_depth(lua_State *L, int index, const char *where, arc_body bo
   return depth;
 }
 
-/* --- shapes ---------------------------------------------------------------------------------- */
+/* --- shapes ----------------------------------------------------------------------------------- */
 
 /* Pushes the value of a body from the table at `worn`; returns its type. */
 static int push_body(lua_State *L, int worn, const arc_model_def *def, arc_body body,
                      const char *where) {
-  push_usual_names(L, worn, (args_place){where, "worn."}, def);
+  push_usual_names(L, worn, (args_location){where, "worn."}, def);
   const int type = lua_getfield(L, -1, body_names[body]);
   lua_remove(L, -2);
   return type;
@@ -114,7 +114,7 @@ static int push_body(lua_State *L, int worn, const arc_model_def *def, arc_body 
 static void check_type(lua_State *L, int type, arc_body body, const char *where) {
   if (type == LUA_TNIL || type == LUA_TFUNCTION || (type == LUA_TTABLE && worn_is_map(L, -1)))
     return;
-  args_refuse(L, (args_place){where, "worn."}, body_names[body],
+  args_refuse(L, (args_location){where, "worn."}, body_names[body],
               "with geometry = \"3-D\" a function (x, z) -> depth or a map of depths in mm");
 }
 
@@ -123,11 +123,11 @@ static void half_widths(lua_State *L, int worn, const arc_model_def *def, const 
   const int top = lua_gettop(L);
   for (int b = 0; b < ARC_BODIES; b++) {
     char prefix[40];
-    args_place place;
+    args_location location;
     const int type = push_body(L, worn, def, (arc_body)b, where);
     check_type(L, type, (arc_body)b, where);
     if (type == LUA_TTABLE) {
-      const depth_map m = push_depth_map(L, -1, *at_body((arc_body)b, where, prefix, &place));
+      const depth_map m = push_depth_map(L, -1, *at_body((arc_body)b, where, prefix, &location));
       widen(&m, half);
     }
     lua_settop(L, top);
@@ -143,9 +143,10 @@ static arc_status wear_body(lua_State *L, int worn, arc_shape *shape, const arc_
     const int n = arc_space_given_sites(shape, body, &x, &z);
     double *depth = array_buffer(L, (size_t)n);
     char prefix[40];
-    args_place place;
+    args_location location;
     depth_map m = {0};
-    if (type == LUA_TTABLE) m = push_depth_map(L, top + 1, *at_body(body, where, prefix, &place));
+    if (type == LUA_TTABLE)
+      m = push_depth_map(L, top + 1, *at_body(body, where, prefix, &location));
     for (int i = 0; i < n; i++)
       depth[i] = type == LUA_TTABLE ? depth_at(&m, x[i], z[i])
                                     : call_depth(L, top + 1, where, body, x[i], z[i]);

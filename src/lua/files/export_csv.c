@@ -38,10 +38,10 @@ typedef struct csv_table {
 /* Pushes buffers for `columns` columns, without units. */
 static csv_table push_columns(lua_State *L, size_t columns) {
   csv_table table = {.columns = columns};
-  const size_t room = sizeof(void *) * (columns ? columns : 1);
-  table.names = lua_newuserdatauv(L, room, 0);
-  table.units = memset(lua_newuserdatauv(L, room, 0), 0, room);
-  table.data = lua_newuserdatauv(L, room, 0);
+  const size_t bytes = sizeof(void *) * (columns ? columns : 1);
+  table.names = lua_newuserdatauv(L, bytes, 0);
+  table.units = memset(lua_newuserdatauv(L, bytes, 0), 0, bytes);
+  table.data = lua_newuserdatauv(L, bytes, 0);
   return table;
 }
 
@@ -249,7 +249,7 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
   for (size_t i = 0; i < table.columns; i++) {
     size_t rows;
     lua_getfield(L, index, table.names[i]);
-    table.data[i] = array_read_any(L, (args_place){where, ""}, table.names[i], &rows);
+    table.data[i] = array_read_any(L, (args_location){where, ""}, table.names[i], &rows);
     if (i > 0 && rows != table.rows)
       error_raise(L, ARC_ARGUMENT, where,
                   "expected arrays of equal length, got %d numbers in '%s' and %d in '%s'",
@@ -267,7 +267,7 @@ static const char *csv_path(lua_State *L) {
     if (strcmp(ending, endings[i]) == 0) return path;
   if (!ending) return path;
   lua_settop(L, 2);
-  args_refuse(L, (args_place){where, ""}, "path",
+  args_refuse(L, (args_location){where, ""}, "path",
               "a file name with the extension .csv, .txt, .dat or .tsv, or without extension");
 }
 

@@ -10,6 +10,7 @@
 #include "lua/files/export.h"
 #include "lua/wear/wear_class.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +27,7 @@ static const char *path_ending(lua_State *L, const char *where, const char *cons
   for (int i = 0; endings[i]; i++)
     if (strcmp(ending, endings[i]) == 0) return path;
   lua_settop(L, 2);
-  args_refuse(L, (args_place){where, ""}, "path", expected);
+  args_refuse(L, (args_location){where, ""}, "path", expected);
 }
 
 /* The contact of the object at index 1, or NULL; pushes a value that keeps it alive. For a run: its
@@ -58,7 +59,7 @@ static const arc_model *meshed_model(lua_State *L, const char *where) {
   return model;
 }
 
-/* --- VTK ------------------------------------------------------------------------------------- */
+/* --- VTK -------------------------------------------------------------------------------------- */
 
 static const char vtk_where[] = "export.vtk";
 
@@ -119,7 +120,7 @@ static int export_vtk(lua_State *L) {
   return ARC_BODIES;
 }
 
-/* --- input decks ----------------------------------------------------------------------------- */
+/* --- input decks ------------------------------------------------------------------------------ */
 
 /* Pushes the contact of the model at index 1 under the default load. */
 static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
@@ -151,7 +152,7 @@ static int export_inp(lua_State *L) {
   return 1;
 }
 
-/* --- Gmsh files ------------------------------------------------------------------------------ */
+/* --- Gmsh files ------------------------------------------------------------------------------- */
 
 static int push_text(lua_State *L) {
   lua_pushlstring(L, lua_touserdata(L, 1), (size_t)lua_tointeger(L, 2));
@@ -245,37 +246,41 @@ static int files_number(lua_State *L) {
   return 1;
 }
 
-/* allowed(path, "read" | "write") -> true if the sandbox allows this use, and the reason if not */
-static int files_allowed(lua_State *L) {
+/* find(name, "read" | "write") -> the path to use for a file name; nil and the reason if there is
+ * none, or the sandbox does not allow it */
+static int files_find(lua_State *L) {
   static const char *const uses[] = {"read", "write", NULL};
-  const char *path = luaL_checkstring(L, 1);
+  char path[PATH_MAX];
   arc_error error = {0};
   const arc_file_use use = (arc_file_use)luaL_checkoption(L, 2, NULL, uses);
-  lua_pushboolean(L, arc_file_allowed(path, use, &error) == ARC_OK);
+  const int found = arc_file_find(luaL_checkstring(L, 1), use, path, &error) == ARC_OK;
+  lua_pushstring(L, found ? path : NULL);
   error_push_plain(L, error.message);
   return 2;
 }
 
-/* confine(folder): restricts reading to `folder` and the working folder, and writing to the working
- * folder */
+/* confine(folder, least): restricts reading to `folder` and the working folder, and writing to the
+ * working folder while its disk has `least` free bytes */
 static int files_confine(lua_State *L) {
   arc_error error = {0};
   const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);
   error_check(L, status, &error, "confine", -1);
+  confine_disk(luaL_checknumber(L, 2));
   return 0;
 }
 
-/* confined() -> the folder of readable files, or nil if there is no sandbox */
+/* confined() -> the folder of readable files, or nil if there is no sandbox; least free bytes */
 static int files_confined(lua_State *L) {
   lua_pushstring(L, confine_folder());
-  return 1;
+  lua_pushnumber(L, confine_least());
+  return 2;
 }
 
 int luaopen_archard_files(lua_State *L) {
   static const luaL_Reg functions[] = {
       {"csv", export_csv},          {"vtk", export_vtk},          {"inp", export_inp},
       {"msh", export_msh},          {"write", files_write},       {"read", files_read},
-      {"is_there", files_is_there}, {"number", files_number},     {"allowed", files_allowed},
+      {"is_there", files_is_there}, {"number", files_number},     {"find", files_find},
       {"confine", files_confine},   {"confined", files_confined}, {NULL, NULL}};
   call_new_library(L, functions);
   return 1;

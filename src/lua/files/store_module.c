@@ -20,7 +20,7 @@ static arc_store *self(lua_State *L, const char *where) {
 int store_id_argument(lua_State *L, int index, const char *where) {
   static const arc_setting id = {.name = "case", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
   lua_pushvalue(L, index);
-  double value = args_number(L, (args_place){where, ""}, &id);
+  double value = args_number(L, (args_location){where, ""}, &id);
   lua_pop(L, 1);
   return (int)value;
 }
@@ -44,7 +44,7 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
 
 /* store.open(path, mode) */
 static int store_open(lua_State *L) {
-  int mode = args_choice(L, 2, (args_place){"store.open", ""}, "mode", mode_names, 0);
+  int mode = args_choice(L, 2, (args_location){"store.open", ""}, "mode", mode_names, 0);
   const char *path = path_argument(L, 1, "store.open", "file");
   store_push(L, path, (arc_store_mode)mode, "store.open");
   return 1;
@@ -140,7 +140,7 @@ static int store_mark(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, where);
   int id = store_id_argument(L, 2, where);
-  int mark = args_choice(L, 3, (args_place){where, ""}, "status", arc_case_status_names, -1);
+  int mark = args_choice(L, 3, (args_location){where, ""}, "status", arc_case_status_names, -1);
   const char *message = luaL_optstring(L, 4, NULL);
   double seconds = luaL_optnumber(L, 5, (lua_Number)NAN);
   arc_status status = arc_store_mark(store, id, (arc_case_status)mark, message, seconds, &error);
@@ -196,7 +196,7 @@ static int store_values(lua_State *L) {
   static const char where[] = "store:values";
   arc_store *store = self(L, where);
   int id = store_id_argument(L, 2, where);
-  int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, 0);
+  int use = args_choice(L, 3, (args_location){where, ""}, "use", use_names, 0);
   store_push_values(L, store, id, (arc_value_use)use, where);
   return 1;
 }
@@ -206,7 +206,7 @@ static int store_set_values(lua_State *L) {
   static const char where[] = "store:set_values";
   arc_store *store = self(L, where);
   int id = store_id_argument(L, 2, where);
-  int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, -1);
+  int use = args_choice(L, 3, (args_location){where, ""}, "use", use_names, -1);
   luaL_checktype(L, 4, LUA_TTABLE);
   store_write_values(L, store, id, (arc_value_use)use, 4, where);
   return 0;

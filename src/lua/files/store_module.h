@@ -17,7 +17,7 @@ int store_id_argument(lua_State *L, int index, const char *where);
  * functions of its definition, which are not stored. */
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where);
 
-/* --- store_values.c: named values as Lua tables --- */
+/* --- store_values.c: named values as Lua tables ----------------------------------------------- */
 
 /* Reads the table at `index`, from names to numbers, texts, booleans or arrays of numbers, and
  * stores it as values of a case. */
@@ -27,7 +27,7 @@ void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use us
 void store_push_values(lua_State *L, arc_store *store, int id, arc_value_use use,
                        const char *where);
 
-/* --- store_run.c: runs --- */
+/* --- store_run.c: runs ------------------------------------------------------------------------ */
 int store_save(lua_State *L);
 int store_history(lua_State *L);
 int store_surfaces(lua_State *L);

@@ -29,7 +29,7 @@ static double read_number(lua_State *L, const char *name) {
 static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_getfield(L, -1, array->name);
   array->values =
-      array_read(L, (args_place){"store:save", "surfaces."}, array->name, &array->size[0]);
+      array_read(L, (args_location){"store:save", "surfaces."}, array->name, &array->size[0]);
   lua_rawseti(L, anchors, (lua_Integer)lua_rawlen(L, anchors) + 1);
   lua_pop(L, 1);
 }
@@ -74,15 +74,16 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc
  * alive. */
 static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays) {
   enum { most_names = 16 };
-  const size_t count =
-      lua_istable(L, 4) ? array_length(L, (args_place){where, ""}, "surfaces", most_surfaces) : 0;
+  const size_t count = lua_istable(L, 4)
+                           ? array_length(L, (args_location){where, ""}, "surfaces", most_surfaces)
+                           : 0;
   arc_array *list = lua_newuserdatauv(L, (most_names * count + 1) * sizeof *list, 0);
   lua_newtable(L);
   const int anchors = lua_gettop(L);
   *arrays = 0;
   for (size_t i = 0; i < count; i++) {
     if (lua_rawgeti(L, 4, (lua_Integer)i + 1) != LUA_TTABLE)
-      args_refuse(L, (args_place){where, ""}, "surfaces", "a list of tables");
+      args_refuse(L, (args_location){where, ""}, "surfaces", "a list of tables");
     *arrays += read_surface(L, anchors, list + *arrays);
     lua_pop(L, 1);
   }
@@ -207,24 +208,24 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
 /* Checks that exactly the settings that were functions when the run was saved are given as
  * functions again. Pushes the holder of the functions, or nil. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
-  args_place place = {where, ""};
+  args_location location = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
   list_functions(again);
-  if (given) args_check_names(L, given, place, again);
+  if (given) args_check_names(L, given, location, again);
   int any = 0;
   for (const arc_setting *s = again; s->name; s++) {
     const int was =
         run->functions[arc_setting_find(arc_wear_settings, s->name) - arc_wear_settings];
     const int type = args_get(L, given ? given : lua_gettop(L), s->name);
     if (was && type != LUA_TFUNCTION)
-      args_refuse(L, place, s->name, "a function, as when the run was saved");
+      args_refuse(L, location, s->name, "a function, as when the run was saved");
     if (!was && type != LUA_TNIL)
-      args_refuse(L, place, s->name, "no value, since the run file contains it");
+      args_refuse(L, location, s->name, "no value, since the run file contains it");
     lua_pop(L, 1);
     any = any || was;
   }
   lua_pushnil(L);
-  if (any) functions_read(L, given, 0, place, &run->def);
+  if (any) functions_read(L, given, 0, location, &run->def);
 }
 
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where) {
@@ -314,16 +315,18 @@ static int only_case(lua_State *L, arc_store *store) {
 }
 
 /* Raises an error for session files, whose runs are opened by session.open. */
-static void refuse_session(lua_State *L, arc_store *store) {
+static void refuse_others(lua_State *L, arc_store *store) {
   arc_error error = {0};
   char *kind = NULL;
   error_check(L, arc_store_info(store, "kind", &kind, &error), &error, "wear.open", -1);
-  const int session = kind && strcmp(kind, "session") == 0;
+  const char *other = kind && strcmp(kind, "session") == 0 ? "session"
+                      : kind && strcmp(kind, "joint") == 0 ? "joint"
+                                                           : NULL;
   free(kind);
-  if (session)
+  if (other)
     error_raise(L, ARC_ARGUMENT, "wear.open",
-                "%s: expected a run file of kind wear or study, got a session (use session.open)",
-                arc_store_path(store));
+                "%s: expected a run file of kind wear or study, got a %s (use %s.open)",
+                arc_store_path(store), other, other);
 }
 
 /* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run. The case may be
@@ -341,7 +344,7 @@ int wear_open(lua_State *L) {
       given = lua_istable(L, 3) ? 3 : 0;
   arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
   box *opened = box_test(L, -1, &store_class);
-  refuse_session(L, store);
+  refuse_others(L, store);
   if (id == 0) id = only_case(L, store);
   store_push_wear(L, store, id, given, "wear.open");
   box_empty(opened, &store_class);

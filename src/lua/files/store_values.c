@@ -24,11 +24,11 @@ static arc_value read_value(lua_State *L, const char *name, const char *where) {
     break;
   case LUA_TTABLE:
     value.kind = ARC_VALUE_ARRAY;
-    value.array = array_read_any(L, (args_place){where, ""}, name, &value.count);
+    value.array = array_read_any(L, (args_location){where, ""}, name, &value.count);
     lua_insert(L, -2);
     break;
   default:
-    args_refuse(L, (args_place){where, ""}, name,
+    args_refuse(L, (args_location){where, ""}, name,
                 "a number, a text, a boolean or an array of numbers");
   }
   return value;
@@ -45,8 +45,8 @@ void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use us
   arc_error error = {0};
   args_push_copy(L, index); /* a copy, which scripts cannot change after counting */
   index = lua_gettop(L);
-  size_t room = count_fields(L, index), count = 0;
-  arc_value *values = lua_newuserdatauv(L, (room + 1) * sizeof *values, 0);
+  size_t capacity = count_fields(L, index), count = 0;
+  arc_value *values = lua_newuserdatauv(L, (capacity + 1) * sizeof *values, 0);
   lua_newtable(L); /* keeps arrays alive */
   int anchors = lua_gettop(L);
   luaL_checkstack(L, 10, where);

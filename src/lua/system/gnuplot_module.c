@@ -37,8 +37,7 @@ static void *anchored(reader *r, size_t count, size_t size) {
   return memory;
 }
 
-/* --- simple fields of the table on top of the stack --------------------------------------------
- */
+/* --- simple fields of the table on top of the stack ------------------------------------------- */
 
 static const char *read_string(reader *r, const char *name) {
   const char *text = NULL;
@@ -89,7 +88,7 @@ static int read_choice(reader *r, const char *name, const char *const *choices) 
 /* --- columns ---------------------------------------------------------------------------------- */
 
 static size_t length_of(reader *r, const char *name, size_t most) {
-  return array_length(r->L, (args_place){"plot", ""}, name, most);
+  return array_length(r->L, (args_location){"plot", ""}, name, most);
 }
 
 /* Reads a list of numbers as an array. */
@@ -116,8 +115,7 @@ static void same_length(reader *r, const char *name, size_t count, size_t expect
                (int)r->panel, (int)r->curve, (int)expected, name, (int)count);
 }
 
-/* --- the parts of a figure, each read from the table on top of the stack -----------------------
- */
+/* --- the parts of a figure, each read from the table on top of the stack ---------------------- */
 
 static const double *read_error(reader *r, size_t expected) {
   size_t count;
@@ -261,8 +259,7 @@ static arc_plot_output read_output(reader *r) {
   return output;
 }
 
-/* --- the functions -----------------------------------------------------------------------------
- */
+/* --- the functions ---------------------------------------------------------------------------- */
 
 static arc_gnuplot *session_of(lua_State *L) {
   arc_gnuplot **box = lua_touserdata(L, lua_upvalueindex(1));

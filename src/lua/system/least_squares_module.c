@@ -20,7 +20,7 @@ static arc_setting row(const char *name, double low) {
 static double number_field(lua_State *L, int table, const char *name, double low) {
   const arc_setting setting = row(name, low);
   lua_getfield(L, table, name);
-  const double value = args_number(L, (args_place){where, ""}, &setting);
+  const double value = args_number(L, (args_location){where, ""}, &setting);
   lua_pop(L, 1);
   return value;
 }
@@ -45,7 +45,7 @@ static int call_protected(lua_State *L) {
   array_push(L, call->x->data, call->x->size);
   lua_call(L, 1, 1);
   size_t count = 0;
-  const double *values = array_read(L, (args_place){where, ""}, call->name, &count);
+  const double *values = array_read(L, (args_location){where, ""}, call->name, &count);
   if (count != call->count)
     return luaL_error(L, "%s: %d numbers expected, got %d", call->name, (int)call->count,
                       (int)count);
@@ -105,7 +105,7 @@ static int solve(lua_State *L) {
   const double tolerance = number_field(L, PROBLEM, "tolerance", 0);
   size_t unknowns = 0;
   lua_getfield(L, PROBLEM, "x");
-  double *x = array_read(L, (args_place){where, ""}, "x", &unknowns);
+  double *x = array_read(L, (args_location){where, ""}, "x", &unknowns);
   if (unknowns == 0 || count < unknowns) return luaL_error(L, "too few data");
   gsl_multifit_nlinear_fdf fdf = {
       .f = residuals, .df = jacobian, .n = count, .p = unknowns, .params = &call};
@@ -134,7 +134,7 @@ static int svd(lua_State *L) {
   const size_t columns = (size_t)number_field(L, 1, "columns", 1);
   size_t count = 0;
   lua_getfield(L, 1, "a");
-  double *a = array_read(L, (args_place){where, ""}, "a", &count);
+  double *a = array_read(L, (args_location){where, ""}, "a", &count);
   if (count != rows * columns || rows < columns) return luaL_error(L, "svd: wrong shape");
   double *s = array_buffer(L, columns), *v = array_buffer(L, columns * columns);
   gsl_matrix_view of_a = gsl_matrix_view_array(a, rows, columns);

@@ -14,6 +14,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,7 +169,7 @@ static void use_arguments(lua_State *L, int index) {
   lua_replace(L, index);
   lua_pushvalue(L, index);
   const size_t count =
-      array_length(L, (args_place){"process.pool", ""}, "arguments", MOST_ARGUMENTS);
+      array_length(L, (args_location){"process.pool", ""}, "arguments", MOST_ARGUMENTS);
   lua_pop(L, 1);
   for (size_t i = 1; i <= count; i++) {
     if (lua_rawgeti(L, index, (lua_Integer)i) != LUA_TSTRING)
@@ -255,8 +256,8 @@ static int pool_send(lua_State *L) {
 /* --- waiting ---------------------------------------------------------------------------------- */
 
 /* Reads available bytes; returns 0 at the end of the stream. */
-static int read_some(int descriptor, char *to, size_t room, size_t *count) {
-  ssize_t got = read(descriptor, to, room);
+static int read_some(int descriptor, char *to, size_t bytes, size_t *count) {
+  ssize_t got = read(descriptor, to, bytes);
   *count = got > 0 ? (size_t)got : 0;
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
@@ -385,10 +386,14 @@ static int process_report(lua_State *L) {
 
 /* process.make_folder(path) -> true, also if the folder exists; nil and the reason on failure */
 static int process_make_folder(lua_State *L) {
-  const char *path = path_argument(L, 1, "folder", "path");
+  const char *name = path_argument(L, 1, "folder", "path");
+  char path[PATH_MAX];
   struct stat there;
   arc_error error = {0};
-  const arc_status status = arc_file_allowed(path, ARC_FILE_WRITE, &error);
+  size_t length = strlen(name);
+  while (length > 1 && name[length - 1] == '/') length--; /* the folder "name/" need not exist */
+  name = lua_pushlstring(L, name, length);
+  const arc_status status = arc_file_find(name, ARC_FILE_WRITE, path, &error);
   error_check(L, status, &error, "folder", -1);
   if (mkdir(path, 0777) == 0 ||
       (errno == EEXIST && stat(path, &there) == 0 && S_ISDIR(there.st_mode))) {

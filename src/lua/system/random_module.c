@@ -83,7 +83,7 @@ static void push_columns(lua_State *L, const points *p) {
 /* points(design, count, dimensions, seed) -> a list of `dimensions` lists of `count` numbers */
 static int random_points(lua_State *L) {
   static const char where[] = "random.points";
-  const int design = args_choice(L, 1, (args_place){where, ""}, "design", designs, -1);
+  const int design = args_choice(L, 1, (args_location){where, ""}, "design", designs, -1);
   const lua_Integer count = luaL_checkinteger(L, 2), dimensions = luaL_checkinteger(L, 3);
   const lua_Integer seed = luaL_checkinteger(L, 4);
   luaL_argcheck(L, count >= 1 && count <= 10000000, 2, "expected 1 to 10000000");
@@ -129,12 +129,12 @@ static int student_quantile(lua_State *L) {
 /* rank_correlation(a, b): Spearman's coefficient of two lists of equal length; NaN if one is
  * constant */
 static int rank_correlation(lua_State *L) {
-  const args_place place = {"random.rank_correlation", ""};
+  const args_location location = {"random.rank_correlation", ""};
   size_t count = 0, other = 0;
   lua_settop(L, 2);
-  const double *b = array_read(L, place, "b", &count);
+  const double *b = array_read(L, location, "b", &count);
   lua_pushvalue(L, 1);
-  const double *a = array_read(L, place, "a", &other);
+  const double *a = array_read(L, location, "a", &other);
   luaL_argcheck(L, other == count, 2, "expected a list as long as the first list");
   lua_pushnumber(L, gsl_stats_spearman(a, 1, b, 1, count, array_buffer(L, 2 * count)));
   return 1;

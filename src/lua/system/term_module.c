@@ -1,6 +1,6 @@
 /* Module `archard.term`: properties of the terminal, for scripts. */
 #include "lua/base/archard.h"
-#include "lua/system/term_ask.h"
+#include "lua/system/term_query.h"
 
 #include <langinfo.h>
 #include <lauxlib.h>
@@ -81,7 +81,7 @@ static int term_pixels(lua_State *L) {
 /* pictures() -> "kitty", "sixel" or nothing: graphics protocol reported by the terminal */
 static int term_pictures(lua_State *L) {
   if (is_dumb()) return 0;
-  term_answer answer = term_ask_pictures();
+  term_answer answer = term_query_graphics();
   if (!answer.kitty && !answer.sixel) return 0;
   lua_pushstring(L, answer.kitty ? "kitty" : "sixel");
   return 1;

@@ -13,8 +13,8 @@ static struct {
 } kept;
 
 static void append(const char *text) {
-  const size_t used = strlen(kept.text), room = sizeof kept.text - used;
-  if (!kept.full) kept.full = snprintf(kept.text + used, room, "%s", text) >= (int)room;
+  const size_t used = strlen(kept.text), capacity = sizeof kept.text - used;
+  if (!kept.full) kept.full = snprintf(kept.text + used, capacity, "%s", text) >= (int)capacity;
 }
 
 static void keep_warning(void *ignored, const char *message, int to_be_continued) {

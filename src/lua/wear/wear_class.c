@@ -6,7 +6,7 @@
 #include "lua/base/interrupt.h"
 #include "lua/wear/wear_functions.h"
 
-/* --- construction ---------------------------------------------------------------------------- */
+/* --- construction ----------------------------------------------------------------------------- */
 
 /* Half widths of the zones that the run needs. For worn surfaces, whose contact may be wider at the
  * start, they are computed for the whole run. */
@@ -169,7 +169,7 @@ static int wear_set(lua_State *L) {
   return 1;
 }
 
-/* --- the class ------------------------------------------------------------------------------- */
+/* --- the class -------------------------------------------------------------------------------- */
 
 static void destroy_wear(void *thing) {
   arc_wear *wear = thing;

@@ -12,7 +12,7 @@ arc_wear *wear_self(lua_State *L, const char *where);
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
-/* --- wear_def.c: the definition table --- */
+/* --- wear_def.c: the definition table --------------------------------------------------------- */
 
 typedef struct wear_request {
   arc_wear_def def;
@@ -32,11 +32,11 @@ wear_request wear_request_read(lua_State *L, int index, int changed);
 /* Completes the definition for a model: converts `cycles` to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
-/* --- wear_loading.c: the field `loading` --- */
+/* --- wear_loading.c: the field `loading` ------------------------------------------------------ */
 
 /* Reads `loading` from the table at `index` into the definition; blocks without load use def->load.
  * Returns false if the field is nil or false. Buffers stay on the stack. */
-int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def);
+int loading_read(lua_State *L, int index, args_location location, arc_wear_def *def);
 
 /* Largest load of all blocks [N]. */
 double loading_largest(const arc_wear_def *def);
@@ -44,19 +44,19 @@ double loading_largest(const arc_wear_def *def);
 /* Pushes the list of blocks with their sampled values. */
 void loading_push(lua_State *L, const arc_wear_def *def);
 
-/* --- wear_state.c: fields and printed summary of a run --- */
+/* --- wear_state.c: fields and printed summary of a run ---------------------------------------- */
 extern const luaL_Reg wear_fields[];
 int wear_tostring(lua_State *L);
 
-/* --- wear_run.c: methods that advance a run --- */
+/* --- wear_run.c: methods that advance a run --------------------------------------------------- */
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
 
-/* --- store_run.c: runs in files --- */
+/* --- store_run.c: runs in files --------------------------------------------------------------- */
 int wear_save(lua_State *L);
 int wear_open(lua_State *L);
 
-/* --- wear_goal.c: end conditions of a run --- */
+/* --- wear_goal.c: end conditions of a run ----------------------------------------------------- */
 
 enum { MOST_GOALS = 16 };
 
@@ -72,7 +72,7 @@ typedef struct wear_goals {
 /* Reads the end conditions from the table at index 2 (or nil). */
 wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 
-/* --- wear_profile.c: profiles, maps and other results --- */
+/* --- wear_profile.c: profiles, maps and other results ----------------------------------------- */
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
 int wear_map(lua_State *L);
@@ -85,11 +85,11 @@ int wear_stability(lua_State *L);
 int wear_sensitivity(lua_State *L);
 int wear_loop(lua_State *L);
 
-/* --- wear_class.c --- */
+/* --- wear_class.c ----------------------------------------------------------------------------- */
 /* Pushes the box of the present model of the run in the box at `index`. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear);
 
-/* --- wear_record.c: rows of history --- */
+/* --- wear_record.c: rows of history ----------------------------------------------------------- */
 
 /* Replaces the text on top of the stack by a table of the record's columns by name, whose
  * __tostring returns the text. */

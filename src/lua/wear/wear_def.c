@@ -16,7 +16,7 @@ static const arc_setting series_fields[] = {
 
 /* Reads { distance=, value= } if the setting is given as a table; its buffers stay on the stack.
  * Other values clear the series. The engine checks the numbers. */
-static void push_series(lua_State *L, int index, args_place place, const arc_setting *s,
+static void push_series(lua_State *L, int index, args_location location, const arc_setting *s,
                         arc_wear_def *def) {
   arc_series *series = (arc_series *)(void *)((char *)def + s->series);
   size_t distances = 0, values = 0;
@@ -24,37 +24,37 @@ static void push_series(lua_State *L, int index, args_place place, const arc_set
   if (type != LUA_TNIL) *series = (arc_series){0};
   if (type != LUA_TTABLE) return;
   int table = lua_gettop(L);
-  args_place inside = {place.where, lua_pushfstring(L, "%s.", s->name)};
+  args_location inside = {location.where, lua_pushfstring(L, "%s.", s->name)};
   args_check_names(L, table, inside, series_fields);
   lua_getfield(L, table, "distance");
   const double *distance = array_read(L, inside, "distance", &distances);
   lua_getfield(L, table, "value");
   const double *value = array_read(L, inside, "value", &values);
   if (distances != values || distances == 0 || distances > 1000000)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields '%s.distance' and '%s.value': expected two arrays of equal length, got %d "
                 "and %d numbers",
                 s->name, s->name, (int)distances, (int)values);
   *series = (arc_series){(int)distances, distance, value};
 }
 
-static void read_all_series(lua_State *L, int index, args_place place, arc_wear_def *def) {
+static void read_all_series(lua_State *L, int index, args_location location, arc_wear_def *def) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
-    if (s->forms & ARC_SERIES) push_series(L, index, place, s, def);
+    if (s->forms & ARC_SERIES) push_series(L, index, location, s, def);
 }
 
 /* --- cycles and distance ---------------------------------------------------------------------- */
 
 /* Distributes `cycles`, the total of all blocks, when a run has loading: the last block without
  * `cycles` gets the rest. Without a distance the run ends after all blocks. */
-static void share_cycles(lua_State *L, args_place place, wear_request *request,
+static void share_cycles(lua_State *L, args_location location, wear_request *request,
                          int distance_given) {
   arc_wear_def *def = &request->def;
   arc_loading *last = (arc_loading *)(size_t)&def->loading[def->blocks - 1];
   double before = request->cycle_before;
   for (int b = 0; b + 1 < def->blocks; b++) before += def->loading[b].cycles;
   if (request->cycles > 0 && (isfinite(last->cycles) || !(request->cycles > before)))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "field 'cycles': expected more than the %s cycles of the blocks of loading before "
                 "the last one, and no cycles in the last one; got %s",
                 args_show_number(L, before), args_show_number(L, request->cycles));
@@ -76,36 +76,36 @@ arc_wear_def wear_request_settle(const wear_request *request, const arc_model_de
 /* --- the definition table --------------------------------------------------------------------- */
 
 /* Raises an error for settings that only a new run may have. */
-static void refuse_changes(lua_State *L, int index, args_place place) {
+static void refuse_changes(lua_State *L, int index, args_location location) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (s->forms & ARC_FIXED && args_given(L, index, s->name))
       error_raise(
-          L, ARC_ARGUMENT, place.where,
+          L, ARC_ARGUMENT, location.where,
           "field '%s' cannot be changed in a run; create a new run from its shape, wear{ worn "
           "= w, ... }",
           s->name);
 }
 
 /* Raises an error if the new end of a changed run is before its present position. */
-static void check_ahead(lua_State *L, args_place place, const wear_request *request) {
+static void check_ahead(lua_State *L, args_location location, const wear_request *request) {
   const double cycles = request->cycles, distance = request->def.distance;
   if (cycles > 0 && cycles < request->cycle_before)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "field 'cycles': the run is already at cycle %s, beyond %s",
                 args_show_number(L, request->cycle_before), args_show_number(L, cycles));
   if (distance > 0 && distance < request->distance_before)
     error_raise(
-        L, ARC_ARGUMENT, place.where,
+        L, ARC_ARGUMENT, location.where,
         "field 'distance': the run is already at %s mm, beyond %s mm (both from the start of the "
         "run)",
         args_show_number(L, request->distance_before), args_show_number(L, distance));
 }
 
-static wear_request begin_request(lua_State *L, int index, int changed, args_place place) {
+static wear_request begin_request(lua_State *L, int index, int changed, args_location location) {
   wear_request request = {.def = arc_wear_default()};
   if (!changed) return request;
-  const arc_wear *wear = box_check(L, changed, &wear_class, place.where)->thing;
-  refuse_changes(L, index, place);
+  const arc_wear *wear = box_check(L, changed, &wear_class, location.where)->thing;
+  refuse_changes(L, index, location);
   request.own_k = request.own_steps = 1;
   request.def = *arc_wear_definition(wear);
   request.distance_before = arc_wear_last(wear)->distance;
@@ -115,17 +115,17 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_pla
 
 /* Applies new loading, which defines the motion. The nominal load of a new run is the largest load,
  * unless it is given. */
-static void settle_loading(lua_State *L, int index, args_place place, wear_request *request,
+static void settle_loading(lua_State *L, int index, args_location location, wear_request *request,
                            int changed) {
   if (args_given(L, index, "stroke"))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'stroke' and 'loading': expected one of them, got both");
   if (args_given(L, index, "tangential"))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'tangential' and 'loading': expected one of them, got both (a block of "
                 "loading has a field 'tangential')");
   request->def.tangential = 0;
-  share_cycles(L, place, request, args_given(L, index, "distance"));
+  share_cycles(L, location, request, args_given(L, index, "distance"));
   const double largest = loading_largest(&request->def);
   if (!changed && !args_given(L, index, "load") && largest > 0) request->def.load = largest;
 }
@@ -139,9 +139,10 @@ static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int cha
   list[count] = (arc_setting){.name = NULL};
 }
 
-static void read_cycles(lua_State *L, int index, args_place place, wear_request *request) {
+static void read_cycles(lua_State *L, int index, args_location location, wear_request *request) {
   static const arc_setting cycles = {.name = "cycles", .unit = "cycles", ARC_RANGE_ABOVE(0)};
-  if (args_get(L, index, cycles.name) != LUA_TNIL) request->cycles = args_number(L, place, &cycles);
+  if (args_get(L, index, cycles.name) != LUA_TNIL)
+    request->cycles = args_number(L, location, &cycles);
   lua_pop(L, 1);
 }
 
@@ -161,39 +162,40 @@ static const arc_setting of_bodies[ARC_BODIES] = {
     {.name = "k_plate", .unit = "mm2/N", ARC_RANGE_FROM(0)},
 };
 
-static void refuse_both(lua_State *L, int index, args_place place, const char *of_body) {
+static void refuse_both(lua_State *L, int index, args_location location, const char *of_body) {
   static const char *const of_couple[] = {"k", "alpha"};
   for (int i = 0; i < 2; i++)
     if (args_given(L, index, of_couple[i]))
-      error_raise(L, ARC_ARGUMENT, place.where,
+      error_raise(L, ARC_ARGUMENT, location.where,
                   "fields '%s' and '%s': expected k and alpha, or k_cylinder and k_plate, got both",
                   of_couple[i], of_body);
 }
 
 /* Coefficient of a body that is not given: the present one in a changed run, else an error. */
-static double coefficient_now(lua_State *L, args_place place, const wear_request *request,
+static double coefficient_now(lua_State *L, args_location location, const wear_request *request,
                               int body) {
   const arc_wear_def *def = &request->def;
   const int plain = !def->k_function && !def->alpha_function && def->k_series.count == 0 &&
                     def->alpha_series.count == 0;
   if (!request->own_k || !plain)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "field '%s': expected a number >= 0 mm2/N together with '%s', got nil",
                 of_bodies[body].name, of_bodies[!body].name);
   return def->k * (body == ARC_CYLINDER ? def->alpha : 1 - def->alpha);
 }
 
 /* If k_cylinder and k_plate are given, replaces the table at `index` by a copy with k and alpha. */
-static void read_bodies(lua_State *L, int index, args_place place, wear_request *request) {
+static void read_bodies(lua_State *L, int index, args_location location, wear_request *request) {
   double k[ARC_BODIES];
   int given[ARC_BODIES];
   for (int b = 0; b < ARC_BODIES; b++)
     if ((given[b] = args_given(L, index, of_bodies[b].name)))
-      refuse_both(L, index, place, of_bodies[b].name);
+      refuse_both(L, index, location, of_bodies[b].name);
   if (!given[ARC_CYLINDER] && !given[ARC_PLATE]) return;
   for (int b = 0; b < ARC_BODIES; b++) {
     args_get(L, index, of_bodies[b].name);
-    k[b] = given[b] ? args_number(L, place, &of_bodies[b]) : coefficient_now(L, place, request, b);
+    k[b] = given[b] ? args_number(L, location, &of_bodies[b])
+                    : coefficient_now(L, location, request, b);
     lua_pop(L, 1);
   }
   arc_wear_def_partition(&request->def, k);
@@ -208,11 +210,11 @@ static void read_bodies(lua_State *L, int index, args_place place, wear_request 
 }
 
 /* "3-D" and the like are geometries of the model. */
-static void refuse_space(lua_State *L, int index, args_place place) {
+static void refuse_space(lua_State *L, int index, args_location location) {
   if (args_get(L, index, "geometry") == LUA_TSTRING)
     for (const char *const *name = arc_space_names; *name; name++)
       if (strcmp(*name, lua_tostring(L, -1)) == 0)
-        error_raise(L, ARC_ARGUMENT, place.where,
+        error_raise(L, ARC_ARGUMENT, location.where,
                     "field 'geometry': expected \"moving\" or \"frozen\", got \"%s\", which is a "
                     "geometry of the bodies: give model = { geometry = \"%s\" }",
                     *name, *name);
@@ -220,38 +222,38 @@ static void refuse_space(lua_State *L, int index, args_place place) {
 }
 
 wear_request wear_request_read(lua_State *L, int index, int changed) {
-  args_place place = {changed ? "wear:set" : "wear", ""};
+  args_location location = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
-  wear_request request = begin_request(L, index, changed, place);
+  wear_request request = begin_request(L, index, changed, location);
   arc_setting settings[ARC_WEAR_SETTINGS_COUNT + 2];
   list_settings(settings, changed);
-  read_bodies(L, index, place, &request);
+  read_bodies(L, index, location, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
   request.own_steps =
       request.own_steps || args_given(L, index, "scheme") || args_given(L, index, "jump");
-  refuse_space(L, index, place);
-  args_read(L, index, place, settings, &request.def);
-  read_cycles(L, index, place, &request);
+  refuse_space(L, index, location);
+  args_read(L, index, location, settings, &request.def);
+  read_cycles(L, index, location, &request);
   settle_scheme(L, index, &request.def);
   if (request.cycles > 0 && args_given(L, index, "distance"))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'distance' and 'cycles': expected one of them, got both");
-  check_ahead(L, place, &request);
-  read_all_series(L, index, place, &request.def);
+  check_ahead(L, location, &request);
+  read_all_series(L, index, location, &request.def);
   if (args_given(L, index, "stroke") && args_given(L, index, "tangential"))
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'stroke' and 'tangential': expected one of them, got both");
   if (args_given(L, index, "stroke")) request.def.tangential = 0;
   if (args_given(L, index, "stroke") || args_given(L, index, "tangential")) request.def.blocks = 0;
-  if (loading_read(L, index, place, &request.def))
-    settle_loading(L, index, place, &request, changed);
+  if (loading_read(L, index, location, &request.def))
+    settle_loading(L, index, location, &request, changed);
   else if (request.cycles > 0 && request.def.blocks > 0)
-    error_raise(L, ARC_ARGUMENT, place.where,
+    error_raise(L, ARC_ARGUMENT, location.where,
                 "field 'cycles': a run with loading needs a distance");
   int before = 0;
   if (changed && lua_getiuservalue(L, changed, RUN_FUNCTIONS) == LUA_TUSERDATA)
     before = lua_gettop(L);
-  functions_read(L, index, before, place, &request.def);
+  functions_read(L, index, before, location, &request.def);
   request.functions = lua_gettop(L);
   return request;
 }

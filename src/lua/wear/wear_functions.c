@@ -21,16 +21,16 @@ static int place_of(const arc_setting *setting) {
 
 typedef struct wear_functions {
   functions_place now;
-  called_state *state;
+  callback_state *state;
   int vector;     /* local_factor is called with arrays of all nodes */
   char what[200]; /* description of the call that failed */
 } wear_functions;
 
 static const char kind[] = "archard.functions";
 
-/* --- calls ----------------------------------------------------------------------------------- */
+/* --- calls ------------------------------------------------------------------------------------ */
 
-static lua_State *begin(wear_functions *f, const arc_wear_record *state, called_state *before) {
+static lua_State *begin(wear_functions *f, const arc_wear_record *state, callback_state *before) {
   const box *run = f->now.run;
   *before = *f->state;
   f->state->record = state;
@@ -39,7 +39,7 @@ static lua_State *begin(wear_functions *f, const arc_wear_record *state, called_
   return f->now.L;
 }
 
-static void end(wear_functions *f, int top, called_state before) {
+static void end(wear_functions *f, int top, callback_state before) {
   *f->state = before;
   if (f->now.run) f->now.run->busy = RUN_BUSY;
   lua_settop(f->now.L, top);
@@ -61,7 +61,7 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
 static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
                       double *value) {
   wear_functions *f = context;
-  called_state before;
+  callback_state before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
   arc_status status = ARC_OK;
@@ -79,7 +79,7 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
   return status;
 }
 
-/* --- local factors --------------------------------------------------------------------------- */
+/* --- local factors ---------------------------------------------------------------------------- */
 
 typedef struct local_call {
   wear_functions *held;
@@ -165,7 +165,7 @@ static arc_status ask_local(void *context, arc_body body, int n, const double *x
                             const double *p, const arc_wear_record *state, double *factor) {
   wear_functions *f = context;
   local_call call = {f, body, n, -1, x, z, p, factor};
-  called_state before;
+  callback_state before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
   arc_status status = ARC_OK;
@@ -191,7 +191,7 @@ static functions_call enter(lua_State *L, int holder, box *run, const arc_model_
   lua_pushvalue(L, holder);
   call.outer = f->now;
   f->now = (functions_place){L, run, pair, lua_gettop(L), 0};
-  for (int place = 1; place <= STATE; place++) lua_getiuservalue(L, f->now.at, place);
+  for (int location = 1; location <= STATE; location++) lua_getiuservalue(L, f->now.at, location);
   return call;
 }
 
@@ -220,7 +220,7 @@ void functions_leave(lua_State *L, functions_call *call, const char *where) {
   if (failed) error_callback(L, where, f->what);
 }
 
-/* --- the holder ------------------------------------------------------------------------------ */
+/* --- the holder ------------------------------------------------------------------------------- */
 
 static wear_functions *push_holder(lua_State *L) {
   wear_functions *f = lua_newuserdatauv(L, sizeof *f, PLACES);
@@ -233,11 +233,11 @@ static wear_functions *push_holder(lua_State *L) {
 }
 
 /* local_factor = { vector = f }: pushes f; raises an error if it is not a function. */
-static void push_vector(lua_State *L, args_place place) {
+static void push_vector(lua_State *L, args_location location) {
   static const arc_setting names[] = {ARGS_OTHER("vector"), {.name = NULL}};
   char prefix[60];
-  snprintf(prefix, sizeof prefix, "%slocal_factor.", place.prefix);
-  args_place inside = {place.where, prefix};
+  snprintf(prefix, sizeof prefix, "%slocal_factor.", location.prefix);
+  args_location inside = {location.where, prefix};
   args_check_names(L, -1, inside, names);
   if (lua_getfield(L, -1, "vector") != LUA_TFUNCTION)
     args_refuse(L, inside, "vector", "a function(body, xs, ps, state, zs)");
@@ -245,16 +245,16 @@ static void push_vector(lua_State *L, args_place place) {
 
 /* Pushes the function given for a setting, or nil; returns 0 if the table does not have the
  * setting. */
-static int push_given(lua_State *L, int index, const arc_setting *s, args_place place,
+static int push_given(lua_State *L, int index, const arc_setting *s, args_location location,
                       int *vector) {
   const int type = args_get(L, index, s->name), local = place_of(s) == LOCAL;
   if (type == LUA_TNIL || type == LUA_TFUNCTION) return type != LUA_TNIL;
   if (local && type == LUA_TTABLE) {
-    push_vector(L, place);
+    push_vector(L, location);
     *vector = 1;
   } else if (local && !(type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) {
     char expected[160];
-    args_refuse(L, place, s->name, arc_setting_expected(s, expected, sizeof expected));
+    args_refuse(L, location, s->name, arc_setting_expected(s, expected, sizeof expected));
   } else {
     lua_pushnil(L);
   }
@@ -269,15 +269,16 @@ static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
     *(arc_state_fn *)(void *)((char *)def + s->function) = given ? ask : NULL;
 }
 
-void functions_read(lua_State *L, int index, int previous, args_place place, arc_wear_def *def) {
+void functions_read(lua_State *L, int index, int previous, args_location location,
+                    arc_wear_def *def) {
   const wear_functions *before = previous ? lua_touserdata(L, previous) : NULL;
-  luaL_checkstack(L, 16, place.where);
+  luaL_checkstack(L, 16, location.where);
   wear_functions *f = push_holder(L);
   int holder = lua_gettop(L), any = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {
     if (!(s->forms & ARC_FUNCTION)) continue;
     int vector = 0;
-    if (!push_given(L, index, s, place, &vector) && before) {
+    if (!push_given(L, index, s, location, &vector) && before) {
       lua_getiuservalue(L, previous, place_of(s));
       vector = before->vector;
     }

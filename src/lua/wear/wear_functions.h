@@ -11,7 +11,8 @@
 /* Reads the functions of the table at `index`; for settings not in the table those of the holder at
  * `previous` (0: none) are kept. Pushes the holder, or nil without functions, and sets the function
  * pointers of the definition. */
-void functions_read(lua_State *L, int index, int previous, args_place place, arc_wear_def *def);
+void functions_read(lua_State *L, int index, int previous, args_location location,
+                    arc_wear_def *def);
 
 /* Context in which functions are called. */
 typedef struct functions_place {
@@ -46,13 +47,13 @@ void functions_push(lua_State *L, int holder, const char *field);
 void functions_push_names(lua_State *L, const arc_wear_def *def);
 
 /* Data of a state object; record: NULL outside a call; pair: names of the bodies. */
-typedef struct called_state {
+typedef struct callback_state {
   const arc_wear_record *record;
   const arc_model_def *pair;
-} called_state;
+} callback_state;
 
 /* Pushes a state object and returns its data. */
-called_state *state_push(lua_State *L);
+callback_state *state_push(lua_State *L);
 
 enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of box.busy of a run */
 enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 };            /* user values of a run */

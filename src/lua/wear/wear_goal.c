@@ -24,7 +24,7 @@ static const arc_setting definition[] = {
     {.name = NULL},
 };
 
-/* --- the distance ---------------------------------------------------------------------------- */
+/* --- the distance ----------------------------------------------------------------------------- */
 
 static void refuse_behind(lua_State *L, double covered, double wanted) {
   if (wanted < covered)
@@ -46,7 +46,7 @@ static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycl
 
 static double read_distance(lua_State *L, const arc_wear *wear) {
   run_def run = {0, 0};
-  args_read(L, 2, (args_place){where, ""}, definition, &run);
+  args_read(L, 2, (args_location){where, ""}, definition, &run);
   if (run.distance > 0 && run.cycles > 0)
     error_raise(L, ARC_ARGUMENT, where,
                 "fields 'distance' and 'cycles': expected one of them, got both");
@@ -56,7 +56,7 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
   return run.distance;
 }
 
-/* --- measures -------------------------------------------------------------------------------- */
+/* --- measures --------------------------------------------------------------------------------- */
 
 typedef struct measure {
   const char *group, *name; /* field, and name in its table (or NULL) */
@@ -78,17 +78,17 @@ static const measure measures[] = {
 };
 
 /* Adds the number on top of the stack as a target. */
-static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_place place,
+static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_location location,
                        wear_goals *goals) {
   const arc_setting range = {
       .name = m->name ? m->name : m->group, .high = HUGE_VAL, .open = ARC_LOW_OPEN};
-  const double value = args_number(L, place, &range);
+  const double value = args_number(L, location, &range);
   const double now = arc_wear_record_get(arc_wear_last(wear), m->column);
   if (m->grows && value <= now)
     error_raise(L, ARC_ARGUMENT, where, "field '%s%s': the run is already at %s, beyond %s",
-                place.prefix, range.name, args_show_number(L, now), args_show_number(L, value));
+                location.prefix, range.name, args_show_number(L, now), args_show_number(L, value));
   goals->target[goals->count] = (arc_wear_target){m->column, value};
-  snprintf(goals->name[goals->count], sizeof goals->name[0], "%s%s", place.prefix, range.name);
+  snprintf(goals->name[goals->count], sizeof goals->name[0], "%s%s", location.prefix, range.name);
   goals->count++;
 }
 
@@ -99,10 +99,10 @@ static void check_group(lua_State *L, const char *group) {
   const int volume = strcmp(group, "volume") == 0;
   const int type = args_get(L, 2, group);
   if (type != LUA_TNIL && type != LUA_TTABLE)
-    args_refuse(L, (args_place){where, ""}, group,
+    args_refuse(L, (args_location){where, ""}, group,
                 volume ? "a table { cylinder=, plate=, total= }" : "a table { cylinder=, plate= }");
   if (type == LUA_TTABLE)
-    args_check_names(L, -1, (args_place){where, volume ? "volume." : "depth."},
+    args_check_names(L, -1, (args_location){where, volume ? "volume." : "depth."},
                      volume ? all : bodies);
   lua_pop(L, 1);
 }
@@ -110,10 +110,10 @@ static void check_group(lua_State *L, const char *group) {
 /* Replaces the table at index 2 by a copy in which the keys of the group are body_names. */
 static void use_usual_names(lua_State *L, const arc_wear *wear, const char *group) {
   const arc_model_def *def = arc_model_definition(arc_wear_model(wear));
-  const args_place place = {where, strcmp(group, "volume") == 0 ? "volume." : "depth."};
+  const args_location location = {where, strcmp(group, "volume") == 0 ? "volume." : "depth."};
   if (args_get(L, 2, group) == LUA_TTABLE) {
-    push_usual_names(L, -1, place, def);
-    push_usual_names(L, 2, place, NULL);
+    push_usual_names(L, -1, location, def);
+    push_usual_names(L, 2, location, NULL);
     lua_insert(L, -2);
     lua_setfield(L, -2, group);
     lua_replace(L, 2);
@@ -128,13 +128,13 @@ static void read_targets(lua_State *L, const arc_wear *wear, wear_goals *goals) 
   check_group(L, "volume");
   for (const measure *m = measures; m->group; m++) {
     const int top = lua_gettop(L);
-    args_place place = {where, ""};
+    args_location location = {where, ""};
     int type = args_get(L, 2, m->group);
     if (m->name && type == LUA_TTABLE) {
       type = lua_getfield(L, -1, m->name);
-      place.prefix = strcmp(m->group, "volume") == 0 ? "volume." : "depth.";
+      location.prefix = strcmp(m->group, "volume") == 0 ? "volume." : "depth.";
     }
-    if (type != LUA_TNIL) add_target(L, wear, m, place, goals);
+    if (type != LUA_TNIL) add_target(L, wear, m, location, goals);
     lua_settop(L, top);
   }
 }
@@ -146,6 +146,6 @@ wear_goals wear_goals_read(lua_State *L, const arc_wear *wear) {
   if (type == LUA_TFUNCTION)
     goals.stop_when = lua_gettop(L);
   else if (type != LUA_TNIL)
-    args_refuse(L, (args_place){where, ""}, "stop_when", "a function of the wear object");
+    args_refuse(L, (args_location){where, ""}, "stop_when", "a function of the wear object");
   return goals;
 }

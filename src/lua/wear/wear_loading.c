@@ -35,14 +35,14 @@ static const arc_setting definition[] = {
 typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
-  args_place place;
+  args_location location;
   size_t given, count;    /* number of times of the given arrays, and of the samples */
   const double *from, *t; /* given and sampled times, 0 to 1 */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
 
-/* --- times ----------------------------------------------------------------------------------- */
+/* --- times ------------------------------------------------------------------------------------ */
 
 static const double *push_uniform(lua_State *L, size_t count) {
   double *t = array_buffer(L, count);
@@ -53,14 +53,14 @@ static const double *push_uniform(lua_State *L, size_t count) {
 /* Pushes the field `t`, scaled to 0 to 1. */
 static const double *push_times(const reading *r, size_t *count) {
   lua_State *L = r->L;
-  double *t = array_read(L, r->place, "t", count);
+  double *t = array_read(L, r->location, "t", count);
   if (*count < 2)
-    error_raise(L, ARC_ARGUMENT, r->place.where, "field '%st': expected at least 2 times, got %d",
-                r->place.prefix, (int)*count);
+    error_raise(L, ARC_ARGUMENT, r->location.where,
+                "field '%st': expected at least 2 times, got %d", r->location.prefix, (int)*count);
   for (size_t i = 1; i < *count; i++)
     if (!(t[i] > t[i - 1]))
-      error_raise(L, ARC_ARGUMENT, r->place.where,
-                  "field '%st[%d]': expected increasing times, got %s after %s", r->place.prefix,
+      error_raise(L, ARC_ARGUMENT, r->location.where,
+                  "field '%st[%d]': expected increasing times, got %s after %s", r->location.prefix,
                   (int)i + 1, args_show_number(L, t[i]), args_show_number(L, t[i - 1]));
   const double start = t[0], length = t[*count - 1] - start;
   for (size_t i = 0; i < *count; i++) t[i] = (t[i] - start) / length;
@@ -72,7 +72,7 @@ static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;
   if (lua_getfield(L, r->table, name) == LUA_TTABLE)
-    length = array_length(L, r->place, name, ARRAY_MOST);
+    length = array_length(L, r->location, name, ARRAY_MOST);
   lua_pop(L, 1);
   return length;
 }
@@ -90,10 +90,10 @@ static void find_times(reading *r, int increments) {
   else if (values > 1)
     r->from = push_uniform(L, r->given = values);
   if (timed && increments > 0 && !values)
-    error_raise(L, ARC_ARGUMENT, r->place.where,
+    error_raise(L, ARC_ARGUMENT, r->location.where,
                 "fields '%st' and '%sincrements': expected one of them if x and load are "
                 "functions, got both",
-                r->place.prefix, r->place.prefix);
+                r->location.prefix, r->location.prefix);
   r->count = r->given;
   r->t = r->from;
   if (r->given > 0 && increments == 0) return;
@@ -101,17 +101,17 @@ static void find_times(reading *r, int increments) {
   r->t = push_uniform(L, r->count);
 }
 
-/* --- values ---------------------------------------------------------------------------------- */
+/* --- values ----------------------------------------------------------------------------------- */
 
 static void sample_array(const reading *r, const char *name, double *value) {
   lua_State *L = r->L;
   size_t count;
-  const double *given = array_read(L, r->place, name, &count);
+  const double *given = array_read(L, r->location, name, &count);
   if (count != r->given || count < 2)
-    error_raise(L, ARC_ARGUMENT, r->place.where,
+    error_raise(L, ARC_ARGUMENT, r->location.where,
                 "field '%s%s': expected %d numbers, one for each time, and at least 2; "
                 "got %d",
-                r->place.prefix, name, (int)r->given, (int)count);
+                r->location.prefix, name, (int)r->given, (int)count);
   for (size_t i = 0; i < r->count; i++)
     value[i] = r->t == r->from ? given[i]
                                : arc_measure_interpolate(r->from, given, count, r->t[i], given[0]);
@@ -122,13 +122,13 @@ static void sample_function(const reading *r, const char *name, double *value) {
   lua_State *L = r->L;
   char call[80];
   for (size_t i = 0; i < r->count; i++) {
-    snprintf(call, sizeof call, "%s%s(%.6g)", r->place.prefix, name, r->t[i]);
+    snprintf(call, sizeof call, "%s%s(%.6g)", r->location.prefix, name, r->t[i]);
     lua_pushvalue(L, -1);
     lua_pushnumber(L, r->t[i]);
-    if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, r->place.where, call);
+    if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, r->location.where, call);
     value[i] = lua_tonumber(L, -1);
     if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i]))
-      error_raise(L, ARC_CALLBACK, r->place.where, "%s: expected a finite number, got %s", call,
+      error_raise(L, ARC_CALLBACK, r->location.where, "%s: expected a finite number, got %s", call,
                   names_push_shown(L, -1));
     lua_pop(L, 1);
   }
@@ -150,7 +150,7 @@ static const double *sample(const reading *r, int holder, const char *name, doub
     for (size_t i = 0; i < r->count; i++)
       value[i] = type == LUA_TNUMBER ? lua_tonumber(L, -1) : constant;
   else
-    args_refuse(L, r->place, name,
+    args_refuse(L, r->location, name,
                 isnan(constant) ? "a function of t or an array"
                                 : "a number, a function of t or an array");
   lua_settop(L, top);
@@ -165,13 +165,13 @@ static const double *still(const reading *r, int holder) {
   return value;
 }
 
-/* --- blocks ---------------------------------------------------------------------------------- */
+/* --- blocks ----------------------------------------------------------------------------------- */
 
 static int read_periodic(const reading *r) {
   lua_State *L = r->L;
   int type = lua_getfield(L, r->table, "periodic");
   if (type != LUA_TNIL && type != LUA_TBOOLEAN)
-    args_refuse(L, r->place, "periodic", "true or false");
+    args_refuse(L, r->location, "periodic", "true or false");
   int periodic = type == LUA_TNIL || lua_toboolean(L, -1);
   lua_pop(L, 1);
   return periodic;
@@ -185,22 +185,22 @@ static const char *drive_of(const reading *r) {
   for (int i = 0; drives[i]; i++) {
     if (!args_given(r->L, r->table, drives[i])) continue;
     if (found)
-      error_raise(r->L, ARC_ARGUMENT, r->place.where,
-                  "fields '%s%s' and '%s%s': expected one of them, got both", r->place.prefix,
-                  found, r->place.prefix, drives[i]);
+      error_raise(r->L, ARC_ARGUMENT, r->location.where,
+                  "fields '%s%s' and '%s%s': expected one of them, got both", r->location.prefix,
+                  found, r->location.prefix, drives[i]);
     found = drives[i];
   }
   return found ? found : drives[args_given(r->L, r->table, "load_angle") ? 2 : 0];
 }
 
 /* Reads the block on top of the stack. */
-static arc_loading read_block(lua_State *L, int holder, args_place place, double load) {
+static arc_loading read_block(lua_State *L, int holder, args_location location, double load) {
   const int top = lua_gettop(L);
   block_def def = {0};
-  reading r = {.L = L, .table = top, .place = place};
-  luaL_checkstack(L, 20, place.where);
-  if (!lua_istable(L, top)) args_refuse(L, place, "", "a table { x=, load=, ... }");
-  args_read(L, top, place, definition, &def);
+  reading r = {.L = L, .table = top, .location = location};
+  luaL_checkstack(L, 20, location.where);
+  if (!lua_istable(L, top)) args_refuse(L, location, "", "a table { x=, load=, ... }");
+  args_read(L, top, location, definition, &def);
   find_times(&r, def.increments);
   arc_loading block = {.count = (int)r.count, .periodic = read_periodic(&r)};
   const char *drive = drive_of(&r);
@@ -231,14 +231,17 @@ double loading_largest(const arc_wear_def *def) {
   return largest;
 }
 
-int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
+int loading_read(lua_State *L, int index, args_location location, arc_wear_def *def) {
   int type = args_get(L, index, "loading");
   if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) def->blocks = 0;
   if (type == LUA_TNIL || (type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) return 0;
   if (type != LUA_TTABLE)
-    args_refuse(L, place, "loading", "a block { x=, load= } or a list of blocks");
+    args_refuse(L, location, "loading",
+                type == LUA_TUSERDATA
+                    ? "a block { x=, load= } or a list of blocks (a gait needs model = joint{})"
+                    : "a block { x=, load= } or a list of blocks");
   const int loading = lua_gettop(L), list = is_list(L, loading);
-  const int count = list ? (int)array_length(L, place, "loading", most_blocks) : 1;
+  const int count = list ? (int)array_length(L, location, "loading", most_blocks) : 1;
   lua_newtable(L);
   const int holder = lua_gettop(L);
   arc_loading *blocks = lua_newuserdatauv(L, (size_t)count * sizeof *blocks, 0);
@@ -250,7 +253,7 @@ int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
     } else {
       lua_pushvalue(L, loading);
     }
-    blocks[b] = read_block(L, holder, (args_place){place.where, prefix}, def->load);
+    blocks[b] = read_block(L, holder, (args_location){location.where, prefix}, def->load);
     lua_pop(L, 1);
   }
   def->blocks = count;

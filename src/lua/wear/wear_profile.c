@@ -54,7 +54,7 @@ int wear_map(lua_State *L) {
         L, ARC_ARGUMENT, where,
         "expected a run with geometry = \"3-D\", got a two-dimensional run: use w:profile()");
   const arc_body body = wear_body(L, wear, where);
-  const int which = args_choice(L, 3, (args_place){where, ""}, "what", what, 0);
+  const int which = args_choice(L, 3, (args_location){where, ""}, "what", what, 0);
   const arc_array *arrays = push_surfaces(L, wear, where, &count);
   surface_push_map(L, arrays, count, body, name[which], unit[which]);
   return 1;
@@ -139,8 +139,7 @@ int wear_pressure(lua_State *L) {
   return 1;
 }
 
-/* --- both bodies together: at the plate's nodes, with the plate at x = 0 -----------------------
- */
+/* --- both bodies together: at the plate's nodes, with the plate at x = 0 ---------------------- */
 
 static arc_depths depths_of(const arc_shape *shape, arc_body body) {
   const arc_profile profile = arc_shape_profile(shape, body);
@@ -162,7 +161,7 @@ int wear_local_partition(lua_State *L) {
   return measure_push_partition(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
-/* --- smoothness ------------------------------------------------------------------------------ */
+/* --- smoothness ------------------------------------------------------------------------------- */
 
 /* wear:roughness(body) -> sawtooth part of the profile divided by the depth */
 int wear_roughness(lua_State *L) {

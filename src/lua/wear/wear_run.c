@@ -12,7 +12,7 @@ static lua_Number next_update(const arc_wear *wear) {
   return (lua_Number)arc_wear_last(wear)->update + 1;
 }
 
-/* --- interruption ---------------------------------------------------------------------------- */
+/* --- interruption ----------------------------------------------------------------------------- */
 
 /* After Ctrl-C: raises "interrupted" with the present position of the run, since the progress bar
  * is erased. */
@@ -30,14 +30,14 @@ static void check_ended(lua_State *L, const arc_wear *wear, arc_status status,
   error_check(L, status, error, where, next_update(wear));
 }
 
-/* --- step ------------------------------------------------------------------------------------ */
+/* --- step ------------------------------------------------------------------------------------- */
 
 static int count_argument(lua_State *L, int index, const char *where) {
   static const arc_setting count = {.name = "n", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
   if (lua_isnoneornil(L, index)) return 1;
   lua_settop(L, index);
-  double value = args_number(L, (args_place){where, ""}, &count);
-  if (value != floor(value)) args_refuse(L, (args_place){where, ""}, "n", "a whole number");
+  double value = args_number(L, (args_location){where, ""}, &count);
+  if (value != floor(value)) args_refuse(L, (args_location){where, ""}, "n", "a whole number");
   return (int)value;
 }
 
@@ -104,7 +104,7 @@ int wear_step(lua_State *L) {
   return 1;
 }
 
-/* --- run ------------------------------------------------------------------------------------- */
+/* --- run -------------------------------------------------------------------------------------- */
 
 /* Context of the engine's callbacks. The run's object is at index 1. */
 typedef struct run_call {
@@ -162,7 +162,7 @@ static int push_progress_function(lua_State *L, double goal) {
   int type = args_get(L, 2, "progress");
   if (type == LUA_TFUNCTION) return lua_gettop(L);
   if (type != LUA_TNIL && type != LUA_TBOOLEAN)
-    args_refuse(L, (args_place){"wear:run", ""}, "progress",
+    args_refuse(L, (args_location){"wear:run", ""}, "progress",
                 "a function of the wear object, true or false");
   if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) return 0;
   push_display(L, goal);

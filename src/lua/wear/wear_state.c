@@ -2,7 +2,9 @@
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/strict.h"
 #include "lua/engine/pair_text.h"
+#include "lua/engine/peak.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
@@ -27,7 +29,7 @@ static const arc_model_def *pair_of(lua_State *L) {
   return arc_model_definition(arc_wear_model(self(L)));
 }
 
-/* --- the state ------------------------------------------------------------------------------- */
+/* --- the state -------------------------------------------------------------------------------- */
 
 /* Readers of all columns of the last record; some fields below replace a column. */
 #define COLUMN_FIELD(name, unit, range, rule, text) NUMBER_FIELD(wear_column, name, last(L)->name)
@@ -80,7 +82,7 @@ static int wear_saved(lua_State *L) {
   return 1;
 }
 
-/* --- the definition -------------------------------------------------------------------------- */
+/* --- the definition --------------------------------------------------------------------------- */
 
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
@@ -156,6 +158,7 @@ int wear_loop(lua_State *L) {
   array_set_number(L, "stick_width", loop->stick_width);
   lua_pushboolean(L, loop->gross);
   lua_setfield(L, -2, "gross");
+  strict_table(L, "wear:loop");
   free(loop);
   return 1;
 }
@@ -423,28 +426,42 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   add_others(text, settings);
 }
 
+/* Writes where the largest pressure lies, "" if the surfaces have none to show. */
+static void show_peak(const arc_wear *wear, char *text, size_t size) {
+  arc_error error = {0};
+  arc_array *arrays = NULL;
+  size_t count = 0;
+  const arc_wear_record *record = arc_wear_last(wear);
+  text[0] = '\0';
+  if (!(record->p_max > record->p_center)) return;
+  if (arc_wear_surfaces(wear, &arrays, &count, &error) != ARC_OK) return;
+  peak_position(arrays, count, record->p_center, text, size);
+  free(arrays);
+}
+
 static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_record *record = arc_wear_last(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const char *upper = body_name(model, ARC_UPPER), *lower = body_name(model, ARC_LOWER);
   const int means = arc_wear_definition(wear)->track > 0 && !arc_model_has_maps(model);
-  char line[700], partition[40] = "none yet", peak[60] = "";
+  char line[800], partition[40] = "none yet", peak[60] = "", at[80];
   if (record->update > 0 && isfinite(record->p_peak))
     snprintf(peak, sizeof peak, ", in a cycle %.2f", record->p_peak);
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
+  show_peak(wear, at, sizeof at);
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
-           "  pressure  centre %.2f, largest %.2f%s MPa\n"
+           "  pressure  centre %.2f, largest %.2f%s%s MPa\n"
            "  width     half %.6g mm\n"
            "  depth     %s %.4e mm, %s %.4e mm%s; alpha-tilde %s\n"
            "  volume    %s %.4e mm3, %s %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
-           record->p_center, record->p_max, peak, record->half_width, upper, record->depth_cylinder,
-           lower, record->depth_plate, means ? " (mean over its track)" : "", partition, upper,
-           record->volume_cylinder, lower, record->volume_plate,
-           record->volume_cylinder + record->volume_plate);
+           record->p_center, record->p_max, at, peak, record->half_width, upper,
+           record->depth_cylinder, lower, record->depth_plate,
+           means ? " (mean over its track)" : "", partition, upper, record->volume_cylinder, lower,
+           record->volume_plate, record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);
 }
 

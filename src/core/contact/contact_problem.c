@@ -1,5 +1,5 @@
 /* The contact at one position of the plate: memory, solution, results. */
-#include "core/contact/pose.h"
+#include "core/contact/contact_problem.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
 
@@ -8,27 +8,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-arc_status arc_pose_create(pose *p, const arc_model *model) {
+arc_status arc_contact_problem_create(contact_problem *p, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *p = (pose){.nc = (int)nc, .np = (int)np};
+  *p = (contact_problem){.nc = (int)nc, .np = (int)np};
   p->first = malloc(nc * sizeof(int));
   p->set = malloc(nc * sizeof(int));
   p->joined = malloc(2 * nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
-  const carve_part parts[] = {{&p->wc, nc},   {&p->gap, nc},  {&p->f, nc},
-                              {&p->open, nc}, {&p->ones, nc}, {&p->slope, nc},
-                              {&p->down, nc}, {&p->wp, np},   {&p->work, 5 * (nc + np)}};
+  const carve_part parts[] = {{&p->wc, nc},
+                              {&p->gap, nc},
+                              {&p->f, nc},
+                              {&p->open, nc},
+                              {&p->ones, nc},
+                              {&p->slope, nc},
+                              {&p->down, nc},
+                              {&p->wp, np},
+                              {&p->column, np},
+                              {&p->weighted, nc},
+                              {&p->nodal, 2 * nc},
+                              {&p->on_body, 2 * (nc + np)},
+                              {&p->drift, 3 * nc + 2 * np},
+                              {&p->step, 2 * nc}};
   if (!ARC_CARVE(parts) || !p->first || !p->set || !p->joined || !p->a || !p->factor) {
-    arc_pose_free(p);
+    arc_contact_problem_free(p);
     return ARC_MEMORY;
   }
   p->made = p->joined + nc;
   return ARC_OK;
 }
 
-void arc_pose_free(pose *p) {
+void arc_contact_problem_free(contact_problem *p) {
   free(p->first);
   free(p->set);
   free(p->joined);
@@ -36,38 +47,39 @@ void arc_pose_free(pose *p) {
   free(p->factor);
   free(p->wc);
   free(p->b);
-  *p = (pose){0};
+  *p = (contact_problem){0};
 }
 
-size_t arc_pose_bytes(const pose *p) {
+size_t arc_contact_problem_bytes(const contact_problem *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
-  return sizeof *p + (2 * nc * nc + nc * width + 12 * nc + 6 * np) * sizeof(double) +
+  return sizeof *p + (2 * nc * nc + nc * width + 17 * nc + 6 * np) * sizeof(double) +
          4 * nc * sizeof(int);
 }
 
-void arc_pose_aim(pose *p, double angle) {
+void arc_contact_problem_set_angle(contact_problem *p, double angle) {
   if (p->angle == angle) return;
   p->angle = angle;
   p->aimed = p->factored = 0;
 }
 
-arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error *error) {
+arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape, double x,
+                                      arc_error *error) {
   assert(shape->version > 0);
   if (p->version != shape->version || p->x != x) {
     p->version = 0;
-    const arc_status status = arc_pose_place(p, shape, x, error);
+    const arc_status status = arc_contact_problem_couple(p, shape, x, error);
     if (status != ARC_OK) return status;
-    arc_pose_stiffen(p, shape);
+    arc_contact_problem_assemble(p, shape);
     p->version = shape->version;
   }
-  if (!p->aimed) arc_pose_find_down(p, shape);
-  arc_pose_measure(p, shape);
+  if (!p->aimed) arc_contact_problem_compute_down(p, shape);
+  arc_contact_problem_update_gaps(p, shape);
   p->shape = shape;
   return ARC_OK;
 }
 
 /* Error message with the zone needed. */
-static arc_status edge_reached(pose *p, int left, arc_error *error) {
+static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
   p->active = 0;
@@ -79,18 +91,18 @@ static arc_status edge_reached(pose *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-/* Solves with the compliance of the last condensation; if it has drifted, solves again with the
- * drift times the forces added to the gaps. */
-static arc_status solve(pose *p, double line) {
+/* Solves with the compliance of the last condensation; if it has changed, solves again with the
+ * the change times the forces added to the gaps. */
+static arc_status solve(contact_problem *p, double line) {
   arc_status status = arc_lcp_solve(p, line);
-  if (status != ARC_OK || !arc_pose_add_drift(p)) return status;
+  if (status != ARC_OK || !arc_contact_problem_add_compliance_change(p)) return status;
   const int iterations = p->iterations;
   status = arc_lcp_solve(p, line);
   p->iterations += iterations;
   return status;
 }
 
-void arc_pose_follow(pose *p, const pose *neighbour) {
+void arc_contact_problem_start_from(contact_problem *p, const contact_problem *neighbour) {
   if (p->active > 0) return;
   for (int s = 0; s < neighbour->active; s++) {
     const int candidate = neighbour->lo + neighbour->set[s] - p->lo;
@@ -98,24 +110,25 @@ void arc_pose_follow(pose *p, const pose *neighbour) {
   }
 }
 
-arc_status arc_pose_check_zone(pose *p, arc_error *error) {
+arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error) {
   if (p->set[0] == 0) return edge_reached(p, 1, error);
   if (p->set[p->active - 1] == p->count - 1) return edge_reached(p, 0, error);
   return ARC_OK;
 }
 
-arc_status arc_pose_broke_down(pose *p, arc_error *error) {
+arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error) {
   p->active = 0;
   return arc_fail(error, ARC_NUMERIC, "the contact solution broke down with the plate at x = %g mm",
                   p->x);
 }
 
-arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
+arc_status arc_contact_problem_solve(contact_problem *p, double line, arc_error *error) {
   assert(p->version > 0);
-  return solve(p, line) == ARC_OK ? arc_pose_check_zone(p, error) : arc_pose_broke_down(p, error);
+  return solve(p, line) == ARC_OK ? arc_contact_problem_check_zone(p, error)
+                                  : arc_contact_problem_fail(p, error);
 }
 
-void arc_pose_forces(const pose *p, double *f) {
+void arc_contact_problem_forces(const contact_problem *p, double *f) {
   memset(f, 0, (size_t)p->nc * sizeof *f);
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
@@ -132,30 +145,30 @@ static void push_only(double *f, int n) {
     if (f[l] < 0) f[l - 1] += f[l], f[l] = 0;
 }
 
-void arc_pose_pressures(const pose *p, double *pc, double *pp) {
-  arc_pose_forces(p, pc);
-  arc_pose_to_plate(p, pc, pp);
+void arc_contact_problem_pressures(const contact_problem *p, double *pc, double *pp) {
+  arc_contact_problem_forces(p, pc);
+  arc_contact_problem_to_plate(p, pc, pp);
   push_only(pp, p->np);
   for (int i = 0; i < p->nc; i++) pc[i] /= p->wc[i];
   for (int l = 0; l < p->np; l++) pp[l] /= p->wp[l];
 }
 
-void arc_pose_transfer(const pose *p, const double *from, double *to) {
-  double *weighted = p->work;
+void arc_contact_problem_transfer(const contact_problem *p, const double *from, double *to) {
+  double *weighted = p->weighted;
   for (int i = 0; i < p->nc; i++) weighted[i] = from[i] * p->wc[i];
-  arc_pose_to_plate(p, weighted, to);
+  arc_contact_problem_to_plate(p, weighted, to);
   push_only(to, p->np);
   for (int l = 0; l < p->np; l++) to[l] /= p->wp[l];
 }
 
 /* Index of the cylinder's node in the direction of the load. */
-static int lowest(const pose *p) {
+static int lowest(const contact_problem *p) {
   const shape_side *side = &p->shape->side[ARC_CYLINDER];
   if (p->angle == 0) return p->nc / 2;
   return arc_chart_nearest(side->settled, 1, p->nc, side->body->chart.radius * p->angle);
 }
 
-void arc_pose_peaks(const pose *p, double *center, double *largest) {
+void arc_contact_problem_peaks(const contact_problem *p, double *center, double *largest) {
   const int middle = lowest(p) - p->lo;
   *center = *largest = 0;
   for (int k = 0; k < p->count; k++) {
@@ -165,7 +178,7 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
   }
 }
 
-double arc_pose_ripple(const pose *p, const arc_shape *shape, double reach) {
+double arc_contact_problem_ripple(const contact_problem *p, const arc_shape *shape, double reach) {
   const double *cyl = shape->side[ARC_CYLINDER].settled, *width = p->wc + p->lo;
   const double middle = cyl[2 * lowest(p)];
   double largest = 0, sum = 0;
@@ -182,7 +195,7 @@ double arc_pose_ripple(const pose *p, const arc_shape *shape, double reach) {
 }
 
 /* Integral of the pressure along x over the candidates' cells between from and to [N/mm]. */
-static double force_between(const pose *p, const double *cyl, double from, double to) {
+static double force_between(const contact_problem *p, const double *cyl, double from, double to) {
   double sum = 0;
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
@@ -195,11 +208,12 @@ static double force_between(const pose *p, const double *cyl, double from, doubl
 }
 
 /* The window with the largest mean starts or ends at the edge of a cell. */
-double arc_pose_average(const pose *p, const arc_shape *shape, double length) {
+double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape,
+                                   double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;
   double most = 0, center;
   if (length == 0) {
-    arc_pose_peaks(p, &center, &most);
+    arc_contact_problem_peaks(p, &center, &most);
     return most;
   }
   for (int k = 0; k <= p->count; k++) {
@@ -211,24 +225,25 @@ double arc_pose_average(const pose *p, const arc_shape *shape, double length) {
   return most / length;
 }
 
-void arc_pose_forces_on(const pose *p, arc_body body, double *force) {
-  double *f = p->work, *mf = p->work + p->nc;
-  arc_pose_forces(p, f);
+void arc_contact_problem_forces_on(const contact_problem *p, arc_body body, double *force) {
+  double *f = p->nodal, *mf = f + p->nc;
+  arc_contact_problem_forces(p, f);
   for (int i = 0; i < p->nc; i++) mf[i] = p->slope[i] * f[i];
   if (body == ARC_CYLINDER) {
     for (int i = 0; i < p->nc; i++) force[i] = -mf[i];
     memcpy(&force[p->nc], f, (size_t)p->nc * sizeof *f);
   } else {
-    arc_pose_to_plate(p, mf, force);
-    arc_pose_to_plate(p, f, &force[p->np]);
+    arc_contact_problem_to_plate(p, mf, force);
+    arc_contact_problem_to_plate(p, f, &force[p->np]);
     for (int l = 0; l < p->np; l++) force[p->np + l] *= -1;
   }
 }
 
-void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, double *u) {
+void arc_contact_problem_tangential(const contact_problem *p, const arc_shape *shape, arc_body body,
+                                    double *u) {
   const compliance *c = shape_compliance(&shape->side[body]);
-  double *force = p->work + 2 * p->nc;
-  arc_pose_forces_on(p, body, force);
+  double *force = p->on_body;
+  arc_contact_problem_forces_on(p, body, force);
   arc_dense_multiply(c->n, 1, c->n, 1, c->xx, c->n, force, c->n, 0, u, c->n);
   arc_dense_multiply(c->n, 1, c->n, 1, c->xy, c->n, force + c->n, c->n, 1, u, c->n);
 }

@@ -14,9 +14,9 @@
 #include <unistd.h>
 
 #include "archard/lock.h"
-#include "archard/place.h"
+#include "archard/atomic_file.h"
 
-static char folder[] = "/tmp/archard-place-XXXXXX";
+static char folder[] = "/tmp/archard-atomic-XXXXXX";
 
 static int set_up(void **state) {
   (void)state;
@@ -58,27 +58,27 @@ static int parts(const char *where) {
 
 /* Writes a text by the functions for atomic files, as all writers do. */
 static arc_status put(const char *path, const char *text, arc_error *error) {
-  arc_place *place;
-  arc_status status = arc_place_take(path, &place, error);
+  arc_atomic_file *file;
+  arc_status status = arc_atomic_file_create(path, &file, error);
   if (status != ARC_OK) return status;
-  write_to(arc_place_path(place), text);
-  return arc_place_publish(&place, error);
+  write_to(arc_atomic_file_path(file), text);
+  return arc_atomic_file_publish(&file, error);
 }
 
 static void test_whole_or_not(void **state) {
   (void)state;
-  arc_place *place;
+  arc_atomic_file *file;
   assert_int_equal(put("new", "first", NULL), ARC_OK);
-  assert_int_equal(arc_place_take("new", &place, NULL), ARC_OK);
-  write_to(arc_place_path(place), "second");
+  assert_int_equal(arc_atomic_file_create("new", &file, NULL), ARC_OK);
+  write_to(arc_atomic_file_path(file), "second");
   assert_holds("new", "first");
-  arc_place_drop(&place);
-  assert_null(place);
+  arc_atomic_file_discard(&file);
+  assert_null(file);
   assert_holds("new", "first");
   assert_int_equal(put("./new", "third", NULL), ARC_OK);
   assert_holds("new", "third");
   assert_int_equal(parts("."), 0);
-  arc_place_drop(&place);
+  arc_atomic_file_discard(&file);
 }
 
 static void test_links_are_followed(void **state) {
@@ -116,17 +116,22 @@ static void test_names_mean_files(void **state) {
                {"meant/chain", "/meant/new"}, {"file:meant", "/file:meant"},
                {"meant/", "/meant"},          {"meant/..", ""}};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-    assert_int_equal(arc_file_resolve(known[i].name, meant), 0);
+    assert_int_equal(arc_file_find(known[i].name, ARC_FILE_READ, meant, NULL), ARC_OK);
     snprintf(expected, sizeof expected, "%s%s", folder, known[i].file);
     assert_string_equal(meant, expected);
   }
   snprintf(descriptor, sizeof descriptor, "/proc/%ld/fd/1", (long)getpid());
-  assert_int_equal(arc_file_resolve("/dev/stdout", meant), 0);
+  assert_int_equal(arc_file_find("/dev/stdout", ARC_FILE_WRITE, meant, NULL), ARC_OK);
   assert_string_equal(meant, descriptor);
-  assert_int_equal(arc_file_resolve("", meant), ENOENT);
-  assert_int_equal(arc_file_resolve("none/file", meant), ENOENT);
-  assert_int_equal(arc_file_resolve("meant/file/x", meant), ENOTDIR);
-  assert_int_equal(arc_file_resolve("ring", meant), ELOOP);
+  static const struct nothing {
+    const char *name;
+    int why;
+  } nothing[] = {{"none/file", ENOENT}, {"meant/file/x", ENOTDIR}, {"ring", ELOOP}};
+  arc_error error;
+  for (size_t i = 0; i < sizeof nothing / sizeof *nothing; i++) {
+    assert_int_equal(arc_file_find(nothing[i].name, ARC_FILE_READ, meant, &error), ARC_IO);
+    assert_non_null(strstr(error.message, strerror(nothing[i].why)));
+  }
 }
 
 static void test_permissions_stay(void **state) {
@@ -160,7 +165,7 @@ static void test_refused(void **state) {
                {"a\nb", ARC_ARGUMENT, "control character"},
                {"through/x.png", ARC_IO, "control character in its folder's name"},
                {"", ARC_ARGUMENT, "without a name"},
-               {long_name, ARC_ARGUMENT, "too long"},
+               {long_name, ARC_IO, "too long"},
                {"read-only", ARC_IO, "Permission denied"},
                {"locked/file", ARC_IO, "Permission denied"}};
   mkdir("d\nsystem 'x'\n#", 0700);
@@ -201,17 +206,17 @@ static void test_no_room(void **state) {
   struct rlimit limit, usual;
   getrlimit(RLIMIT_FSIZE, &usual);
   limit = usual;
-  arc_place *place;
+  arc_atomic_file *file;
   write_to("kept", "old");
-  assert_int_equal(arc_place_take("kept", &place, NULL), ARC_OK);
+  assert_int_equal(arc_atomic_file_create("kept", &file, NULL), ARC_OK);
   limit.rlim_cur = 3;
   setrlimit(RLIMIT_FSIZE, &limit);
-  FILE *file = fopen(arc_place_path(place), "w");
-  fputs("more than that", file);
-  int failed = fclose(file) != 0;
+  FILE *stream = fopen(arc_atomic_file_path(file), "w");
+  fputs("more than that", stream);
+  int failed = fclose(stream) != 0;
   setrlimit(RLIMIT_FSIZE, &usual);
   assert_true(failed);
-  arc_place_drop(&place);
+  arc_atomic_file_discard(&file);
   assert_holds("kept", "old");
   assert_int_equal(parts("."), 0);
 }
@@ -220,28 +225,28 @@ static void test_no_room(void **state) {
  * removes them, but no file that is in use or has another origin. */
 static void test_strays(void **state) {
   (void)state;
-  arc_place *held;
+  arc_atomic_file *held;
   mkdir("busy", 0700);
   pid_t child = fork();
   if (child == 0) {
-    arc_place *lost;
-    arc_place_take("busy/lost", &lost, NULL);
+    arc_atomic_file *lost;
+    arc_atomic_file_create("busy/lost", &lost, NULL);
     char journal[5000];
-    snprintf(journal, sizeof journal, "%s-journal", arc_place_path(lost));
+    snprintf(journal, sizeof journal, "%s-journal", arc_atomic_file_path(lost));
     close(open(journal, O_CREAT | O_WRONLY, 0600));
     raise(SIGKILL);
   }
   waitpid(child, NULL, 0);
   assert_int_equal(parts("busy"), 2);
-  assert_int_equal(arc_place_take("busy/held", &held, NULL), ARC_OK);
+  assert_int_equal(arc_atomic_file_create("busy/held", &held, NULL), ARC_OK);
   assert_int_equal(parts("busy"), 1);
   write_to("busy/.archard-party", "not ours");
   assert_int_equal(put("busy/other", "x", NULL), ARC_OK);
   assert_int_equal(parts("busy"), 2);
-  assert_int_equal(arc_place_publish(&held, NULL), ARC_OK);
+  assert_int_equal(arc_atomic_file_publish(&held, NULL), ARC_OK);
   assert_int_equal(parts("busy"), 1);
-  arc_place_sweep("busy");
-  arc_place_sweep("nowhere");
+  arc_atomic_file_clean("busy");
+  arc_atomic_file_clean("nowhere");
 }
 
 /* A lock file belongs to the program named in it and is free after its end; a lock of a program on
@@ -269,13 +274,13 @@ static void test_locks_by_name(void **state) {
 /* Many programs write to one name: the first or the last file remains, always a complete one. */
 static void test_together(void **state) {
   (void)state;
-  arc_place *early, *late;
-  assert_int_equal(arc_place_take("race", &early, NULL), ARC_OK);
-  assert_int_equal(arc_place_take("race", &late, NULL), ARC_OK);
-  write_to(arc_place_path(early), "early");
-  write_to(arc_place_path(late), "late");
-  assert_int_equal(arc_place_publish_first(&late, NULL), ARC_OK);
-  assert_int_equal(arc_place_publish_first(&early, NULL), ARC_OK);
+  arc_atomic_file *early, *late;
+  assert_int_equal(arc_atomic_file_create("race", &early, NULL), ARC_OK);
+  assert_int_equal(arc_atomic_file_create("race", &late, NULL), ARC_OK);
+  write_to(arc_atomic_file_path(early), "early");
+  write_to(arc_atomic_file_path(late), "late");
+  assert_int_equal(arc_atomic_file_publish_first(&late, NULL), ARC_OK);
+  assert_int_equal(arc_atomic_file_publish_first(&early, NULL), ARC_OK);
   assert_holds("race", "late");
   pid_t children[8];
   for (int i = 0; i < 8; i++)
@@ -321,14 +326,14 @@ static void test_locks_compete(void **state) {
 
 static void test_scratch(void **state) {
   (void)state;
-  arc_place *place;
+  arc_atomic_file *file;
   struct stat facts;
-  assert_int_equal(arc_place_scratch("far", &place, NULL), ARC_OK);
-  assert_int_equal(stat(arc_place_path(place), &facts), 0);
+  assert_int_equal(arc_atomic_file_create_scratch("far", &file, NULL), ARC_OK);
+  assert_int_equal(stat(arc_atomic_file_path(file), &facts), 0);
   assert_int_equal(facts.st_mode & 07777, 0600);
-  arc_place_drop(&place);
+  arc_atomic_file_discard(&file);
   assert_int_equal(parts("far"), 0);
-  assert_int_equal(arc_place_scratch("nowhere", &place, NULL), ARC_IO);
+  assert_int_equal(arc_atomic_file_create_scratch("nowhere", &file, NULL), ARC_IO);
 }
 
 int main(void) {
@@ -340,5 +345,5 @@ int main(void) {
       cmocka_unit_test(test_locks_by_name),    cmocka_unit_test(test_together),
       cmocka_unit_test(test_scratch),          cmocka_unit_test(test_locks_compete),
   };
-  return cmocka_run_group_tests_name("place", tests, set_up, tear_down);
+  return cmocka_run_group_tests_name("atomic_file", tests, set_up, tear_down);
 }

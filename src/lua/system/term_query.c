@@ -2,8 +2,8 @@
  * sixel (device attributes, DA1).
  * Every terminal answers DA1, so there is no timeout for terminals without kitty's protocol. Keys
  * typed meanwhile are pushed back to the terminal or, if the system forbids that, returned by
- * term_ask_typed. */
-#include "lua/system/term_ask.h"
+ * term_query_next_key. */
+#include "lua/system/term_query.h"
 
 #include <poll.h>
 #include <string.h>
@@ -100,7 +100,7 @@ static void read_answer(void) {
   for (size_t i = 0; i < count; i++) keep(bytes[i]);
 }
 
-/* --- query ----------------------------------------------------------------------------------- */
+/* --- query ------------------------------------------------------------------------------------ */
 
 /* True for a foreground process on a terminal; in the background, reading would suspend it. */
 static int may_ask(void) {
@@ -130,12 +130,12 @@ static void ask(const struct termios *before) {
   give_back();
 }
 
-term_answer term_ask_pictures(void) {
+term_answer term_query_graphics(void) {
   struct termios before;
   if (!asked.known && may_ask() && tcgetattr(STDIN_FILENO, &before) == 0) ask(&before);
   return asked.answer;
 }
 
-int term_ask_typed(void) {
+int term_query_next_key(void) {
   return asked.first < asked.count ? asked.typed[asked.first++] : -1;
 }

@@ -1,6 +1,6 @@
-/* The limit of this process shrinks by what its children get. Leans on Linux for the size of a
- * process. */
-#include "system/room.h"
+/* Memory limit of this process and its children. The size of a process is read from /proc (Linux).
+ */
+#include "system/memory_limit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,15 +10,15 @@
 enum { MOST_CHILDREN = 512 };
 
 static struct {
-  double own; /* data of this process when the limit began: what a child needs before its script */
+  double base; /* data of this process when the limit was set [bytes] */
   int limited, count;
-  struct loan {
+  struct reservation {
     pid_t child;
     rlim_t bytes;
-  } loans[MOST_CHILDREN];
-} room;
+  } reservations[MOST_CHILDREN];
+} state;
 
-/* Bytes of this process that are mapped, and those of them that are data; 0 where nothing says. */
+/* Mapped memory and data of this process [bytes]; 0 if unknown. */
 static double mapped(double *data) {
   double all = 0, private = 0;
   FILE *file = fopen("/proc/self/statm", "r");
@@ -29,7 +29,7 @@ static double mapped(double *data) {
   return all * page;
 }
 
-/* Changes the limit of this process by so many bytes. */
+/* Changes the limit of this process by `bytes`. */
 static void shift(double bytes) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
@@ -37,40 +37,40 @@ static void shift(double bytes) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
-void arc_room_limit(double bytes) {
+void arc_memory_limit_set(double bytes) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const double wanted = mapped(&room.own) + bytes, largest = 0x1p62;
+  const double wanted = mapped(&state.base) + bytes, largest = 0x1p62;
   if (wanted < largest && (limit.rlim_cur == RLIM_INFINITY || (double)limit.rlim_cur > wanted))
     limit.rlim_cur = (rlim_t)wanted;
-  room.limited = limit.rlim_cur != RLIM_INFINITY && setrlimit(RLIMIT_AS, &limit) == 0;
+  state.limited = limit.rlim_cur != RLIM_INFINITY && setrlimit(RLIMIT_AS, &limit) == 0;
 }
 
-rlim_t arc_room_take(double part) {
+rlim_t arc_memory_limit_reserve(double part) {
   struct rlimit limit;
-  if (!room.limited || room.count == MOST_CHILDREN || getrlimit(RLIMIT_AS, &limit) != 0) return 0;
+  if (!state.limited || state.count == MOST_CHILDREN || getrlimit(RLIMIT_AS, &limit) != 0) return 0;
   const double bytes = floor(part * fmax(0, (double)limit.rlim_cur - mapped(NULL)));
   shift(-bytes);
   return (rlim_t)bytes + 1;
 }
 
-void arc_room_lend(rlim_t bytes, pid_t child) {
+void arc_memory_limit_assign(rlim_t bytes, pid_t child) {
   if (bytes == 0) return;
   if (child == 0)
     shift((double)(bytes - 1));
   else
-    room.loans[room.count++] = (struct loan){child, bytes};
+    state.reservations[state.count++] = (struct reservation){child, bytes};
 }
 
-rlim_t arc_room_own(void) {
-  return (rlim_t)room.own;
+rlim_t arc_memory_limit_base(void) {
+  return (rlim_t)state.base;
 }
 
-void arc_room_return(pid_t child) {
-  for (int i = 0; i < room.count; i++)
-    if (room.loans[i].child == child) {
-      shift((double)(room.loans[i].bytes - 1));
-      room.loans[i] = room.loans[--room.count];
+void arc_memory_limit_release(pid_t child) {
+  for (int i = 0; i < state.count; i++)
+    if (state.reservations[i].child == child) {
+      shift((double)(state.reservations[i].bytes - 1));
+      state.reservations[i] = state.reservations[--state.count];
       return;
     }
 }

@@ -15,14 +15,14 @@ static const arc_setting known[] = {
 
 /* The state at index 1. Checks the size too: a script may have set this metatable on another
  * userdata. */
-static const called_state *place_of(lua_State *L) {
-  const called_state *state = luaL_checkudata(L, 1, kind);
+static const callback_state *place_of(lua_State *L) {
+  const callback_state *state = luaL_checkudata(L, 1, kind);
   luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);
   return state;
 }
 
-static const called_state *self(lua_State *L) {
-  const called_state *state = place_of(L);
+static const callback_state *self(lua_State *L) {
+  const callback_state *state = place_of(L);
   if (!state->record)
     error_raise(L, ARC_ARGUMENT, "state",
                 "the state is readable only during the call of your function; copy the numbers "
@@ -30,7 +30,7 @@ static const called_state *self(lua_State *L) {
   return state;
 }
 
-static void push_volume(lua_State *L, const called_state *state) {
+static void push_volume(lua_State *L, const callback_state *state) {
   const arc_wear_record *record = state->record;
   push_by_body(L, state->pair, record->volume_cylinder, record->volume_plate, "state.volume");
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
@@ -38,12 +38,12 @@ static void push_volume(lua_State *L, const called_state *state) {
 
 /* state.NAME. Upvalue: table from names to columns. */
 static int state_index(lua_State *L) {
-  const called_state *state = self(L);
+  const callback_state *state = self(L);
   const arc_wear_record *record = state->record;
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNUMBER)
-    args_unknown(L, (args_place){"state", ""}, known, luaL_tolstring(L, 2, NULL));
+    args_unknown(L, (args_location){"state", ""}, known, luaL_tolstring(L, 2, NULL));
   const int column = (int)lua_tointeger(L, -1);
   if (column == DEPTH)
     push_by_body(L, state->pair, record->depth_cylinder, record->depth_plate, "state.depth");
@@ -60,7 +60,7 @@ static int state_newindex(lua_State *L) {
 }
 
 static int state_tostring(lua_State *L) {
-  const called_state *state = place_of(L);
+  const callback_state *state = place_of(L);
   if (state->record)
     record_push_line(L, state->record);
   else
@@ -87,9 +87,9 @@ static void push_metatable(lua_State *L) {
   lua_setfield(L, -2, "__index");
 }
 
-called_state *state_push(lua_State *L) {
-  called_state *state = lua_newuserdatauv(L, sizeof *state, 0);
-  *state = (called_state){NULL, NULL};
+callback_state *state_push(lua_State *L) {
+  callback_state *state = lua_newuserdatauv(L, sizeof *state, 0);
+  *state = (callback_state){NULL, NULL};
   push_metatable(L);
   lua_setmetatable(L, -2);
   return state;

@@ -1,0 +1,16 @@
+-- Describes the bodies of a joint.
+
+local function layers_text(layers, core)
+  local parts = {}
+  for i, layer in ipairs(layers) do
+    parts[i] = ("%g mm of E %g MPa nu %g"):format(layer.thickness, layer.material.E, layer.material.nu)
+  end
+  if core then parts[#parts + 1] = ("%sE %g MPa nu %g"):format(#parts > 0 and "a core of " or "", core.E, core.nu) end
+  return table.concat(parts, ", ")
+end
+
+-- (joint) -> "head of 28 mm, radial clearance 0.06 mm, elastic" and a line for each body
+return function(joint)
+  return ("head of %g mm, radial clearance %g mm, %s\n  head      %s\n  cup       %s"):format(2 * joint.head.radius,
+    joint.cup.clearance, joint.foundation, layers_text(joint.head.layers, joint.head.material), layers_text(joint.cup.layers))
+end

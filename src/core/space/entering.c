@@ -1,0 +1,64 @@
+/* Sites that enter or leave a contact within an increment: the share of its motion while open. */
+#include "core/space/entering.h"
+
+#include "core/space/cerruti.h"
+
+#include <math.h>
+
+/* Approach of pressures whose gaps without it are known: their mean over the contact, by pressure;
+ * where the bodies are apart, that of first contact. */
+static double approach_of(int n, const double *pressure, const double *gap) {
+  double sum = 0, product = 0, least = INFINITY;
+  for (int k = 0; k < n; k++) {
+    sum += pressure[k];
+    product += pressure[k] * gap[k];
+    least = fmin(least, gap[k]);
+  }
+  return sum > 0 ? product / sum : least;
+}
+
+static arc_status find_gaps(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                            const arc_halfspace_position *at, const space_traction *t, double *gap,
+                            arc_error *error) {
+  const arc_status status = arc_halfspace_gaps(h, depth, at, t->pressure, 0, gap, error);
+  if (status == ARC_OK) arc_cerruti_add_gap(h, t->q, gap);
+  return status;
+}
+
+static int same_sites(int n, const double *before, const double *after) {
+  for (int k = 0; k < n; k++)
+    if ((before[k] > 0) != (after[k] > 0)) return 0;
+  return 1;
+}
+
+/* Gaps of one end of the increment [window], and its approach. */
+static arc_status find_end(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                           const arc_halfspace_position *at, const space_traction *t, double *gap,
+                           double *approach, arc_error *error) {
+  const arc_status status = find_gaps(h, depth, at, t, gap, error);
+  if (status == ARC_OK) *approach = approach_of(h->cells, t->pressure, gap);
+  return status;
+}
+
+arc_status arc_space_entering(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                              const arc_halfspace_position *at, const space_traction *before,
+                              const space_traction *after, double *share, int *changes,
+                              arc_error *error) {
+  const int n = h->cells;
+  double begin = 0, end = 0;
+  for (int k = 0; k < n; k++) share[k] = 0;
+  *changes = !same_sites(n, before->pressure, after->pressure);
+  if (!*changes) return ARC_OK;
+  arc_status status = find_end(h, depth, at, after, share, &end, error);
+  if (status == ARC_OK) status = find_end(h, depth, at, before, share, &begin, error);
+  const int closes = end > begin;
+  if (status == ARC_OK && !closes) status = find_gaps(h, depth, at, after, share, error);
+  if (status != ARC_OK) return status;
+  const space_traction *open = closes ? before : after, *shut = closes ? after : before;
+  for (int k = 0; k < n; k++) {
+    const double gap = share[k] - fmin(begin, end);
+    const int counts = open->pressure[k] == 0 && shut->pressure[k] > 0 && gap > 0;
+    share[k] = counts ? fmin(gap / fabs(end - begin), 1) : 0;
+  }
+  return ARC_OK;
+}

@@ -1,0 +1,194 @@
+/* Legs of a loading history: load and motion or force change in proportion, in increments that are
+ * halved until halving changes neither motion nor shear nor work. */
+#include "archard/space.h"
+
+#include <math.h>
+
+typedef struct leg {
+  arc_halfspace *h;
+  const double *const *depth;
+  const arc_halfspace_leg *def;
+  const arc_halfspace_options *options;
+  double xi[2], force[2];          /* at its start */
+  double carried, yielding, work;  /* scales of force [N], motion [mm] and work [N mm] */
+  arc_halfspace_friction *coarser; /* NULL: none */
+  arc_halfspace_effort *effort;
+} leg;
+
+static double between(double from, double to, double share) {
+  return share < 1 ? from + share * (to - from) : to;
+}
+
+/* One increment, to a share of the leg. */
+static arc_status advance(const leg *g, double share, const arc_halfspace_friction *guess,
+                          arc_halfspace_friction *state, arc_error *error) {
+  arc_halfspace_increment to = g->def->to;
+  to.position.x = between(g->def->x, to.position.x, share);
+  to.position.load = between(g->def->load, to.position.load, share);
+  for (int i = 0; i < 2; i++) {
+    to.xi[i] = between(g->xi[i], to.xi[i], share);
+    to.force[i] = between(g->force[i], to.force[i], share);
+  }
+  to.guess = guess;
+  g->effort->increments++;
+  return arc_halfspace_slide(g->h, g->depth, &to, g->options, state, g->effort, error);
+}
+
+/* --- what halving changes --------------------------------------------------------------------- */
+
+/* Accepted changes in a part of a leg: of motion and shear, by the share of full slip; of work, by
+ * that of the leg, which is at least `little` of friction times load times the displacement at full
+ * slip, or by that of the part. Motion and work add up over a leg, errors of shear are forgotten.
+ */
+static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 1e-2,
+                    little = 1e-3;
+
+/* Sum of the changes of shear, as a force [N]. */
+static double shear_change(const leg *g, const arc_halfspace_friction *once,
+                           const arc_halfspace_friction *twice) {
+  double sum = 0;
+  for (int k = 0; k < arc_halfspace_sites(g->h, ARC_UPPER); k++)
+    sum += hypot(twice->q[0][k] - once->q[0][k], twice->q[1][k] - once->q[1][k]);
+  return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
+}
+
+/* The scales of a leg, from it in one increment and in two. */
+static void find_scales(leg *g, const arc_halfspace_friction *begin,
+                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
+  const double mu = g->def->to.friction;
+  g->carried = mu * fmax(g->def->load, g->def->to.position.load);
+  g->yielding = mu * fmax(fabs(begin->approach), fabs(once->approach));
+  g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
+}
+
+/* True if halves of a part of the leg change little of it. */
+static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
+                       const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
+  const double own = twice->energy - begin->energy;
+  if (!(shear_change(g, once, twice) <= shear_share * g->carried)) return 0;
+  for (int i = 0; i < 2; i++)
+    if (!(fabs(twice->xi[i] - once->xi[i]) <= motion_share * g->yielding)) return 0;
+  return fabs(twice->energy - once->energy) <= fmax(own_share * own, work_share * g->work);
+}
+
+/* --- halving ---------------------------------------------------------------------------------- */
+
+/* A part of a leg, from one share of it to another. */
+typedef struct part {
+  double from, to;
+  int halvings;
+} part;
+
+static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
+                         arc_halfspace_friction *state, arc_error *error);
+
+/* Accepts the part in two increments; the coarser state follows in one. */
+static arc_status accept(const leg *g, part p, arc_halfspace_friction *end,
+                         arc_halfspace_friction *state, arc_error *error) {
+  const arc_halfspace_friction once = *state;
+  *state = *end;
+  *end = once;
+  return g->coarser ? advance(g, p.to, state, g->coarser, error) : ARC_OK;
+}
+
+/* Refines the halves, of which the first has been solved in one increment. */
+static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *begin,
+                                arc_halfspace_friction *middle, arc_halfspace_friction *state,
+                                arc_error *error) {
+  const double half = (p.from + p.to) / 2;
+  arc_halfspace_friction end;
+  arc_status status = refine(g, (part){p.from, half, p.halvings + 1}, begin, middle, error);
+  if (status == ARC_OK) status = arc_halfspace_friction_copy(g->h, middle, &end, error);
+  if (status != ARC_OK) return status;
+  status = advance(g, p.to, state, &end, error);
+  if (status == ARC_OK) status = refine(g, (part){half, p.to, p.halvings + 1}, middle, &end, error);
+  arc_halfspace_friction_end(status == ARC_OK ? state : &end);
+  if (status == ARC_OK) *state = end;
+  return status;
+}
+
+/* The part in two increments: *middle and *end, to be released in any case. */
+static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begin,
+                        const arc_halfspace_friction *once, arc_halfspace_friction *middle,
+                        arc_halfspace_friction *end, arc_error *error) {
+  *middle = *end = (arc_halfspace_friction){.pressure = NULL};
+  arc_status status = arc_halfspace_friction_copy(g->h, begin, middle, error);
+  if (status == ARC_OK) status = advance(g, (p.from + p.to) / 2, NULL, middle, error);
+  if (status == ARC_OK) status = arc_halfspace_friction_copy(g->h, middle, end, error);
+  return status == ARC_OK ? advance(g, p.to, once, end, error) : status;
+}
+
+/* *state: the part in one increment; replaced by the part in as many as it needs. */
+static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
+                         arc_halfspace_friction *state, arc_error *error) {
+  enum { most_halvings = 9 };
+  arc_halfspace_friction middle, end;
+  arc_status status = halve(g, p, begin, state, &middle, &end, error);
+  if (status == ARC_OK) {
+    if (p.halvings == 0) find_scales(g, begin, state, &end);
+    const int resolved = is_resolved(g, begin, state, &end), last = p.halvings >= most_halvings;
+    g->effort->unresolved += last && !resolved;
+    status = resolved || last ? accept(g, p, &end, state, error)
+                              : refine_halves(g, p, begin, &middle, state, error);
+  }
+  arc_halfspace_friction_end(&middle);
+  arc_halfspace_friction_end(&end);
+  return status;
+}
+
+/* --- legs ------------------------------------------------------------------------------------- */
+
+/* What the coarser state has missed of the work stays as it is over given increments. */
+static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
+                               arc_error *error) {
+  arc_halfspace_friction copy;
+  const arc_status status = arc_halfspace_friction_copy(g->h, state, &copy, error);
+  if (status != ARC_OK) return status;
+  copy.energy = g->coarser->energy + state->energy - before;
+  arc_halfspace_friction_end(g->coarser);
+  *g->coarser = copy;
+  return ARC_OK;
+}
+
+static arc_status go(leg *g, const arc_halfspace_friction *begin, arc_halfspace_friction *state,
+                     arc_error *error) {
+  arc_status status = ARC_OK;
+  const int given = g->def->increments, n = given > 0 ? given : 1;
+  for (int i = 1; i <= n && status == ARC_OK; i++)
+    status = advance(g, (double)i / n, NULL, state, error);
+  if (status == ARC_OK && given == 0 && g->def->to.friction > 0)
+    return refine(g, (part){.to = 1}, begin, state, error);
+  return status == ARC_OK && g->coarser ? follow_finer(g, begin->energy, state, error) : status;
+}
+
+/* Moves a changed copy into a state, or drops it. */
+static void commit(arc_status status, arc_halfspace_friction *copy, arc_halfspace_friction *state) {
+  arc_halfspace_friction_end(status == ARC_OK ? state : copy);
+  if (status == ARC_OK) *state = *copy;
+}
+
+arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                                const arc_halfspace_leg *def, const arc_halfspace_options *options,
+                                arc_halfspace_friction *state, arc_halfspace_friction *coarser,
+                                arc_halfspace_effort *effort, arc_error *error) {
+  arc_halfspace_effort ignored = {0};
+  arc_halfspace_friction end, beside = {.pressure = NULL};
+  leg g = {.h = h,
+           .depth = depth,
+           .def = def,
+           .options = options,
+           .xi = {state->xi[0], state->xi[1]},
+           .force = {state->force[0], state->force[1]},
+           .coarser = coarser ? &beside : NULL,
+           .effort = effort ? effort : &ignored};
+  arc_status status = arc_halfspace_friction_copy(h, state, &end, error);
+  if (status == ARC_OK && coarser) status = arc_halfspace_friction_copy(h, coarser, &beside, error);
+  if (status != ARC_OK) {
+    arc_halfspace_friction_end(&end);
+    return status;
+  }
+  status = go(&g, state, &end, error);
+  commit(status, &end, state);
+  if (coarser) commit(status, &beside, coarser);
+  return status;
+}

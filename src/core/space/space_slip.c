@@ -1,0 +1,488 @@
+/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an elastic
+ * lag, without a solver; in partial slip increments of stick and slip are solved from bodies that
+ * are pressed together anew, so that no state outlives an evaluation. */
+#include "core/base/carve.h"
+#include "core/space/cerruti.h"
+#include "core/space/positions.h"
+#include "core/space/space_kind.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct cycle {
+  arc_wear *w;
+  const wear_window *v;
+  const wear_block *block;
+  arc_halfspace *h;
+  const double *const *depth;
+  space_path *path;
+  double *pressure; /* [count][window] */
+  wear_progress *progress;
+  wear_rate *rate;
+  int cells, unlike;
+  double *slid, *lag, *strain, *total; /* [window], lag [count][window] */
+  int whole;                           /* 1: all of the contact slips in some increment */
+} cycle;
+
+static size_t row_of(const cycle *c, int at) {
+  return (size_t)c->path->of[at] * (size_t)c->cells;
+}
+
+/* --- sums over a cycle ------------------------------------------------------------------------ */
+
+static void clear(cycle *c) {
+  memset(c->path->slip, 0, (size_t)c->path->count * (size_t)c->cells * sizeof *c->path->slip);
+  memset(c->total, 0, (size_t)c->cells * sizeof *c->total);
+  c->whole = 0;
+}
+
+static void add_to(const cycle *c, int at, double share) {
+  double *slip = c->path->slip + row_of(c, at);
+  for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
+}
+
+/* Adds the slip of an increment, c->slid, `times` over to the positions it lies between. */
+static void add_increment(cycle *c, int at, double times) {
+  const double *p = c->pressure + row_of(c, at);
+  const double share = times * c->block->repeat;
+  int sticks = 0;
+  if (c->w->def.rule == ARC_TRAPEZOID) {
+    add_to(c, at - 1, share / 2);
+    add_to(c, at, share / 2);
+  } else {
+    add_to(c, at, share);
+  }
+  for (int k = 0; k < c->cells; k++) {
+    c->total[k] += c->slid[k];
+    sticks += p[k] > 0 && c->slid[k] == 0;
+  }
+  if (sticks == 0) c->whole = 1;
+}
+
+/* --- gross slip ------------------------------------------------------------------------------- */
+
+/* Elastic displacement of every position under full friction [mm]. */
+static void find_lags(const cycle *c) {
+  for (int j = 0; j < c->path->count; j++) {
+    double *lag = c->lag + (size_t)j * (size_t)c->cells;
+    arc_cerruti_along(c->h, 0, c->pressure + (size_t)j * (size_t)c->cells, lag);
+    for (int k = 0; k < c->cells; k++) lag[k] *= c->v->mu;
+  }
+}
+
+/* A site slips by the motion that its elastic displacement does not follow. */
+static void follow(const cycle *c, int at) {
+  const double motion = c->block->x[at] - c->block->x[at - 1], *lag = c->lag + row_of(c, at);
+  for (int k = 0; k < c->cells; k++) {
+    const double strain = fmax(-lag[k], fmin(c->strain[k] + motion, lag[k]));
+    c->slid[k] = fabs(motion - (strain - c->strain[k]));
+    c->strain[k] = strain;
+  }
+}
+
+/* True if every site in contact slips somewhere in the cycle. */
+static int all_slip(const cycle *c) {
+  for (int j = 0; j < c->path->count; j++)
+    for (int k = 0; k < c->cells; k++)
+      if (c->pressure[(size_t)j * (size_t)c->cells + (size_t)k] > 0 && c->total[k] == 0) return 0;
+  return 1;
+}
+
+/* Gaps due to the shear of gross slip, in the same proportion as the elastic displacement. */
+static void add_gap(cycle *c, int at) {
+  const size_t from = row_of(c, at);
+  const double *p = c->pressure + from, *lag = c->lag + from;
+  double *gap = c->path->gap + from, *q = c->slid, most = 0, change = 0;
+  for (int k = 0; k < c->cells; k++)
+    q[k] = lag[k] > 0 ? c->v->mu * p[k] * c->strain[k] / lag[k] : 0;
+  double *none = calloc((size_t)c->cells, sizeof *none),
+         *now = calloc((size_t)c->cells, sizeof *now);
+  if (none && now) {
+    arc_cerruti_add_gap(c->h, (const double *const[2]){q, none}, now);
+    for (int k = 0; k < c->cells; k++) {
+      change = fmax(change, fabs(now[k] - gap[k]));
+      most = fmax(most, fabs(now[k]));
+      gap[k] = now[k];
+    }
+  }
+  free(none);
+  free(now);
+  if (most > 0) c->path->unsteady = fmax(c->path->unsteady, change / most);
+}
+
+static void slide(cycle *c) {
+  find_lags(c);
+  memset(c->strain, 0, (size_t)c->cells * sizeof *c->strain);
+  for (int round = 0; round < 2; round++) {
+    clear(c);
+    for (int at = 1; at < c->block->count; at++) {
+      follow(c, at);
+      if (round == 0) continue;
+      add_increment(c, at, 1);
+    }
+  }
+  c->path->unsteady = 0;
+  for (int at = 1; at < c->block->count && c->unlike; at++) {
+    follow(c, at);
+    add_gap(c, at);
+  }
+}
+
+/* --- partial slip ----------------------------------------------------------------------------- */
+
+static arc_status solve(const cycle *c, const arc_halfspace_increment *to,
+                        arc_halfspace_friction *state, arc_error *error) {
+  const arc_halfspace_options options = {.callbacks = c->progress->callbacks};
+  c->progress->solutions++;
+  return arc_halfspace_slide(c->h, c->depth, to, &options, state, NULL, error);
+}
+
+/* Where the bodies are pressed together: in the middle of a plain stroke, else at the start. */
+static double reference(const wear_block *b) {
+  return b->press > 0 ? (b->x[0] + b->x[(b->count - 1) / 2]) / 2 : b->x[0];
+}
+
+/* Presses the bodies together under the load of point 0. */
+static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error *error) {
+  enum { increments = 4 };
+  const int rubs = c->unlike && c->w->def.press == ARC_PRESS_FRICTION, n = rubs ? increments : 1;
+  arc_status status = ARC_OK;
+  for (int i = 1; i <= n && status == ARC_OK; i++) {
+    arc_halfspace_increment to = {.friction = rubs ? c->v->mu : 0,
+                                  .pressure = c->unlike ? NULL : c->pressure + row_of(c, 0)};
+    to.position =
+        (arc_halfspace_position){.x = c->block->problem_x[0], .load = c->block->line[0] * i / n};
+    status = solve(c, &to, state, error);
+  }
+  return status;
+}
+
+/* Conditions at a share of the increment that ends at point `at`. */
+static arc_halfspace_increment conditions(const cycle *c, int at, double share) {
+  const wear_block *b = c->block;
+  const int from = at > 0 ? at - 1 : 0;
+  const double left = 1 - share;
+  arc_halfspace_increment to = {.friction = c->v->mu,
+                                .by_force = {b->tangential && c->v->mu > 0, 0},
+                                .pressure = c->unlike ? NULL : c->pressure + row_of(c, at)};
+  to.position.x = left * b->problem_x[from] + share * b->problem_x[at];
+  to.position.load = left * b->line[from] + share * b->line[at];
+  to.xi[0] = left * b->x[from] + share * b->x[at] - reference(b);
+  if (b->tangential) to.force[0] = left * b->tangential[from] + share * b->tangential[at];
+  return to;
+}
+
+static void take_slip(cycle *c, const arc_halfspace_friction *state) {
+  for (int k = 0; k < c->cells; k++)
+    c->slid[k] = state->stick[k] > 0 ? 0 : hypot(state->moved[0][k], state->moved[1][k]);
+}
+
+/* For unlike bodies pressures and gaps are those of the state at a point. */
+static void take_pressures(const cycle *c, int at, const arc_halfspace_friction *state) {
+  if (!c->unlike) return;
+  double *gap = c->path->gap + row_of(c, at);
+  memcpy(c->pressure + row_of(c, at), state->pressure, (size_t)c->cells * sizeof *c->pressure);
+  memset(gap, 0, (size_t)c->cells * sizeof *gap);
+  arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
+}
+
+/* Advances to point `at` and adds the slip of the increment, `times` over. */
+static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
+                        arc_error *error) {
+  const arc_halfspace_increment to = conditions(c, at, 1);
+  const arc_status status = solve(c, &to, state, error);
+  if (status != ARC_OK) return status;
+  take_slip(c, state);
+  take_pressures(c, at, state);
+  c->rate->shear = fmax(c->rate->shear, fabs(state->force[0]));
+  if (at > 0) add_increment(c, at, times);
+  return ARC_OK;
+}
+
+/* True if the second half of a cycle reverses the slip of the first half: like bodies under one
+ * load, moved to and fro. */
+static int returns(const cycle *c) {
+  const wear_block *b = c->block;
+  const double *drive = b->tangential ? b->tangential : b->x;
+  const int last = b->count - 1;
+  if (c->unlike || last % 2 != 0) return 0;
+  for (int i = 1; i <= last / 2; i++)
+    if (b->line[i] != b->line[0] || b->line[last - i] != b->line[0] ||
+        drive[i] != drive[last - i] || (drive[i] - drive[i - 1]) * (drive[last / 2] - drive[0]) < 0)
+      return 0;
+  return drive[0] == drive[last];
+}
+
+/* Change of shear between two cycles, over the friction limit. */
+static double change_of(const cycle *c, const double *before, const arc_halfspace_friction *state) {
+  double change = 0, carried = 0;
+  for (int k = 0; k < c->cells; k++) {
+    change += fabs(state->q[0][k] - before[k]) + fabs(state->q[1][k] - before[c->cells + k]);
+    carried += c->v->mu * state->pressure[k];
+  }
+  return carried > 0 ? change / carried : 0;
+}
+
+/* Cycles from point 0 until the shear repeats. */
+static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+  enum { most_cycles = 40 };
+  static const double steady = 1e-4;
+  const size_t bytes = (size_t)c->cells * sizeof(double);
+  double *before = c->lag;
+  for (int round = 0; round < most_cycles; round++) {
+    arc_status status = ARC_OK;
+    clear(c);
+    for (int i = 0; i < 2; i++) memcpy(before + i * c->cells, state->q[i], bytes);
+    for (int at = 1; at < c->block->count && status == ARC_OK; at++)
+      status = go_to(c, at, 1, state, error);
+    if (status != ARC_OK || change_of(c, before, state) <= steady) return status;
+  }
+  return arc_fail(error, ARC_NOT_CONVERGED,
+                  "the cycle of stick and slip is not steady after %d repetitions", most_cycles);
+}
+
+/* A leg of one increment between like bodies is twice the first one, to half of the motion or
+ * force: shear and slip are proportional then. */
+static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+  const wear_block *b = c->block;
+  arc_halfspace_increment to = conditions(c, 1, 1);
+  arc_halfspace_friction *last = &c->path->last;
+  if (b->tangential) to.force[0] = (b->tangential[1] - b->tangential[0]) / 2;
+  to.xi[0] = (b->x[1] - b->x[0]) / 2;
+  if (last->pressure) to.guess = last;
+  memcpy(state->pressure, to.pressure, (size_t)c->cells * sizeof *state->pressure);
+  const arc_status status = solve(c, &to, state, error);
+  if (status != ARC_OK) return status;
+  take_slip(c, state);
+  for (int i = 0; b->tangential && i < 2; i++)
+    c->rate->shear = fmax(c->rate->shear, fabs(b->tangential[i]));
+  if (!b->tangential) c->rate->shear = fabs(state->force[0]);
+  add_increment(c, 1, 4);
+  return ARC_OK;
+}
+
+static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+  arc_status status = press(c, state, error);
+  if (status == ARC_OK) status = go_to(c, 0, 0, state, error);
+  if (status != ARC_OK) return status;
+  if (!returns(c)) return repeat(c, state, error);
+  for (int at = 1; at <= (c->block->count - 1) / 2 && status == ARC_OK; at++)
+    status = go_to(c, at, 2, state, error);
+  return status;
+}
+
+static arc_status stick(cycle *c, arc_error *error) {
+  arc_halfspace_friction state;
+  arc_status status = arc_halfspace_friction_begin(c->h, &state, error);
+  if (status != ARC_OK) return status;
+  c->path->unsteady = 0;
+  clear(c);
+  status =
+      returns(c) && c->block->count == 3 ? single(c, &state, error) : several(c, &state, error);
+  arc_halfspace_friction_end(&c->path->last);
+  c->path->last = state;
+  return status;
+}
+
+/* --- results ---------------------------------------------------------------------------------- */
+
+/* Averages the fields of the positions over mirror images, which are equal but for the solvers'
+ * tolerance: symmetric bodies stay symmetric. Across the motion always, along it for like bodies
+ * in the middle. */
+static void make_even(const cycle *c, double *value) {
+  const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
+  const space_shape *s = space_shape_of(c->v->shape);
+  const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
+  const int middle = !c->unlike && c->path->count == 1 && c->path->position[0].x == 0;
+  const int evenly = !c->w->def.local_factor;
+  const int across = evenly && arc_space_are_even(c->h, depth, 1),
+            along = evenly && middle && arc_space_are_even(c->h, depth, 0);
+  for (int i = 0; i < c->path->count * nx && across; i++)
+    for (int k = 0; k < nz / 2; k++) {
+      double *a = &value[i * nz + k], *b = &value[i * nz + nz - 1 - k];
+      *a = *b = (*a + *b) / 2;
+    }
+  for (int i = 0; i < nx / 2 && along; i++)
+    for (int k = 0; k < nz; k++) {
+      double *a = &value[i * nz + k], *b = &value[(nx - 1 - i) * nz + k];
+      *a = *b = (*a + *b) / 2;
+    }
+}
+
+/* Width that never slips, of the size of a zone similar to the contact [mm]. */
+static double stick_width(const cycle *c) {
+  const double *p = c->pressure + row_of(c, c->block->count - 1);
+  const arc_halfspace_extent e = arc_halfspace_contact_extent(c->h, p);
+  int stuck = 0, on = 0;
+  for (int k = 0; k < c->cells; k++) {
+    on += p[k] > 0;
+    stuck += p[k] > 0 && c->total[k] == 0;
+  }
+  return on > 0 ? 2 * e.half_width * sqrt((double)stuck / on) : 0;
+}
+
+static double energy_of(const cycle *c) {
+  const size_t all = (size_t)c->path->count * (size_t)c->cells;
+  double sum = 0;
+  for (size_t k = 0; k < all; k++) sum += c->pressure[k] * c->path->slip[k];
+  return c->v->mu * sum * arc_halfspace_site_area(c->h, ARC_UPPER);
+}
+
+static void finish(cycle *c) {
+  c->rate->gross = c->whole && c->v->mu > 0;
+  c->rate->stick = stick_width(c);
+  c->rate->energy = energy_of(c);
+  for (int j = 0; j < c->path->count; j++) {
+    double *slip = c->path->slip + (size_t)j * (size_t)c->cells;
+    for (int k = 0; k < c->cells; k++) slip[k] /= c->path->position[j].weight;
+  }
+}
+
+static int begin(cycle *c) {
+  const size_t n = (size_t)c->cells, fields = (size_t)(c->path->count > 2 ? c->path->count : 2);
+  const carve_part parts[] = {
+      {&c->slid, n}, {&c->lag, fields * n}, {&c->strain, n}, {&c->total, n}};
+  c->rate->shear = 0;
+  return ARC_CARVE(parts) != NULL;
+}
+
+/* Motions longer than a cell may be gross slip; the slip of others is always solved for. */
+static arc_status run(cycle *c, arc_error *error) {
+  const wear_block *b = c->block;
+  const double cell = arc_space_reach(arc_model_definition(c->w->model), b->load);
+  if (b->travel > cell && !b->tangential) {
+    slide(c);
+    for (int at = 0; at < b->count; at++)
+      c->rate->shear = fmax(c->rate->shear, c->v->mu * b->line[at]);
+    if (all_slip(c)) return ARC_OK;
+    c->rate->shear = 0;
+  }
+  return stick(c, error);
+}
+
+static cycle cycle_of(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
+                      space_path *path, double *pressure, wear_progress *progress,
+                      wear_rate *rate) {
+  const space_shape *s = space_shape_of(v->shape);
+  return (cycle){.w = w,
+                 .v = v,
+                 .block = v->block,
+                 .h = s->grid->h,
+                 .depth = depth,
+                 .path = path,
+                 .pressure = pressure,
+                 .progress = progress,
+                 .rate = rate,
+                 .cells = space_sites(s, ARC_UPPER),
+                 .unlike = path->gap != NULL};
+}
+
+arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
+                          space_path *path, double *pressure, wear_progress *progress,
+                          wear_rate *rate, arc_error *error) {
+  const space_shear_kernels *kernels;
+  cycle c = cycle_of(w, v, depth, path, pressure, progress, rate);
+  arc_status status = arc_cerruti_kernels(c.h, &kernels, error);
+  if (status != ARC_OK) return status;
+  make_even(&c, pressure);
+  if (begin(&c))
+    status = run(&c, error);
+  else
+    status = arc_fail(error, ARC_MEMORY, "out of memory for a cycle with friction");
+  if (status == ARC_OK) {
+    make_even(&c, path->slip);
+    finish(&c);
+  }
+  free(c.slid);
+  return status;
+}
+
+/* --- the loop --------------------------------------------------------------------------------- */
+
+enum { points_of_loop = 40 };
+
+static arc_loop *make_loop(size_t count) {
+  arc_loop *loop = malloc(sizeof *loop + 2 * count * sizeof(double));
+  if (!loop) return NULL;
+  double *numbers = (double *)(void *)(loop + 1);
+  *loop = (arc_loop){.count = count, .x = numbers, .tangential = numbers + count};
+  return loop;
+}
+
+/* Conditions within an increment, whose pressures are known under a constant load only. */
+static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
+  arc_halfspace_increment to = conditions(c, at, (double)part / parts);
+  if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
+  return to;
+}
+
+/* Once round the cycle in parts of its increments, to the loop if it is not NULL. */
+static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state, arc_loop *loop,
+                        arc_error *error) {
+  double *x = loop ? (double *)(size_t)loop->x : NULL;
+  double *force = loop ? (double *)(size_t)loop->tangential : NULL;
+  size_t i = 0;
+  for (int at = 1; at < c->block->count; at++)
+    for (int part = at > 1; part <= parts; part++) {
+      const arc_halfspace_increment to = part_of(c, at, part, parts);
+      const arc_status status = part > 0 ? solve(c, &to, state, error) : ARC_OK;
+      if (status != ARC_OK) return status;
+      if (!loop) continue;
+      x[i] = state->xi[0] + reference(c->block);
+      force[i++] = state->force[0];
+    }
+  return ARC_OK;
+}
+
+static arc_status trace_steady(const cycle *c, int parts, arc_loop *loop, arc_error *error) {
+  arc_halfspace_friction state;
+  arc_status status = arc_halfspace_friction_begin(c->h, &state, error);
+  if (status != ARC_OK) return status;
+  const arc_halfspace_increment first = conditions(c, 0, 1);
+  status = press(c, &state, error);
+  if (status == ARC_OK) status = solve(c, &first, &state, error);
+  if (status == ARC_OK) status = trace(c, 1, &state, NULL, error);
+  if (status == ARC_OK) status = trace(c, parts, &state, loop, error);
+  arc_halfspace_friction_end(&state);
+  return status;
+}
+
+/* The loop of a cycle whose slip has been solved for. */
+static arc_status draw(cycle *c, arc_loop **loop, arc_error *error) {
+  const int increments = c->block->count - 1;
+  const int parts = increments < points_of_loop ? (points_of_loop - 1) / increments + 1 : 1;
+  arc_loop *made = make_loop((size_t)(increments * parts + 1));
+  if (!made) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");
+  made->energy = c->rate->energy / c->block->repeat;
+  made->stick_width = c->rate->stick;
+  made->gross = c->rate->gross != 0;
+  const arc_status status = trace_steady(c, parts, made, error);
+  if (status == ARC_OK)
+    *loop = made;
+  else
+    free(made);
+  return status;
+}
+
+arc_status arc_space_loop(arc_wear *w, const wear_window *v, wear_progress *progress,
+                          arc_loop **loop, arc_error *error) {
+  const space_shape *s = space_shape_of(v->shape);
+  const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
+  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
+  space_path path;
+  wear_rate *rate = &w->work.rate;
+  arc_wear_rate_clear(rate, w->nc + w->np);
+  arc_status status = arc_space_path(w, v, &path, error);
+  if (status != ARC_OK) return status;
+  double *pressure = calloc((size_t)path.count * cells + 1, sizeof *pressure);
+  if (pressure)
+    status = arc_space_solve_path(w, v, depth, &path, progress, pressure, rate, error);
+  else
+    status = arc_fail(error, ARC_MEMORY, "out of memory for a loop");
+  cycle c = cycle_of(w, v, depth, &path, pressure, progress, rate);
+  if (status == ARC_OK) status = draw(&c, loop, error);
+  free(pressure);
+  arc_space_end_path(&path);
+  return status;
+}

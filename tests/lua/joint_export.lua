@@ -1,0 +1,147 @@
+-- Tests of .vtu and .pvd files of joints, warnings and refusals of joints.
+-- Run once: long runs, which small steps of the collector slow down.
+local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
+
+local pe, cocr = material{ E = 1000, nu = 0.4 }, material{ E = 230e3, nu = 0.3 }
+local folder = os.tmpname()
+os.remove(folder)
+
+-- --- .vtu: the volume of wear from the file's quadrilaterals -------------------------------------------
+local function numbers(text)
+  local list = {}
+  for word in text:gmatch "%S+" do list[#list + 1] = tonumber(word) end
+  return list
+end
+local function read(path)
+  local file = io.open(path)
+  local text = file:read "a"
+  file:close()
+  local function array(name) return numbers(text:match('Name="' .. name .. '"[^\n]*>\n?([%d%s.e+-]*)') or "") end
+  return { points = numbers(text:match "<Points><DataArray[^>]*>(.-)</DataArray>"), corners = array "connectivity", depth = array "wear_depth",
+    pressure = array "pressure", text = text }
+end
+local function cross(a, b) return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] } end
+-- The integral of a list of values over the cells, as a vector.
+local function integral(file, values)
+  local sum = { 0, 0, 0 }
+  local function point(c)
+    local at = 3 * file.corners[c]
+    return { file.points[at + 1], file.points[at + 2], file.points[at + 3] }
+  end
+  for i, value in ipairs(values) do
+    local a, b, c, d = point(4 * i - 3), point(4 * i - 2), point(4 * i - 1), point(4 * i)
+    local area = cross({ c[1] - a[1], c[2] - a[2], c[3] - a[3] }, { d[1] - b[1], d[2] - b[2], d[3] - b[3] })
+    local middle = (a[1] + b[1] + c[1] + d[1]) * area[1] + (a[2] + b[2] + c[2] + d[2]) * area[2] + (a[3] + b[3] + c[3] + d[3]) * area[3]
+    for k = 1, 3 do sum[k] = sum[k] + (middle < 0 and -0.5 or 0.5) * area[k] * value end
+  end
+  return sum
+end
+local function size_of(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end
+
+local springs = joint{ foundation = "winkler", mesh = { size = 4 },
+  cup = { clearance = 0.1, inclination = 20, cover = 88, layers = { { thickness = 8, material = pe } } } }
+local w = wear{ model = springs, loading = gait.flexion{ load = 2000 }, k = 1e-9, alpha = 0.3, cycles = 2e5, updates = 3 }
+w:run{ progress = export.pvd(w, folder .. "s.pvd") }
+local head, cup = export.vtk(w, folder .. "w.vtu")
+is(head, folder .. "w-head.vtu", "two files: head")
+is(cup, folder .. "w-cup.vtu", "and cup")
+local of_cup, of_head = read(cup), read(head)
+near(integral(of_cup, of_cup.pressure)[3], 2000, 0.02, "the pressure of the cup's file carries the load")
+near(size_of(integral(of_head, of_head.pressure)), 2000, 0.03, "that of the head's, too")
+ok(#of_cup.depth < #of_head.depth / 1.8, "the cup ends at its rim")
+ok(of_cup.text:find('Name="cross_shear"', 1, true) and of_cup.text:find(">MPa</InformationKey>", 1, true), "cross-shear, units")
+local most = 0
+for _, depth in ipairs(of_cup.depth) do most = math.max(most, depth) end
+is(most, w.depth.cup, "the depth to the bit")
+local list = io.open(folder .. "s.pvd"):read "a"
+is(select(2, list:gsub("<DataSet", "")), 8, "a series of states: " .. list)
+local single = contact{ model = springs, load = 2000 }
+is(export.vtk(single, folder .. "c.vtu"), folder .. "c.vtu", "a single contact: one file")
+local alone = read(folder .. "c.vtu")
+near(integral(alone, alone.pressure)[3], 2000, 0.02, "whose pressure carries the load")
+export.csv(single, folder .. "c.csv")
+local table_of = csv.read(folder .. "c.csv")
+is(#table_of.value, #single.pressure.values, "as a table over theta and phi")
+near(table_of["theta [degrees]"][#table_of.value], 178, 1e-3, "in degrees")
+os.remove(folder .. "c.vtu")
+os.remove(folder .. "c.csv")
+fails(function() export.vtk(w, folder .. "w.stl") end, "ends in .vtu", "another ending")
+for i = 0, 3 do for _, body in ipairs{ "head", "cup" } do os.remove(("%ss-%05d-%s.vtu"):format(folder, i, body)) end end
+for _, name in ipairs{ "s.pvd", "w-head.vtu", "w-cup.vtu" } do os.remove(folder .. name) end
+
+-- --- pressures over a cycle -----------------------------------------------------------------------------
+local before = w:map("pressure", { instant = 1 }).values
+fails(function() w:map("pressure", { instant = 21 }) end, "instant", "an instant that there is not")
+local whole = wear{ model = springs, loading = gait.flexion{ load = 2000 }, k = 1e-9, alpha = 0.3, cycles = 3e5, updates = 4 }
+local looked = wear{ model = springs, loading = gait.flexion{ load = 2000 }, k = 1e-9, alpha = 0.3, cycles = 3e5, updates = 4 }
+whole:run{ progress = false }
+looked:run{ progress = function() looked:map "pressure" end }
+is(looked.volume.cup, whole.volume.cup, "a look at the pressures changes nothing")
+ok(#before == #w:map("cup").values, "a map of an instant")
+
+-- --- the rim, springs ------------------------------------------------------------------------------------
+-- The program: what stands first on its command line.
+local program
+for i = -1, -9, -1 do program = arg[i] or program end
+local function warning_of(f)
+  local text = {}
+  warn "@off"
+  local script = os.tmpname()
+  local file = io.open(script, "w")
+  file:write(f)
+  file:close()
+  local pipe = io.popen(("%s %s 2>&1"):format(program, script))
+  text = pipe:read "a"
+  pipe:close()
+  os.remove(script)
+  warn "@on"
+  return text
+end
+local near_rim = 'contact{ model = joint{ head = { material = material{ E = 1e15 } }, mesh = { size = 4 }, cup = { clearance = 0.1, cover = %g, '
+  .. 'layers = { { thickness = 8, material = material{ E = 1000, nu = 0.4 } } } } }, load = 2500 }'
+ok(warning_of('gait("iso", { increments = 8 })'):find("8 increments change its path or work by about 1.4 %", 1, true), "too few increments")
+is(warning_of('gait "iso" gait "prosim" gait.rocking() gait.flexion() gait{ flexion = { 0, 20, 0 } }'), "", "the usual ones are enough")
+ok(warning_of(near_rim:format(75)):find("degrees from the cup's rim", 1, true), "a contact near the rim is warned of")
+is(warning_of(near_rim:format(90)), "", "one farther away is not")
+local backed = 'contact{ model = joint{ mesh = { size = 2 }, cup = { clearance = 0.06, cover = %g } }, load = 3000 }'
+ok(warning_of(backed:format(42)):find("below 25 degrees", 1, true), "backed metal: 25 degrees")
+local function p0(foundation, nu, E)
+  return contact{ model = joint{ head = { material = material{ E = 1e15 } }, foundation = foundation, mesh = { size = 3 },
+    cup = { clearance = 0.1, layers = { { thickness = 8, material = material{ E = E, nu = nu } } } } }, load = 2500 }.p_center
+end
+near(p0("winkler", 0.4, 1000) / 13.096, 1.028, 3e-3, "springs of a shell, nu 0.4: 2.8 % over the full problem")
+near(p0("column", 0.4, 1000) / 13.096, 1.038, 3e-3, "springs of a column: 3.8 %")
+near(p0("column", 0.3, 1000) / 12.446, 0.928, 3e-3, "at nu 0.3 7.2 % below")
+near(p0("winkler", 0.3, 1000) / 12.446, 1.001, 3e-3, "where the shell's are 0.1 % off")
+
+-- --- memory of joints that nobody has any more -----------------------------------------------------------
+local function resident()
+  return tonumber(io.open("/proc/self/status"):read("a"):match "VmRSS:%s*(%d+) kB")
+end
+local first = resident()
+for _ = 1, 40 do
+  wear{ model = joint{ foundation = "winkler", mesh = { size = 1 }, cup = { layers = { { thickness = 8, material = pe } } } }, updates = 1, cycles = 1,
+    loading = gait.flexion{ increments = 1 } }
+end
+ok(resident() - first < 200000, ("80 joints of 6 MB are collected: %d kB"):format(resident() - first))
+
+-- --- each bad input is named -------------------------------------------------------------------------------
+local function refused(given, expected, what) fails(function() joint(given) end, expected, what) end
+refused({ cup = { clearance = -0.1 } }, "cup.clearance", "a clearance below 0")
+refused({ cup = { clearance = 20 } }, "cup.clearance", "one above the radius")
+refused({ cup = { layers = {} } }, "cup.layers", "a cup without layers")
+refused({ cup = { layers = { { thickness = 3 } } } }, "cup.layers[1]", "a layer without a material")
+refused({ head = { layers = { { thickness = 8, material = cocr }, { thickness = 7, material = pe } } } }, "head.layers", "layers thicker than the head")
+refused({ cup = { cover = 200 } }, "cup.cover", "a cup that covers more than the sphere")
+refused({ foundation = "column", cup = { layers = { { thickness = 8, material = material{ E = 1000, nu = 0.499 } } } }, mesh = { size = 0.01 } },
+  "mesh.size", "cells that no memory holds")
+fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
+fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
+local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
+fails(function() contact{ model = tilted, load = 3000, direction = { -1, 0, 0.5 } } end, "degrees from its axis", "a load that points out of the cup")
+fails(function() wear{ model = tilted, loading = gait{ load = { x = -900, z = 300 } } }:run{ progress = false } end, "degrees from its axis", "in a run")
+fails(function() contact{ model = joint{ mesh = { size = 10 } }, load = 300 } end, "cells across the contact", "cells too large for the contact")
+local edge = joint{ head = { material = material{ E = 1e15 } }, mesh = { size = 4 }, cup = { clearance = 0.1, cover = 45, layers = { { thickness = 8, material = pe } } } }
+ok(contact{ model = edge, load = 3000 }.rim_margin < 4, "a contact that reaches the rim has a margin below a cell")
+ok(warning_of(near_rim:format(40)):find("reaches the cup's rim", 1, true), "and is warned of")

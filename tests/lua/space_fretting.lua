@@ -1,0 +1,136 @@
+-- Tests of fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross slip.
+-- Run once: long runs, which small steps of the collector slow down.
+-- Long
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local steel = material{ E = 200e3, nu = 0.3 }
+local soft = material{ E = 50e3, nu = 0.4 }
+local function pair(upper, lower, size, ball_below)
+  local ball, block = body.ball{ radius = 10, material = upper }, body.block{ material = lower }
+  if ball_below then ball, block = body.block{ material = upper }, body.ball{ radius = 10, material = lower } end
+  return model{ geometry = "3-D", upper = ball, lower = block, mesh = { size = size or 0.011 } }
+end
+local function fret(changes)
+  local all = { model = pair(steel, steel), load = 10, friction = 0.5, tangential = 3.5, k = 1e-6, alpha = 0.3, cycles = 500 }
+  for name, value in pairs(changes or {}) do all[name] = value or nil end
+  return wear(all)
+end
+
+-- --- partial slip ----------------------------------------------------------------------------------
+local w = fret():run{ progress = false }
+is(w.gross, 0, "partial slip")
+near(w.stick_width / 2, 0.0880442 * 0.3 ^ (1 / 3), 0.1, "the zone that sticks")
+near(w.largest_shear, 3.5, 1e-12, "the largest force")
+near(w.volume.cylinder / w.volume.total, 0.3, 1e-9, "alpha divides the wear")
+ok(w.volume.total > 0 and w.cycle_energy > 0, "it wears and dissipates")
+near(2e-6 * w.energy, w.volume.total, 1e-9, "Archard's law takes k E / mu")
+
+-- mirror images: the map of depths in x and z
+local map = w:map("ball", "depth")
+for _, at in ipairs{ { 0.07, 0.02 }, { 0.075, -0.011 }, { 0.03, 0.077 } } do
+  local x, z = at[1], at[2]
+  near(map:at(-x, z), map:at(x, z), 1e-9, ("as deep at -x, %g mm"):format(x))
+  near(map:at(x, -z), map:at(x, z), 1e-9, ("as deep at -z, %g mm"):format(z))
+end
+ok(map:at(0, 0) == 0, "no wear where it sticks")
+
+-- exchange of bodies: the ball below, alpha the share of the upper body
+local other = fret{ model = pair(steel, steel, nil, true), alpha = 0.7 }:run{ progress = false }
+near(other.volume.plate, w.volume.cylinder, 1e-6, "exchanged bodies: the ball's wear")
+near(other.volume.cylinder, w.volume.plate, 1e-6, "and the block's")
+near(other:map("block", "depth"):at(0.07, 0), w:map("block", "depth"):at(0.07, 0), 1e-6, "and their maps")
+
+-- a short stroke that sticks in the middle, and along z
+local stroke = fret{ stroke = 6e-4, tangential = false, cycles = 200 }:run{ progress = false }
+is(stroke.gross, 0, "a short stroke is partial slip")
+ok(stroke.largest_shear > 2 and stroke.largest_shear < 5, "below full friction: " .. stroke.largest_shear)
+local across = fret{ stroke = 6e-4, tangential = false, cycles = 200, slide = "z" }:run{ progress = false }
+near(across.volume.total, stroke.volume.total, 1e-9, "along z as along x")
+
+-- increments are a matter of drawing
+near(fret{ increments = 8 }:run{ progress = false }.volume.total, w.volume.total, 2e-3, "eight increments a cycle")
+
+-- --- laws ------------------------------------------------------------------------------------------
+local energy = fret{ law = "energy" }:run{ progress = false }
+near(energy.volume.total, 1e-6 * energy.energy, 1e-9, "V = k E in partial slip")
+local power = fret{ law = "power", law_pressure = 400, law_exponent = 1 }:run{ progress = false }
+ok(power.volume.total > 0 and power.volume.total < 1.5 * w.volume.total, "a power law")
+
+-- --- files -----------------------------------------------------------------------------------------
+local half = fret():run{ cycles = 200, progress = false }
+local file = os.tmpname()
+os.remove(file)
+half:save(file)
+local opened, copy = wear.open(file), half:clone()
+os.remove(file)
+for _, run in ipairs{ half, opened, copy } do run:run{ progress = false } end
+for _, name in ipairs{ "depth_cylinder", "energy", "stick_width", "cycle_energy", "error" } do
+  is(opened.history[name][opened.update + 1], half.history[name][half.update + 1], "opened, to the bit: " .. name)
+  is(copy.history[name][copy.update + 1], half.history[name][half.update + 1], "cloned, to the bit: " .. name)
+end
+
+-- --- loops -----------------------------------------------------------------------------------------
+local loop = fret():loop()
+near(math.max(table.unpack(loop.tangential)), 3.5, 1e-3, "the loop's force")
+ok(#loop.x > 30, "it has points enough to draw")
+local area = 0
+for i = 2, #loop.x do area = area + (loop.tangential[i] + loop.tangential[i - 1]) / 2 * (loop.x[i] - loop.x[i - 1]) end
+near(area, loop.energy, 0.02, "its area is its energy")
+near(loop.energy, 0.9 * 0.25 * 100 / 0.0880442 * 4 * 1.7 * 1.3 / 200e3 * (1 - 0.3 ^ (5 / 3) - 5 * 0.7 / 6 * (1 + 0.3 ^ (2 / 3))), 0.03,
+  "Mindlin's loop")
+
+-- --- gross slip ------------------------------------------------------------------------------------
+local a = 0.0880442
+local function slide(changes)
+  local all = { tangential = false, stroke = 0.4 * a, k = 1e-8, alpha = 0.5, cycles = 1e4, model = pair(steel, steel, a / 10) }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  return fret(all):run{ progress = false }
+end
+local g = slide()
+is(g.gross, 1, "gross slip")
+near(g.depth.cylinder, 7.2099e-4, 1e-3, "depth of the ball")
+near(g.depth.plate, 7.0987e-4, 1e-3, "depth of the block")
+near(g.volume.plate, 3.4761e-5, 1e-3, "the elastic lag takes 1.3 % of k P s")
+near(g.volume.cylinder, g.volume.plate, 1e-9, "as much from each")
+near(2e-8 * g.energy, g.volume.total, 1e-9, "k E / mu")
+local gross_energy = slide{ law = "energy" }
+near(gross_energy.volume.total, 1e-8 * gross_energy.energy, 1e-9, "V = k E in gross slip")
+local alone = slide{ alpha = 1 }
+near(alone.depth.cylinder, 1.43323e-3, 1e-3, "depth where the ball wears alone")
+near(alone.volume.total, 6.9563e-5, 1e-3, "and its volume")
+local turned = slide{ slide = "z", cycles = 500 }
+local along = slide{ cycles = 500 }
+near(turned.volume.total, along.volume.total, 1e-9, "along z as along x")
+
+-- --- unlike bodies ---------------------------------------------------------------------------------
+local function unlike(below, changes)
+  local all = { model = below and pair(soft, steel, 0.016, true) or pair(steel, soft, 0.016), cycles = 100,
+    alpha = below and 0.7 or 0.3 }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  return fret(all):run{ progress = false }
+end
+local u, v = unlike(false), unlike(true)
+ok(u.volume.total > 0 and u.gross == 0, "unlike bodies in partial slip")
+near(v.volume.plate, u.volume.cylinder, 1e-4, "unlike bodies exchanged: the ball's wear")
+near(v.volume.cylinder, u.volume.plate, 1e-4, "and the block's")
+local broad = { tangential = false, stroke = 0.1, cycles = 20 }
+u, v = unlike(false, broad), unlike(true, broad)
+is(u.gross, 1, "unlike bodies in gross slip")
+near(v.volume.plate, u.volume.cylinder, 1e-3, "exchanged: the ball's wear")
+near(v.volume.cylinder, u.volume.plate, 1e-3, "and the block's")
+
+-- --- loading ---------------------------------------------------------------------------------------
+local breathing = fret{ cycles = false, tangential = false, distance = false,
+  loading = { load = { 10, 12, 8, 10 }, tangential = { 0, 3, -3, 0 }, cycles = 200 } }:run{ progress = false }
+ok(breathing.volume.total > 0 and breathing.gross == 0, "a load that breathes with the force")
+
+-- --- refused ---------------------------------------------------------------------------------------
+fails(function() fret{ tangential = 5 } end, "less than friction times the load", "a force that friction does not carry")
+fails(function() fret{ update = "increment" } end, "field 'update'", "updates within a cycle")
+fails(function()
+  fret{ model = model{ geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{ height = 1 } } }
+end, { "field 'friction'", "rigid base" }, "a rigid base")
+fails(function() fret{ track = 5, tangential = false, stroke = false } end, "field 'friction'", "a pin on a disc")
+holds(tostring(w), { "force of +-3.5 N", "sticks on" }, "print(run)")

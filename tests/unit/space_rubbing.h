@@ -1,0 +1,41 @@
+/* Contacts of half-spaces with friction over a history, for tests. */
+#ifndef TESTS_SPACE_RUBBING_H
+#define TESTS_SPACE_RUBBING_H
+
+#include "space_shared.h"
+
+UNUSED static arc_material elastic(double E, double nu) {
+  arc_material m = arc_material_default();
+  m.E = E;
+  m.nu = nu;
+  return m;
+}
+
+/* A contact with friction during a loading history. */
+typedef struct rubbing {
+  arc_halfspace *h;
+  arc_halfspace_friction s;
+  arc_halfspace_increment to;
+  arc_halfspace_effort effort;
+  double work; /* [N mm] of the last leg */
+} rubbing;
+
+UNUSED static void slide(rubbing *r) {
+  check_ok(arc_halfspace_slide(r->h, NULL, &r->to, NULL, &r->s, &r->effort, why));
+  r->work += r->s.work;
+}
+
+UNUSED static rubbing press(const arc_halfspace_def *def, double load, double friction) {
+  rubbing r = {.h = make_space(def)};
+  r.to = (arc_halfspace_increment){.friction = friction, .position = {.load = load}};
+  check_ok(arc_halfspace_friction_begin(r.h, &r.s, why));
+  slide(&r);
+  return r;
+}
+
+UNUSED static void end(rubbing *r) {
+  arc_halfspace_friction_end(&r->s);
+  arc_halfspace_destroy(&r->h);
+}
+
+#endif

@@ -1,0 +1,108 @@
+-- Fretting wear of a ball in partial and gross slip: volumes against an independent study with cells of its own, the
+-- closed end state at nu = 0, steps, times of the processor as a note. Steel ball of 10 mm, 10 N, friction 0.5.
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, note, ok = figures.within, figures.note, figures.ok
+
+local k, load, mu, radius = 1e-8, 10, 0.5, 10
+
+local function contact_of(nu)
+  local modulus = 200e3 / (2 * (1 - nu * nu))
+  local a = (3 * load * radius / (4 * modulus)) ^ (1 / 3)
+  return a, 3 * load / (2 * math.pi * a * a)
+end
+
+-- Cells over the half width; 0: automatic.
+local function fret(nu, share, cells, periods)
+  local a, p0 = contact_of(nu)
+  local steel = material{ E = 200e3, nu = nu }
+  local clock = 1 / (4 * mu * k * p0) -- cycles
+  local w = wear{ model = model{ geometry = "3-D", upper = body.ball{ radius = radius, material = steel },
+      lower = body.block{ material = steel }, mesh = cells > 0 and { size = a / cells } or nil },
+    friction = mu, load = load, tangential = share * mu * load, k = k, alpha = 1, cycles = periods * clock }
+  return w, clock
+end
+
+local function follow(nu, share, cells, expected, allowed, label)
+  local w, clock = fret(nu, share, cells, 10)
+  local start = os.clock()
+  for i, periods in ipairs{ 1, 3, 10 } do
+    w:run{ cycles = periods * clock, progress = false }
+    if expected[i] then within(w.volume.total, expected[i], allowed[i], label .. (", T = %d"):format(periods)) end
+  end
+  note(("%d updates, %d solutions, %.1f s"):format(w.update, w.solutions, os.clock() - start))
+  return w
+end
+
+-- --- nu = 0 ----------------------------------------------------------------------------------------
+for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5 }, { 0.7, 4.0065e-7, 3.330e-6, 3.533e-5 },
+  { 0.9, 1.3863e-6, 1.620e-5, 8.011e-5 } } do
+  local share, early, late, depth = table.unpack(case)
+  local label = ("nu = 0, %g of full slip, automatic cells"):format(share)
+  local w = follow(0, share, 0, { early, nil, late }, { 0.01, nil, 0.01 }, label)
+  local at = 1
+  while w.history.cycle[at] < w.history.cycle[#w.history.cycle] / 10 * (1 - 1e-9) do at = at + 1 end
+  within(w.history.depth_cylinder[at], depth, 0.01, label .. ": depth at T = 1")
+end
+
+-- --- nu = 0.3 --------------------------------------------------------------------------------------
+local both = { [0.5] = { 1.167e-7, 3.729e-7, 8.25e-7 }, [0.7] = { 4.364e-7, 1.497e-6, 3.337e-6 },
+  [0.9] = { 1.534e-6, 6.078e-6, 1.750e-5 } }
+for share, expected in pairs(both) do
+  follow(0.3, share, 14, expected, { 0.02, 0.03, 0.08 }, ("nu = 0.3, %g of full slip, 14 cells"):format(share))
+end
+
+-- --- the end ---------------------------------------------------------------------------------------
+do
+  local w = fret(0, 0.7, 15.2, 100):run{ progress = false }
+  local a = contact_of(0)
+  within(w.depth.cylinder, 1.8160e-4, 0.005, "the end at nu = 0: depth")
+  within(contact{ worn = w, load = load }.approach, 1.14525 * a * a / radius, 0.001, "the end at nu = 0: approach")
+end
+
+-- --- gross slip ------------------------------------------------------------------------------------
+local a = contact_of(0.3)
+local function slide(alpha, changes)
+  local all = { model = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 10 } },
+    friction = mu, load = load, stroke = 0.4 * a, k = k, alpha = alpha, cycles = 1e4 }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  return wear(all):run{ progress = false }
+end
+local alone, shared = slide(1), slide(0.5)
+within(alone.depth.cylinder, 1.43323e-3, 0.003, "gross slip, alpha 1: depth")
+within(alone.volume.total, 6.9563e-5, 0.003, "gross slip, alpha 1: volume")
+within(shared.depth.cylinder, 7.2099e-4, 0.003, "gross slip, alpha 0.5: depth of the ball")
+within(shared.depth.plate, 7.0987e-4, 0.003, "gross slip, alpha 0.5: depth of the block")
+within(shared.volume.plate, 3.4761e-5, 0.003, "gross slip, alpha 0.5: volume of each")
+local few, many = slide(0.5, { scheme = "implicit", jump = 1250 }), slide(0.5, { scheme = "implicit", jump = 250 })
+within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40: depth")
+within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40: volume")
+
+-- --- unlike bodies pressed together, and a force that rotates ---------------------------------------
+do
+  local bodies = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{ material = { E = 3600, nu = 0.4 } } }
+  local half = contact{ model = model(bodies), load = load }.half_width
+  bodies.mesh = { size = half / 28 }
+  local pressed = contact{ model = model(bodies), load = load, friction = 0.1, increments = 32 }
+  within(pressed.stick ^ 0.5, 0.651, 0.003, "steel on PEEK, friction 0.1: radius of the zone that sticks")
+end
+do
+  local bodies = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 14 } }
+  local first = contact{ model = bodies, load = load, friction = mu }:move{ tangential = 3 }
+  local function second_turn(increments)
+    local now, legs, before = first, 16, nil
+    for i = 1, 2 * legs do
+      if i == legs + 1 then before = now end
+      local angle = 2 * math.pi * i / legs
+      now = now:move{ tangential = 3 * math.cos(angle), tangential_z = 3 * math.sin(angle), increments = increments }
+    end
+    return now.energy - before.energy, now.energy_error - before.energy_error
+  end
+  local four, eight, sixteen = second_turn(4), second_turn(8), second_turn(16)
+  local ratio = (sixteen - eight) / (eight - four)
+  ok(ratio > 0.45 and ratio < 0.6, ("a rotating force is of first order in the increments: %.2f"):format(ratio))
+  local work, shown = second_turn()
+  local missed = 2 * sixteen - eight - work
+  ok(math.abs(missed) < 2 * shown and math.abs(missed) > shown / 3,
+    ("chosen increments miss %.2g N mm of its work, energy_error shows %.2g"):format(missed, shown))
+end
