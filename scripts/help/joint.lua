@@ -61,7 +61,7 @@ return {
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
     text = "A joint run written by w:save(path), which continues with the same bits. Functions k, alpha and creep "
       .. "must be given again." },
-  { "gait", kind = "function", use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
+  { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking cycle "
       .. 'with approximate curves in between; "prosim" is a simplified walking cycle of simulators. Own cycles: '
       .. "flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, "

@@ -180,7 +180,7 @@ return function(study, options)
   if not cases or not naming.get(study, "varied") then
     check.fail(where, "expected a study as the first argument, got " .. check.shown(study))
   end
-  options = draw.options(where, options, own)
+  options = draw.options(where, type(options) == "string" and { x = options } or options, own)
   for _, name in ipairs { "x", "y" } do
     if type(options[name]) ~= "string" then check.refuse(where, name, "a string", options[name]) end
   end

@@ -2,6 +2,7 @@
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+local warnings = require "archard.warnings"
 
 local bodies = model{ mesh = { zone = { cylinder = 1, plate = 1.3 } } }
 local function run_of(fields)
@@ -343,7 +344,9 @@ near(w.p_center, 205, 1e-9, "is met")
 is(select(2, w:run{ half_width = 0.252, depth = { plate = 1 } }), "half_width", "the first of several")
 is(select(2, w:run{ stop_when = function(r) return r.update >= 62 and "enough" end }), "stop_when", "a function")
 is(w.update, 62, "ends the run after the step")
+warnings.keep()
 is(select(2, w:run{ depth = { plate = 1 } }), "distance", "else the distance does")
+ok(warnings.take():find "wear:run: depth.plate = 1 was not reached: it is %S+ at the end, 1320 mm", "with a warning")
 near(w.distance, 1320, 1e-12, "exactly")
 is(select("#", w:run()), 1, "without stop_when there is no second result")
 fails(function() w:run{ depth = { plate = 1e-6 } } end, "field 'depth.plate': the run is already at", "behind")

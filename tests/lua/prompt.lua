@@ -150,6 +150,8 @@ end
 offers("w:run{ st", "stop_when|=")
 offers("w:run{ depth={ c", "cylinder|=")
 offers("csv.", "read")
+has('gait "', "iso prosim", "rocking")
+has('gait("', "iso prosim", "rocking")
 has("model{ mesh={ zone={ ", "cylinder plate", "size")
 offers("w:run{ pro", "progress|=")
 has("plot.pressure(w, { ", "scaled body xlabel term")

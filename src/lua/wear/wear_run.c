@@ -188,6 +188,18 @@ static void end_display(lua_State *L, const run_call *call) {
   lua_settop(L, top);
 }
 
+/* Warns of goals that were not reached: the run went on to its distance. */
+static void warn_not_reached(lua_State *L, const arc_wear *wear, const wear_goals *goals) {
+  char text[200];
+  const arc_wear_record *last = arc_wear_last(wear);
+  for (size_t i = 0; i < goals->count; i++) {
+    const arc_wear_target *t = &goals->target[i];
+    snprintf(text, sizeof text, "wear:run: %s = %g was not reached: it is %.4g at the end, %g mm",
+             goals->name[i], t->value, arc_wear_record_get(last, t->column), last->distance);
+    lua_warning(L, text, 0);
+  }
+}
+
 /* Pushes the run and, if there were several end conditions, the name of the one reached. */
 static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
   lua_pushvalue(L, 1);
@@ -221,5 +233,6 @@ int wear_run(lua_State *L) {
   functions_leave(L, &call.functions, where);
   if (call.failed && !interrupt_pending(NULL)) error_callback(L, where, call.failed);
   if (!(status == ARC_STOPPED && call.asked)) check_ended(L, wear, status, &error, where);
+  if (status == ARC_OK && reached < 0) warn_not_reached(L, wear, &goals);
   return push_outcome(L, &goals, &call, reached);
 }
