@@ -212,7 +212,7 @@ check:
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
 
-# Everything: long files too, and those of tests/lua once more with a collector that never rests.
+# Everything: long files too.
 check-full:
 	@scripts/setup test full
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs

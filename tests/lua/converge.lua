@@ -1,5 +1,5 @@
 -- Tests of study.converge and calibrate: results and messages.
--- Run once: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

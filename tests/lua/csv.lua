@@ -1,5 +1,5 @@
 -- Tests of csv.read: separators, quotes, names, numbers, refused files.
--- Run once: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails = tap.is, tap.near, tap.fails

@@ -1,6 +1,6 @@
 -- Tests of run files of older releases (tests/files, written by write.lua there): they are read correctly, continued
 -- and merged. tests/unit/test_store_format.c checks their tables.
--- Run once: mostly text comparison.
+-- Ordinary collector: mostly text comparison.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local content = dofile(here .. "/lib/content.lua")

@@ -4,7 +4,7 @@
 -- Long
 --   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
 --   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
--- Run once: the test controls the collector itself.
+-- Ordinary collector: the test controls the collector itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, settings = require "archard.help", require "archard.settings"

@@ -1,5 +1,5 @@
 -- Tests of .vtu and .pvd files of joints, warnings and refusals of joints.
--- Run once: long runs, which small steps of the collector slow down.
+-- Ordinary collector: long runs, which small steps of the collector slow down.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 

@@ -1,6 +1,6 @@
 -- Tests of map files: each format is written here from its specification and read back; units, missing points,
 -- outliers; broken files give errors with the name of the file, the expected and the found value.
--- Run once: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

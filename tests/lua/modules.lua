@@ -1,5 +1,5 @@
 -- Tests of the C modules behind the classes, reached by require: refused arguments, worker processes.
--- Run once: mostly other programs, which small steps of the collector slow down.
+-- Ordinary collector: mostly other programs, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails

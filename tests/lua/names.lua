@@ -1,5 +1,5 @@
 -- Tests of the names of numbers, which are the same for studies, samples, fits and sensitivities.
--- Run once: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails

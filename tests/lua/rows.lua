@@ -1,4 +1,4 @@
--- Run once.
+-- Ordinary collector.
 -- Tests every row of every list of settings: each setting is changed from its default in all objects that have it, and
 -- read back from the object, a copy, a run file, a session and export.json. A new row is tested without a change here,
 -- unless it depends on another one.

@@ -1,5 +1,5 @@
 -- Tests of fits, designs, sensitivities and samples of runs in three dimensions.
--- Run once: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector: only Lua code, which small steps of the collector slow down.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

@@ -1,5 +1,5 @@
 -- Tests of fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross slip.
--- Run once: long runs, which small steps of the collector slow down.
+-- Ordinary collector: long runs, which small steps of the collector slow down.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")

@@ -1,6 +1,6 @@
 -- Tests of wrong calls of every public function, made from the help entries. Each wrong value gives an error with the
 -- function, the argument, the expected and the given value, and with the position of the user's call.
--- Run once: only messages are tested.
+-- Ordinary collector: only messages are tested.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, names = require "archard.help", require "archard.names"
