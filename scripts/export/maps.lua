@@ -4,6 +4,7 @@ local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
+local joint_history = require "archard.joint.history"
 local map = require "archard.map.class"
 local strict = require "archard.strict"
 local written = require "archard.lib.written"
@@ -140,20 +141,6 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
-local known = require "archard.settings".columns
-local body_names = { cylinder = "head", plate = "cup" }
-
--- The columns of a joint's history by the names of its bodies, and their units.
-local function history_of(run)
-  local columns, units = {}, {}
-  for _, column in ipairs(known) do
-    local name = column.name:gsub("_(%l+)$", function(body) return "_" .. (body_names[body] or body) end)
-    columns[name] = run.history[column.name]
-    units[name] = columns[name] and column.unit
-  end
-  return columns, units
-end
-
 -- Columns of a map over theta and phi.
 local function lattice_of(map)
   local theta, phi = {}, {}
@@ -170,7 +157,7 @@ local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") an
 function maps.csv(...)
   local t, path = ...
   if strict.is(t, "joint_wear") then
-    local columns, units = history_of(t)
+    local columns, units = joint_history(t)
     return written.returned("export.csv", files.csv(columns, path, units))
   end
   local lattice = strict.is(t, "joint_contact") and t.pressure or is_lattice(t) and t

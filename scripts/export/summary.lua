@@ -5,6 +5,9 @@ local files = require "archard.files"
 local json = require "archard.export.json"
 local known = require "archard.settings"
 local role_of = require "archard.definition.number".role_of
+local joint_file = require "archard.joint.file"
+local joint_history = require "archard.joint.history"
+local nest = require "archard.definition.settings".nest
 local value_at = require "archard.definition.settings".value_at
 local written = require "archard.lib.written"
 
@@ -89,17 +92,7 @@ local function results(run, units)
   return into
 end
 
--- (run, path) -> the file written
-return function(run, path)
-  if check.shown(run) ~= "a wear object" then
-    check.fail(where, "expected a wear object, got " .. check.shown(run))
-  end
-  if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
-  local ending = path:match("%.[^./]*$")
-  if not ending then path = path .. ".json" end
-  if ending and ending ~= ".json" then
-    check.refuse(where, "path", "a file name that ends in .json", path)
-  end
+local function summary_of(run)
   local units = {}
   local asked = definition("wear", run, units, "definition.")
   asked.model = definition("model", run.model, units, "definition.model.")
@@ -108,9 +101,34 @@ return function(run, path)
   asked.loading = run.loading and plain(run.loading) or json.null
   units["definition.loading.x"], units["definition.loading.load"] = "mm", "N"
   asked.local_factor = run.local_factor and "function" or json.null
-  files.write(where, path, json.encode{
-    versions = { archard = require "archard".version, lua = _VERSION:match("[%d.]+") },
-    definition = asked, results = results(run, units), units = units,
-  })
+  return { definition = asked, results = results(run, units), units = units }
+end
+
+-- The fields of wear{} of a joint's run, and the last row of its history.
+local function joint_summary(run)
+  local into, units = { done = run.done }, {}
+  local columns, units_of, names = joint_history(run)
+  for _, name in ipairs(names) do
+    put(into, units, "results.", name, columns[name][#columns[name]], units_of[name])
+  end
+  put(into, units, "results.", "volume_total", run.volume.total, "mm3")
+  return { definition = nest(joint_file.definition(run)), results = into, units = units }
+end
+
+-- (run, path) -> the file written
+return function(run, path)
+  local is_joint = joint_file.is_joint(run)
+  if not is_joint and check.shown(run) ~= "a wear object" then
+    check.fail(where, "expected a wear object, got " .. check.shown(run))
+  end
+  if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
+  local ending = path:match("%.[^./]*$")
+  if not ending then path = path .. ".json" end
+  if ending and ending ~= ".json" then
+    check.refuse(where, "path", "a file name that ends in .json", path)
+  end
+  local summary = (is_joint and joint_summary or summary_of)(run)
+  summary.versions = { archard = require "archard".version, lua = _VERSION:match("[%d.]+") }
+  files.write(where, path, json.encode(summary))
   return written.returned(where, path)
 end

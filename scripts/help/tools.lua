@@ -352,7 +352,7 @@ return {
       .. "reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates are exact. "
       .. "Without a path the text is returned, which model{ mesh = } accepts too." },
   { "export.json", kind = "function", use = "export.json(w, path)",
-    text = "Summary of a run: versions, definition with model, bodies and layers, results, units. NaN and omitted "
+    text = "Summary of a run, of a joint too: versions, definition with model, bodies and layers, results, units. NaN and omitted "
       .. 'values are null, functions of the user the word "function".' },
 
   -- --- help -----------------------------------------------------------------------------------

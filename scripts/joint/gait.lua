@@ -42,7 +42,10 @@ function module.read(path, options)
 end
 
 return setmetatable(module, { __call = function(_, given, options)
-  if type(given) ~= "string" then return given_gait.read(given) end
+  if type(given) ~= "string" then
+    if options ~= nil then check.fail("gait", "expected one table, gait{ flexion=, load=, increments= }, got a second argument") end
+    return given_gait.read(given)
+  end
   options = check.definition("gait", options or {}, { increments = check.count })
   if not named[given] then
     check.fail("gait", ("expected the name of a gait, got %s%s"):format(check.shown(given), check.hint(given, { "iso", "prosim" })))

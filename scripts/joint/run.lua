@@ -16,6 +16,8 @@ local text = require "archard.joint.text"
 
 local runs = {}
 
+local none = math.abs(0 / 0) -- printed without a sign
+
 local methods = {}
 local class = { __name = "joint_wear", __methods = methods,
   __fields = { "alpha", "area", "creep", "cycle", "cycles", "depth", "depth_partition", "distance", "done", "functions", "history", "jump", "k",
@@ -136,7 +138,8 @@ local function read(run, record)
   local head, cup = record.volume_head or 0, record.volume_cup or 0
   run.volume = rawset(measure.by_body(run.model, head, cup, "wear.volume"), "total", head + cup)
   run.depth = measure.by_body(run.model, lattice.deepest(run.engine, "head"), lattice.deepest(run.engine, "cup"), "wear.depth")
-  run.depth_partition = run.depth.head / (run.depth.head + run.depth.cup)
+  local worn = run.depth.head + run.depth.cup
+  run.depth_partition = worn > 0 and run.depth.head / worn or none
 end
 
 local function largest_load(instants)
@@ -158,7 +161,7 @@ local function note(run, record)
     p_peak = run.p_peak, area = run.area, depth_cylinder = run.depth.head, depth_plate = run.depth.cup,
     volume_cylinder = run.volume.head, volume_plate = run.volume.cup, depth_partition = run.depth_partition,
     solutions = record.solutions }
-  for _, name in ipairs(columns) do h[name][n] = row[name] or 0 / 0 end
+  for _, name in ipairs(columns) do h[name][n] = row[name] or none end
 end
 
 -- (joint, fields of the user) -> run

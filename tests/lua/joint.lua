@@ -10,6 +10,8 @@ fails(function() gait("iso", { order = "zyx" }) end, "unknown field 'order'", "t
 fails(function() gait "walking" end, 'name of a gait, got "walking" (known: iso, prosim)', "a gait that there is not")
 fails(function() wear{ model = joint{}, loading = "iso" } end, 'a gait such as gait "iso"', "the name alone")
 fails(function() gait{} end, "expected at least one angle", "a gait without motion")
+fails(function() gait({ flexion = { 0, 20, 0 } }, { increments = 40 }) end, "got a second argument", "increments outside the table")
+is(tostring(wear{ model = joint{ mesh = { size = 4 } } }.depth_partition), "nan", "no partition before wear")
 near(gait.rocking{ increments = 1000 }.work, 68740, 2e-4, "work of rocking")
 local own = gait{ flexion = function(t) return 21.5 * math.cos(2 * math.pi * t) end, load = 2000 }
 near(own.track, gait.flexion().track, 1e-12, "flexion by a function")

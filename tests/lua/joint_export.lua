@@ -66,9 +66,13 @@ is(#table_of.value, #single.pressure.values, "as a table over theta and phi")
 near(table_of["theta [degrees]"][#table_of.value], 178, 1e-3, "in degrees")
 os.remove(folder .. "c.vtu")
 os.remove(folder .. "c.csv")
+export.json(w, folder .. "w.json")
+local summary = io.open(folder .. "w.json"):read "a"
+ok(summary:find('"volume_head": ' .. ("%.6g"):format(w.volume.head):sub(1, 5), 1, true), "a summary has the last row of the history")
+ok(summary:find '"clearance": %d' and summary:find '"results.volume_cup": "mm3"', "with definition and units")
 fails(function() export.vtk(w, folder .. "w.stl") end, "ends in .vtu", "another ending")
 for i = 0, 3 do for _, body in ipairs{ "head", "cup" } do os.remove(("%ss-%05d-%s.vtu"):format(folder, i, body)) end end
-for _, name in ipairs{ "s.pvd", "w-head.vtu", "w-cup.vtu" } do os.remove(folder .. name) end
+for _, name in ipairs{ "s.pvd", "w-head.vtu", "w-cup.vtu", "w.json" } do os.remove(folder .. name) end
 
 -- --- pressures over a cycle -----------------------------------------------------------------------------
 local before = w:map("pressure", { instant = 1 }).values
