@@ -191,6 +191,8 @@ refused({ "within half" }, "a profile higher than its body", function() body.pro
 refused({ "'layers'", "at most 4" }, "too many layers", function() body.block{ layers = { {}, {}, {}, {}, {} } } end)
 refused({ "layers[1].thickness", "nil" }, "a layer of no thickness", function() body.block{ layers = { { E = 3 } } } end)
 refused({ "layers[1]", "nue" }, "a layer's unknown field", function() body.block{ layers = { { thickness = 1, nue = 3 } } } end)
+refused({ "did you mean 'thickness'" }, "a misspelt field of a layer", function() body.block{ layers = { { thicknes = 1 } } } end)
+refused({ "did you mean 'radius'" }, "a symbol instead of a name", function() body.cylinder{ R = 6 } end)
 refused({ "layers", "0.9" }, "layers thicker than the body", function() body.block{ layers = { { thickness = 30, E = 3 } } } end)
 refused({ "layers'", "a list", "not a list" }, "a layer in place of a list", function() body.block{ layers = { thickness = 1, E = 3 } } end)
 refused({ "layers'", "not a list" }, "a list with a gap", function() body.block{ layers = { [2] = { thickness = 1, E = 3 } } } end)

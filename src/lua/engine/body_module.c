@@ -37,38 +37,60 @@ static int is_known(arc_solid kind, const char *name) {
          arc_setting_find(arc_material_settings, name);
 }
 
-/* "E, nu, k" */
-static void add_material_names(luaL_Buffer *text) {
-  for (const arc_setting *s = arc_material_settings; s->name; s++) {
-    if (s->kind == ARC_TEXT) continue; /* `name` is that of the body or layer */
-    if (s != arc_material_settings) luaL_addstring(text, ", ");
-    luaL_addstring(text, s->name);
-  }
+enum { MOST_NAMES = 48 };
+
+typedef struct name_list {
+  const char *name[MOST_NAMES];
+  int count;
+} name_list;
+
+static void add_name(name_list *to, const char *name) {
+  if (to->count < MOST_NAMES) to->name[to->count++] = name;
 }
 
-static void refuse_name(lua_State *L, args_location location, arc_solid kind, const char *name)
-    __attribute__((noreturn));
+/* Adds the settings but `name`, which is that of the body or layer. */
+static void add_settings(name_list *to, const arc_setting *list) {
+  for (const arc_setting *s = list; s->name; s++)
+    if (s->kind != ARC_TEXT) add_name(to, s->name);
+}
 
-static void refuse_name(lua_State *L, args_location location, arc_solid kind, const char *name) {
-  luaL_Buffer known;
-  luaL_buffinit(L, &known);
-  for (const char *const *own = arc_body_fields(kind); *own; own++) {
-    luaL_addstring(&known, *own);
-    luaL_addstring(&known, ", ");
+static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
+                        const name_list *known) __attribute__((noreturn));
+
+/* of: "" or the body, as " of a ring" */
+static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
+                        const name_list *known) {
+  names_search search = names_begin(name);
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  for (int i = 0; i < known->count; i++) {
+    names_offer(&search, known->name[i]);
+    if (i > 0) luaL_addstring(&text, ", ");
+    luaL_addstring(&text, known->name[i]);
   }
-  luaL_addstring(&known, "name, ");
-  add_material_names(&known);
-  luaL_addstring(&known, ", material, layers, materials");
-  luaL_pushresult(&known);
-  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' of a %s (known: %s)",
-              location.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
+  luaL_pushresult(&text);
+  if (search.best)
+    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s'%s (did you mean '%s'?)",
+                location.prefix, name, of, search.best);
+  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s'%s (known: %s)",
+              location.prefix, name, of, lua_tostring(L, -1));
+}
+
+static void refuse_body_name(lua_State *L, args_location location, arc_solid kind,
+                             const char *name) {
+  name_list known = {.count = 0};
+  for (const char *const *own = arc_body_fields(kind); *own; own++) add_name(&known, *own);
+  add_name(&known, "name");
+  add_settings(&known, arc_material_settings);
+  add_settings(&known, common + 2); /* without kind and name */
+  refuse_name(L, location, name, lua_pushfstring(L, " of a %s", arc_solid_names[kind]), &known);
 }
 
 static void check_names(lua_State *L, int index, args_location location, arc_solid kind) {
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, location);
     const char *name = names_push_text(L, -2);
-    if (!is_known(kind, name)) refuse_name(L, location, kind, name);
+    if (!is_known(kind, name)) refuse_body_name(L, location, kind, name);
     lua_pop(L, 1);
   }
 }
@@ -126,14 +148,10 @@ static int is_of_layer(const arc_setting *s) {
 }
 
 static void refuse_layer_name(lua_State *L, args_location location, const char *name) {
-  luaL_Buffer known;
-  luaL_buffinit(L, &known);
-  for (const arc_setting *s = arc_layer_settings; s->name; s++)
-    if (s->kind != ARC_TEXT) luaL_addstring(&known, s->name), luaL_addstring(&known, ", ");
-  add_material_names(&known);
-  luaL_pushresult(&known);
-  error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (known: %s)", location.prefix,
-              name, lua_tostring(L, -1));
+  name_list known = {.count = 0};
+  add_settings(&known, arc_layer_settings);
+  add_settings(&known, arc_material_settings);
+  refuse_name(L, location, name, "", &known);
 }
 
 static void read_layer(lua_State *L, args_location location, arc_layer *layer) {
