@@ -59,7 +59,7 @@ return {
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
     text = "Initial wear depths, a function of theta and phi in degrees or a w:map of a run." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
-    text = "A joint run written by w:save(path), which continues with the same bits. Functions k, alpha and creep "
+    text = "A joint run written by w:save(path), which continues with the same bits, as with wear.open. Functions k, alpha and creep "
       .. "must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking cycle "

@@ -261,11 +261,11 @@ return {
   { "plot.map{body}", type = "string", text = "Body of a 3-D run; default: the upper body." },
   { "plot.map{what}", values = { "depth", "height", "pressure" }, default = '"depth"',
     text = 'Map of a run; of a joint "cup", "head", "cross shear" or "pressure".' },
-  { "plot.track", kind = "function", takes = "plot", use = 'plot.track(gait "iso")   plot.track(g, { radius=18 })',
+  { "plot.track", kind = "function", takes = "plot", use = 'plot.track(w)   plot.track(gait "iso", { radius=18 })',
     text = "Paths of the head's pole and of six points at 30 degrees from it over the cup of a joint in one cycle, "
       .. "in mm, azimuthal equal-area about the nominal load. They are straight between increments; increase the "
       .. "gait's increments for smooth curves." },
-  { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head." },
+  { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head; of a run, that of its joint." },
   { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
     text = "A map seen obliquely from the front, coloured by its values, with lines along every fifth of 50 rows. "
       .. "Lengths along x and heights have the same scale, heights times the exaggeration in the title; lengths "

@@ -38,7 +38,7 @@ function module.read(path, options)
   if not given.t or not given.load then
     check.fail(where, path .. ": expected columns t, flexion, adduction, rotation and load (or Fx, Fy, Fz)")
   end
-  return given_gait.read(given)
+  return given_gait.read(given, path:match "[^/]+$")
 end
 
 return setmetatable(module, { __call = function(_, given, options)

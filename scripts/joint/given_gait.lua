@@ -61,23 +61,23 @@ local function instants_of(n, parts, loads, order)
   return sphere.angles(n, angles, forces, order)
 end
 
--- (fields of gait{}) -> gait
-function given.read(from)
+-- (fields of gait{}, name) -> gait
+function given.read(from, name)
   check.definition("gait", from, fields, 'the name of a gait, "iso" or "prosim", or ')
   if not next(from) then check.fail("gait", "expected at least one angle (flexion, adduction or rotation), got none") end
   local n = from.increments or usual
   local parts, loads = {}, {}
-  for i, name in ipairs{ "flexion", "adduction", "rotation" } do
-    parts[i] = over_time(name, from[name] or 0, from.t)
+  for i, angle in ipairs{ "flexion", "adduction", "rotation" } do
+    parts[i] = over_time(angle, from[angle] or 0, from.t)
   end
   local load = from.load or 2000
   local by_axis = type(load) == "table" and #load == 0
-  for k, name in ipairs{ "x", "y", "z" } do
+  for k, axis in ipairs{ "x", "y", "z" } do
     local value
-    if by_axis then value = load[name] or 0 else value = k == 3 and load or 0 end
-    loads[k] = over_time(by_axis and "load." .. name or "load", value, from.t)
+    if by_axis then value = load[axis] or 0 else value = k == 3 and load or 0 end
+    loads[k] = over_time(by_axis and "load." .. axis or "load", value, from.t)
   end
-  return made("own", instants_of(n, parts, loads, from.order or "xyz"), instants_of(2 * n, parts, loads, from.order or "xyz"))
+  return made(name or "own", instants_of(n, parts, loads, from.order or "xyz"), instants_of(2 * n, parts, loads, from.order or "xyz"))
 end
 
 -- True for a gait.

@@ -30,7 +30,7 @@ local head_fields = { radius = check.positive, material = material_kind, layers 
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
 -- Fields of a material as a plain table, as in run files.
-local function plain(m) return { E = m.E, nu = m.nu or 0.3 } end
+local function plain(m) return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil } end
 
 local function plain_layers(given, prefix)
   local result = {}

@@ -1,11 +1,14 @@
 -- Describes the bodies of a joint.
 
+-- "CoCr, E 230000 MPa nu 0.3"
+local function material_text(m)
+  return ("%sE %g MPa nu %g"):format(m.name and m.name .. ", " or "", m.E, m.nu)
+end
+
 local function layers_text(layers, core)
   local parts = {}
-  for i, layer in ipairs(layers) do
-    parts[i] = ("%g mm of E %g MPa nu %g"):format(layer.thickness, layer.material.E, layer.material.nu)
-  end
-  if core then parts[#parts + 1] = ("%sE %g MPa nu %g"):format(#parts > 0 and "a core of " or "", core.E, core.nu) end
+  for i, layer in ipairs(layers) do parts[i] = ("%g mm of %s"):format(layer.thickness, material_text(layer.material)) end
+  if core then parts[#parts + 1] = (#parts > 0 and "a core of " or "") .. material_text(core) end
   return table.concat(parts, ", ")
 end
 

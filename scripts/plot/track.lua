@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local flat = require "archard.joint.flat"
 local given_gait = require "archard.joint.given_gait"
+local joint_file = require "archard.joint.file"
 
 -- Points of the head: the pole, and six at 30 degrees from it.
 local function points()
@@ -24,12 +25,14 @@ local function turned(instants, i, m)
   return n
 end
 
--- plot.track(g, { radius=14, ... })
+-- plot.track(g, { radius=14, ... }); of a run its present gait, with the radius of its head
 return function(g, options)
   local where = "plot.track"
-  if not given_gait.is(g) then check.fail(where, "expected a gait as the first argument, got " .. check.shown(g)) end
+  local run = joint_file.is_joint(g) and g
+  if run then g = run.loading end
+  if not given_gait.is(g) then check.fail(where, "expected a gait or the run of a joint as the first argument, got " .. check.shown(g)) end
   options = draw.options(where, options, { radius = check.positive })
-  local radius, count, given = options.radius or 14, g.increments, {}
+  local radius, count, given = options.radius or run and run.model.head.radius or 14, g.increments, {}
   for number, m in ipairs(points()) do
     local path = flat.curve(radius, function(t) return turned(g.instants, math.floor(t * count + 0.5) % count, m) end, count)
     path.title = number == 1 and "pole" or number == 2 and "30 degrees from the pole" or nil

@@ -72,6 +72,9 @@ local function measured_of(study)
   return list
 end
 
+-- "the contact reaches the cup's rim": the beginning of a warning without the name of the function.
+local function shortened(warning) return warning:gsub("^[%l_]+:%l+: ", ""):match("^[^:(]*[^:(%s]") or warning end
+
 local function columns_of(study)
   local columns = { { "case", "", "%d", function(case) return case.id end } }
   for _, name in ipairs(study.varied) do
@@ -83,7 +86,7 @@ local function columns_of(study)
   for _, column in ipairs(measured_of(study)) do columns[#columns + 1] = column end
   columns[#columns + 1] = { "status", "", "%s", function(case)
     return case.status .. (case.message and ": " .. case.message or "")
-      .. (case.warning and ", warned: " .. case.warning:match("^[^:]*") or "")
+      .. (case.warning and ", warned: " .. shortened(case.warning) or "")
   end }
   return columns
 end

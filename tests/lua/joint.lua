@@ -22,6 +22,7 @@ local file = io.open(path, "w")
 file:write("t,flexion,adduction,rotation,load\n0,0,0,0,1000\n0.5,10,0,0,1000\n1,0,0,0,1000\n")
 file:close()
 near(gait.read(path).track, list.track, 1e-9, "flexion from a table")
+is(gait.read(path).name, path:match "[^/]+$", "named after its file")
 os.remove(path)
 fails(function() gait{ flexion = 0, load = { z = { 1000 } } } end, "field 'load.z': expected at least two values", "a load of one value")
 fails(function() gait "isso" end, "did you mean 'iso'", "a gait by a wrong name")
@@ -161,6 +162,7 @@ ok(io.open(picture .. ".gp"):read "a":find("cbrange [0:1]", 1, true), "a scale f
 plot.map(w, "pressure", { file = picture .. ".gp" })
 ok(io.open(picture .. ".gp"):read "a":find("rim", 1, true), "with the rim of the cup")
 plot.track(gait "iso", { term = "dumb", file = picture })
+plot.track(w, { term = "dumb", file = picture })
 ok(io.open(picture):read "a":find("paths of points", 1, true), "paths of points of the head")
 ok(io.open(picture .. ".gp"):read "a":find("anterior", 1, true), "with the names of the axes")
 local single = contact{ model = liner, load = 2000, direction = { 0.1, 0, 1 } }
@@ -176,6 +178,6 @@ fails(function() wear{ loading = gait "iso" } end, "a gait needs model = joint{}
 fails(function() study.converge{ base = { model = liner, cycles = 1 } } end, "got a joint", "a joint in study.converge")
 fails(function() wear{ model = springs, k = 1e-9, updates = 1, creep = function() return -1 end }:run{ progress = false } end,
   "field 'creep'", "creep below zero")
-fails(function() plot.track(w) end, "expected a gait", "of a gait alone")
+fails(function() plot.track{} end, "expected a gait or the run of a joint", "of a table")
 os.remove(picture)
 os.remove(picture .. ".gp")

@@ -38,9 +38,13 @@ for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 
   if what == "shear" then fails(function() joint.open(kept) end, "field 'k'", "a function is to be given again") end
   local again = joint.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep })
   same(first, again, what .. ", opened")
+  same(first, wear.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep }), what .. ", by wear.open")
   is(tostring(again), tostring(first), what .. ": print")
   same(whole, again:run{ progress = false }, what .. ", gone on with")
 end
+local named = material{ E = 1000, nu = 0.4, name = "UHMWPE" }
+wear{ model = joint{ mesh = { size = 4 }, cup = { layers = { { thickness = 8, material = named } } } } }:save(kept)
+ok(tostring(wear.open(kept)):find("cup       8 mm of UHMWPE, E 1000 MPa", 1, true), "materials keep their names")
 fails(function() joint.open(kept .. ".none") end, "none", "a file that there is not")
 local foreign = io.open(kept, "w")
 foreign:write "mine"

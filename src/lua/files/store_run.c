@@ -2,6 +2,7 @@
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
+#include "lua/base/scripts.h"
 #include "lua/files/store_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
@@ -314,19 +315,29 @@ static int only_case(lua_State *L, arc_store *store) {
               arc_store_path(store), (int)count);
 }
 
-/* Raises an error for session files, whose runs are opened by session.open. */
-static void refuse_others(lua_State *L, arc_store *store) {
+/* True for the file of a joint's run; raises an error for session files, which session.open reads.
+ */
+static int is_of_joint(lua_State *L, arc_store *store) {
   arc_error error = {0};
   char *kind = NULL;
   error_check(L, arc_store_info(store, "kind", &kind, &error), &error, "wear.open", -1);
-  const char *other = kind && strcmp(kind, "session") == 0 ? "session"
-                      : kind && strcmp(kind, "joint") == 0 ? "joint"
-                                                           : NULL;
+  const int session = kind && strcmp(kind, "session") == 0,
+            joint = kind && strcmp(kind, "joint") == 0;
   free(kind);
-  if (other)
+  if (session)
     error_raise(L, ARC_ARGUMENT, "wear.open",
-                "%s: expected a run file of kind wear or study, got a %s (use %s.open)",
-                arc_store_path(store), other, other);
+                "%s: expected a run file of kind wear or study, got a session (use session.open)",
+                arc_store_path(store));
+  return joint;
+}
+
+/* Pushes joint.open(path, functions); the arguments are at 1 and 3. */
+static void open_joint(lua_State *L) {
+  script_require(L, "archard.joint.joint");
+  lua_getfield(L, -1, "open");
+  lua_pushvalue(L, 1);
+  lua_pushvalue(L, 3);
+  lua_call(L, 2, 1);
 }
 
 /* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run. The case may be
@@ -344,7 +355,11 @@ int wear_open(lua_State *L) {
       given = lua_istable(L, 3) ? 3 : 0;
   arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
   box *opened = box_test(L, -1, &store_class);
-  refuse_others(L, store);
+  if (is_of_joint(L, store)) {
+    box_empty(opened, &store_class);
+    open_joint(L);
+    return 1;
+  }
   if (id == 0) id = only_case(L, store);
   store_push_wear(L, store, id, given, "wear.open");
   box_empty(opened, &store_class);
