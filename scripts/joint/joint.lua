@@ -16,9 +16,12 @@ local class = { __name = "joint", __methods = methods,
 
 -- --- definitions --------------------------------------------------------------------------------
 
-local material_kind = check.kind("a material", function(v)
-  return type(v) == "userdata" or type(v) == "table" and check.number.test(v.E)
+local material_kind = check.kind("a material or its fields { E=, nu= }", function(v)
+  return check.shown(v) == "a material object" or type(v) == "table" and v.E ~= nil
 end)
+local material_fields = { E = check.positive, nu = check.kind("a number in (-1, 0.5)", function(v)
+  return check.number.test(v) and v > -1 and v < 0.5
+end), name = check.text }
 local layers_kind = check.kind("a list of up to 4 tables { thickness=, material= }", function(v)
   return type(v) == "table" and #v <= 4
 end)
@@ -29,8 +32,11 @@ local joint_fields = { head = check.table, cup = check.table, mesh = check.table
 local head_fields = { radius = check.positive, material = material_kind, layers = layers_kind }
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
--- Fields of a material as a plain table, as in run files.
-local function plain(m) return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil } end
+-- Fields of a material, an object or a table, as a plain table, as in run files.
+local function plain(m, prefix)
+  if type(m) == "table" then check.fields("joint", m, material_fields, prefix .. "material.") end
+  return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil }
+end
 
 local function plain_layers(given, prefix)
   local result = {}
@@ -39,7 +45,7 @@ local function plain_layers(given, prefix)
     if not layer.thickness or not layer.material then
       check.fail("joint", ("field '%s[%d]': expected thickness and material"):format(prefix, i))
     end
-    result[i] = { thickness = layer.thickness, material = plain(layer.material) }
+    result[i] = { thickness = layer.thickness, material = plain(layer.material, ("%s[%d]."):format(prefix, i)) }
   end
   return result
 end
@@ -53,7 +59,7 @@ local function new(given)
   local usual = { { thickness = 3, material = cocr }, { thickness = 6, material = { E = 1000, nu = 0.4 } },
     { thickness = 2, material = { E = 110e3, nu = 0.3 } } }
   local made = { foundation = given.foundation or "elastic", order = given.order or 1, mesh = { size = mesh.size or 2 },
-    head = { radius = head.radius or 14, material = plain(head.material or cocr), layers = plain_layers(head.layers, "head.layers") },
+    head = { radius = head.radius or 14, material = plain(head.material or cocr, "head."), layers = plain_layers(head.layers, "head.layers") },
     cup = { clearance = cup.clearance or 0.06, inclination = cup.inclination or 0, cover = cup.cover or 90,
       layers = plain_layers(cup.layers or usual, "cup.layers") } }
   made.engine = sphere.create(made)

@@ -143,6 +143,10 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
+fails(function() joint{ cup = { layers = { { thickness = 1, material = { E = -1 } } } } } end, "field 'cup.layers[1].material.E': expected a number > 0", "E below zero")
+fails(function() joint{ head = { material = { E = 1, nue = 0.3 } } } end, "did you mean 'nu'?", "a misspelt field of a material")
+fails(function() joint{ head = { material = gait "iso" } } end, "field 'head.material'", "a material that is none")
+fails(function() wear{ model = joint{}, k = function() return "1" end }:run{ progress = false } end, "got string", "k as a string")
 fails(function() contact{ model = tilted, load = 3000, direction = { -1, 0, 0.5 } } end, "degrees from its axis", "a load that points out of the cup")
 fails(function() wear{ model = tilted, loading = gait{ load = { x = -900, z = 300 } } }:run{ progress = false } end, "degrees from its axis", "in a run")
 fails(function() contact{ model = joint{ mesh = { size = 10 } }, load = 300 } end, "cells across the contact", "cells too large for the contact")

@@ -253,8 +253,12 @@ static int push_function(called *c, int function, double cycles) {
 
 static double call_pushed(called *c, const char *name) {
   if (error_pcall(c->L, 1, 1) != LUA_OK) c->failed = name;
+  if (!c->failed && lua_type(c->L, -1) != LUA_TNUMBER) {
+    lua_pushfstring(c->L, "expected a number, got %s", luaL_typename(c->L, -1));
+    c->failed = name;
+  }
   if (c->failed) return NAN;
-  const double value = lua_isnumber(c->L, -1) ? lua_tonumber(c->L, -1) : NAN;
+  const double value = lua_tonumber(c->L, -1);
   lua_pop(c->L, 1);
   return value;
 }
