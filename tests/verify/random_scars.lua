@@ -29,11 +29,13 @@ local function depths(fields, tolerance)
   return list, w.update
 end
 
-local runs, refused, worst, most = 0, 0, 0, 0
+local runs, refused, worst, most, longest = 0, 0, 0, 0, 0
 while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
   local fields, flat = random_run()
   local fine, list, updates = false, nil, nil
+  local start = os.clock()
   if flat then fine, list, updates = pcall(depths, fields, 1e-3) end
+  longest = math.max(longest, os.clock() - start)
   if fine then
     runs = runs + 1
     for i, depth in ipairs((depths(fields, 1e-4))) do
@@ -42,7 +44,8 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
     most = math.max(most, updates)
   elseif flat then
     refused = refused + 1
-    figures.ok(tostring(list):find("no larger mesh fits", 1, true), "refused: scars wider than the bodies alone")
+    local why = tostring(list)
+    figures.ok(why:find("no larger mesh fits", 1, true) or why:find("the most that fit", 1, true), "refused: scars wider than the bodies alone")
   end
 end
 -- The reference pair worn to a scar of ten half widths on automatically enlarged meshes.
@@ -61,3 +64,4 @@ figures.below(short, 60, "a stroke of one element: updates")
 figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
 figures.below(most, 100, "their most updates")
 figures.below(refused, 0.1 * runs, "runs refused, as the scar is wider than the bodies")
+print(("# the longest took %.1f s"):format(longest))
