@@ -116,8 +116,9 @@ local function spread(low, high, intervals)
   return list
 end
 
--- Fills the rows of stepwise values in column i with slopes over the range; adds the value of the regression line in
--- the middle, averaged over the unknowns, to self.rippled.
+-- Values that change in small steps with an unknown (widths, counted in nodes) have no useful difference quotient:
+-- fills their rows of column i with slopes of regression lines over a range, and adds the lines' values in the middle
+-- of the range, averaged over the unknowns, to self.rippled.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
   local points, list, rows = spread(low, high, central and self.many or few), {}, {}

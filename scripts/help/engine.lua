@@ -181,9 +181,9 @@ return {
       .. "changing loads and edges of scars it is a sum over nodes, with errors of 45, 15 and 6 % if one, one and a "
       .. "half and two elements slip." },
   { "contact.energy_error", kind = "field", unit = "N mm",
-    text = "Estimated error of contact.energy by the increments, in 3-D: its difference to that of the same history in "
-      .. "half as many. It is about the error where the direction of slip turns, three times the error elsewhere; motions "
-      .. "whose increments are given do not add to it." },
+    text = "In 3-D: estimated error of contact.energy due to the length of the increments, the difference to the energy "
+      .. "with half as many. It is close to the error where the direction of slip rotates and three times the error "
+      .. "elsewhere. Motions with given increments are not included." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "Stick zones of the last increment, a list of { left=, right= }; empty in gross slip. Error: 0.15 of an "
       .. "element, 0.3 if fewer than six elements stick. In 3-D: the share of the contact area that sticks." },
@@ -366,8 +366,8 @@ return {
     text = "Half width of the contact, with the plate at x = 0 under the nominal load. Error: 0.03 of an element if "
       .. "unworn, 0.07 if worn surfaces meet smoothly, 0.2 on average and at most 0.6 at edges of scars." },
   { "wear.half_width_z", kind = "field", unit = "mm",
-    text = "Half width of that contact across the motion, in 3-D; 0 in 2-D." },
-  { "wear.area", kind = "field", unit = "mm2", text = "Area of that contact in 3-D; 0 in 2-D." },
+    text = "Half width of the same contact across the motion, in 3-D; 0 in 2-D." },
+  { "wear.area", kind = "field", unit = "mm2", text = "Area of the same contact in 3-D; 0 in 2-D." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },

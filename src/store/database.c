@@ -233,7 +233,8 @@ static void give_numbers(sqlite3_context *context) {
     sqlite3_result_blob64(context, list->number, list->count * sizeof *list->number, free);
 }
 
-/* array_of(number), the array of a group's numbers in the order of its rows. */
+/* Defines the SQL function array_of(number): the numbers of a group as one array, in the order of
+ * the rows. */
 static int define_arrays(sqlite3 *handle) {
   return sqlite3_create_function(handle, "array_of", 1, SQLITE_UTF8 | SQLITE_DIRECTONLY, NULL, NULL,
                                  add_number, give_numbers);

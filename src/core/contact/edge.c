@@ -204,9 +204,8 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
   }
 }
 
-/* Stress in the surface of a half-plane per share: 2 (c0 sqrt(s) - c1 s sqrt(s)) at s outside, and
- * its integral.
- */
+/* Tangential stress at the surface of a half-plane at the distance s outside the edge,
+ * 2 (c0 sqrt(s) - c1 s sqrt(s)), for share = 1, and its integral. */
 static double cusp_at(const contact_edge *edge, double x, double *integral) {
   const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
   *integral = root * s * (edge->c[0] / 0.75 - edge->c[1] * s / 1.25);

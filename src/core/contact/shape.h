@@ -86,8 +86,8 @@ double arc_shape_even_felt(const shape_side *side);
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* Number of rows for a wear box that reaches below evenly worn layers, limited by the bodies; 0 if
- * it has them (wear_box.c). */
+/* Number of rows with which the wear box reaches below evenly worn layers, as many as fit into the
+ * body; 0 if it has them already (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
@@ -103,8 +103,8 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
  * (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
-/* How much lower the surface lies at a fixed x per depth along the normals that wear would follow,
- * 1 / cos of the slope, into down [n]. */
+/* Vertical lowering of the surface at fixed x per depth of wear along its normal, 1 / cos of the
+ * slope, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
 /* The length of surface that wears with node i [mm]: along the surface, or along x if depths are

@@ -233,9 +233,7 @@ static arc_status read_cells(const arc_array *state, size_t count, arc_halfspace
     }
   }
   return arc_fail(error, ARC_ARGUMENT,
-                  "state: expected cells of %d numbers, of which three are "
-                  "whole",
-                  CELLS);
+                  "state: expected %d numbers for the cells, three of them whole numbers", CELLS);
 }
 
 static arc_status read_depths(space_shape *s, int b, const arc_array *state, size_t count,

@@ -159,9 +159,9 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
         "the time",
         number, l->tangential[0]);
   if (!isfinite(sliding))
-    return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d].%s': expected a finite way, got %g %s",
-                    number, l->rotation ? "rotation" : "x", sliding,
-                    l->rotation ? "degrees" : "mm");
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'loading[%d].%s': expected a finite path, got %g %s", number,
+                    l->rotation ? "rotation" : "x", sliding, l->rotation ? "degrees" : "mm");
   if (!(sliding > 0) && !l->tangential)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].%s': expected a plate that moves, got %g %s all the time",
