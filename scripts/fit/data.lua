@@ -298,8 +298,8 @@ function data.required(items)
     loops = keys(turns) }
   for i, distance in ipairs(what.distances) do at[distance] = i end
   for _, item in ipairs(items) do
-    item.look = {}
-    for i = 1, #item.x do item.look[i] = at[item.distance or item.x[i]] end
+    item.reading = {}
+    for i = 1, #item.x do item.reading[i] = at[item.distance or item.x[i]] end
   end
   return what
 end
@@ -319,19 +319,19 @@ end
 
 -- Values of a measured profile computed from the simulated surface: shifted by `shift` [mm] to the right, plus `tilt`
 -- [mm/mm] times x and `level` [mm].
-local function profile_values(item, looks, position)
-  local surface, values = looks[item.look[1]][item.surface], {}
+local function profile_values(item, readings, position)
+  local surface, values = readings[item.reading[1]][item.surface], {}
   for i, x in ipairs(item.x) do
     values[i] = depth_at(surface, x - position.shift) + position.tilt * x + position.level
   end
   return values
 end
 
-local function series_values(item, looks)
+local function series_values(item, readings)
   local values, of = {}, quantity(item.of)
   for i = 1, #item.x do
     local sum = 0
-    for _, name in ipairs(of[1]) do sum = sum + looks[item.look[i]][name] end
+    for _, name in ipairs(of[1]) do sum = sum + readings[item.reading[i]][name] end
     values[i] = of[2] * sum
   end
   return values
@@ -346,10 +346,10 @@ function data.jumps(item)
 end
 
 -- position: { shift=, tilt=, level= } of a profile or a loop.
-function data.values(item, looks, position)
-  if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, position) end
-  if item.kind == "sphere" then return maps.values(item, looks[item.look[1]][item.surface]) end
-  return (item.kind == "profile" and profile_values or series_values)(item, looks, position)
+function data.values(item, readings, position)
+  if item.kind == "loop" then return loops.values(item, readings[item.reading[1]].loop, position) end
+  if item.kind == "sphere" then return maps.values(item, readings[item.reading[1]][item.surface]) end
+  return (item.kind == "profile" and profile_values or series_values)(item, readings, position)
 end
 
 -- Parameters for the unknown positions of the items, in the form of fit/unknown.lua.
@@ -403,13 +403,13 @@ local function check_position(where, number, item, surface, shift)
 end
 
 -- Compares the data with a run at the start values; refuses data that differ by an implausible factor.
-function data.check_sizes(where, items, looks)
+function data.check_sizes(where, items, readings)
   for number, item in ipairs(items) do
     local still = { shift = item.fixed and item.fixed.shift or item.free and item.free[1].start or 0, tilt = 0, level = 0 }
-    if item.kind == "profile" then check_position(where, number, item, looks[item.look[1]][item.surface], still.shift) end
-    if item.kind == "loop" then loops.check_position(where, number, item, looks[item.look[1]].loop) end
+    if item.kind == "profile" then check_position(where, number, item, readings[item.reading[1]][item.surface], still.shift) end
+    if item.kind == "loop" then loops.check_position(where, number, item, readings[item.reading[1]].loop) end
     local most = statistics.largest(item.value)
-    local expected = statistics.largest(data.values(item, looks, still))
+    local expected = statistics.largest(data.values(item, readings, still))
     if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then
       local name = { profile = "h", sphere = "map.values", loop = item.by_force and "loop.x" or "loop.tangential" }
       refuse_size(where, number, name[item.kind] or "value", item, most, expected)

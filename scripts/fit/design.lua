@@ -78,11 +78,11 @@ local function read(given)
 end
 
 -- Converts relative errors to absolute ones with the values of the first run.
-local function size_errors(problem, looks)
+local function size_errors(problem, readings)
   local still = { shift = 0, tilt = 0, level = 0 }
   for _, item in ipairs(problem.items) do
     if item.relative then
-      for i, value in ipairs(data.values(item, looks, still)) do
+      for i, value in ipairs(data.values(item, readings, still)) do
         if value <= 0 then
           check.fail(where, ("%s at %g mm: the simulated value is %g, which has no relative error; give error=")
             :format(item.title, item.at, value))
@@ -250,8 +250,8 @@ local function sensitivities(problem)
   problem.widest, problem.many = widest, intervals
   local values = {}
   for i, one in ipairs(problem.parameters) do values[i] = one.start end
-  local looks = problem:runs_at(values)
-  size_errors(problem, looks)
+  local readings = problem:runs_at(values)
+  size_errors(problem, readings)
   problem:measure_noise(values)
   problem:measure_ripple(values, true)
   local columns, rows, last = problem:jacobian(values, true), {}, 0

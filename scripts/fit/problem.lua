@@ -22,10 +22,10 @@ function problem:position(number, values)
 end
 
 -- Simulated values at all data points, divided by their errors, in one list.
-function problem:predict(looks, values)
+function problem:predict(readings, values)
   local list = {}
   for number, item in ipairs(self.items) do
-    for i, value in ipairs(data.values(item, looks, self:position(number, values))) do
+    for i, value in ipairs(data.values(item, readings, self:position(number, values))) do
       list[#list + 1] = value / item.error[i]
     end
   end
@@ -89,10 +89,10 @@ local function column_between(high, low, width)
 end
 
 -- Derivative by a position parameter, which needs no run.
-local function position_column(self, looks, values, i)
+local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
-  return column_between(self:predict(looks, up), self:predict(looks, down), 2 * step)
+  return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
 -- Values that change in steps from node to node show their dependence on a parameter only over a wide range. `widest`:
@@ -123,7 +123,7 @@ local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
   local points, list, rows = spread(low, high, central and self.many or few), {}, {}
   for p, by in ipairs(points) do list[p] = changed(table.move(values, 1, #self.unknowns, 1, {}), i, by) end
-  for p, looks in ipairs(self.runs:many(list)) do rows[p] = self:predict(looks, values) end
+  for p, readings in ipairs(self.runs:many(list)) do rows[p] = self:predict(readings, values) end
   local unit = high - low
   for p, by in ipairs(points) do points[p] = by / unit end
   for m in pairs(self.rippled) do
@@ -145,15 +145,15 @@ function problem:jacobian(values, central)
     list[2 * i - 1], list[2 * i] = changed(own, i, high), changed(own, i, low)
   end
   list[2 * m + 1] = own
-  local looks, columns = self.runs:many(list), {}
+  local readings, columns = self.runs:many(list), {}
   for row in pairs(self.rippled) do self.rippled[row] = 0 end
   for i = 1, m do
-    columns[i] = column_between(self:predict(looks[2 * i - 1], values),
-      self:predict(looks[2 * i], values), stencils[i][1] - stencils[i][2])
+    columns[i] = column_between(self:predict(readings[2 * i - 1], values),
+      self:predict(readings[2 * i], values), stencils[i][1] - stencils[i][2])
     if next(self.rippled) then fill_rippled(self, columns[i], values, i, central) end
   end
   for i = m + 1, #self.parameters do
-    columns[i] = position_column(self, looks[2 * m + 1], values, i)
+    columns[i] = position_column(self, readings[2 * m + 1], values, i)
   end
   return columns
 end
@@ -185,8 +185,8 @@ function problem:measure_noise(values)
         and math.abs(values[i]) or one.span)
     end
   end
-  local looks, rows = self.runs:many(list), {}
-  for s = 1, samples do rows[s] = self:predict(looks[s], values) end
+  local readings, rows = self.runs:many(list), {}
+  for s = 1, samples do rows[s] = self:predict(readings[s], values) end
   local noise, slope, n = 0, 0, #rows[1]
   for i = 1, n do
     local a, b, c, d, e = rows[1][i], rows[2][i], rows[3][i], rows[4][i], rows[5][i]
@@ -214,7 +214,7 @@ local function wide_rows(self, values)
       list[p][i] = values[i] + low + (high - low) * (t + 0.5)
     end
   end
-  for p, looks in ipairs(self.runs:many(list)) do rows[p] = self:predict(looks, values) end
+  for p, readings in ipairs(self.runs:many(list)) do rows[p] = self:predict(readings, values) end
   return points, rows
 end
 

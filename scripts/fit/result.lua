@@ -73,10 +73,10 @@ end
 -- Each set of data with its simulated values: lists x (or distance), value, error, model, low, high, residual ((value -
 -- model) / error).
 local function described(self, problem, found, scale, deviation)
-  local looks, row, list = problem:runs_at(found.values), 0, {}
+  local readings, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do
     local position = problem:position(number, found.values)
-    local model, low, high, residual, err = data.values(item, looks, position), {}, {}, {}, {}
+    local model, low, high, residual, err = data.values(item, readings, position), {}, {}, {}, {}
     for i, value in ipairs(model) do
       row = row + 1
       local derivative = {}

@@ -47,12 +47,12 @@ end
 -- Computes one run. Its warnings are shown only for the first run and for the final run of the fit.
 local function compute_here(self, label, values)
   if self.count > 0 then warn "@off" end
-  local fine, looks, run = pcall(observe.run, self:given(values), self.what)
+  local fine, readings, run = pcall(observe.run, self:given(values), self.what)
   warn "@on"
-  if not fine then fail_at(self, label, looks) end
+  if not fine then fail_at(self, label, readings) end
   run:close()
   self.count = self.count + 1
-  self.known[label] = looks
+  self.known[label] = readings
   if self.counter then self.counter:ran() end
   if type(self.progress) == "function" then self.progress(self.count, label) end
 end
@@ -113,15 +113,15 @@ local function numbers(list)
 end
 
 local function from_store(store, id)
-  local looks = settings.nest(store:values(id, "results")).looks
-  for _, look in ipairs(looks) do
-    for name, values in pairs(look) do
-      if type(values) == "table" and values.h then look[name] = { x = numbers(values.x), h = numbers(values.h) } end
+  local readings = settings.nest(store:values(id, "results")).looks
+  for _, reading in ipairs(readings) do
+    for name, values in pairs(reading) do
+      if type(values) == "table" and values.h then reading[name] = { x = numbers(values.x), h = numbers(values.h) } end
     end
-    local loop = look.loop
-    if loop then look.loop = { x = numbers(loop.x), tangential = numbers(loop.tangential) } end
+    local loop = reading.loop
+    if loop then reading.loop = { x = numbers(loop.x), tangential = numbers(loop.tangential) } end
   end
-  return looks
+  return readings
 end
 
 local function compute_by_workers(self, wanted)

@@ -79,7 +79,7 @@ local function values_of(parameters, u)
 end
 
 -- Residuals used for a failed run: larger than at the start, so that the step is shortened.
-local function beyond_all(list)
+local function residuals_of_failure(list)
   local far = {}
   for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
   return far
@@ -106,7 +106,7 @@ local function search(problem, central)
     if not far then
       local list = problem:residuals(values)
       keep_best(problem, values, list)
-      far = beyond_all(list)
+      far = residuals_of_failure(list)
       return list
     end
     local fine, list = pcall(problem.residuals, problem, values)

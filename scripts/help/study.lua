@@ -18,7 +18,7 @@ return {
     text = "A list of cases instead of vary, each with its fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',
     text = "Name of the study in titles and in the run file." },
-  { "study{looks}", type = "whole number >= 0", default = 6,
+  { "study{snapshots}", type = "whole number >= 0", default = 6,
     text = "Number of intermediate surfaces stored for each case, at equal distances, including the unworn ones. The "
       .. "final surfaces are always stored." },
   { "study{task}", values = { "wear", "converge" }, default = '"wear"',

@@ -44,7 +44,7 @@ function pager.pages(text, lines, write, ask)
   write(table.concat(page, "\n"))
 end
 
-local function ask_for_more()
+local function wait_for_key()
   io.write("-- Enter shows more, q ends -- ")
   io.flush()
   local answer = io.read()
@@ -58,7 +58,7 @@ function pager.show(text)
   io.flush()
   local program = command()
   if program and through(program, text) then return end
-  pager.pages(text, math.max(2, lines - 1), print, ask_for_more)
+  pager.pages(text, math.max(2, lines - 1), print, wait_for_key)
 end
 
 return pager

@@ -61,7 +61,7 @@ function readers.gait(given) return require "archard.joint.given_gait".of(settin
 
 -- A study that has run is in its own file; for other studies the cases are stored.
 function writers.study(value, given)
-  given.file, given.name, given.looks, given.task = value.file, value.name, value.looks, value.task
+  given.file, given.name, given.looks, given.task = value.file, value.name, value.snapshots, value.task
   local carried = settings.carrier("session.save")
   for i, flat in ipairs(value.file and {} or value.flat) do
     given["count"] = i
@@ -73,7 +73,7 @@ function readers.study(given)
   if given.file then return study.open(given.file) end
   local nested, cases = settings.nest(given).is or {}, {}
   for i = 1, given.count do cases[i] = nested[i] or {} end
-  return study{ name = given.name, looks = math.tointeger(given.looks), task = given.task, cases = cases }
+  return study{ name = given.name, snapshots = math.tointeger(given.looks), task = given.task, cases = cases }
 end
 
 local function write_plain(value, given) given.is = value end

@@ -101,7 +101,7 @@ local function search_one(flat)
 end
 
 local function search_many(study, flat, options, name)
-  local run = study{ name = name, cases = flat, task = "converge", looks = 0 }
+  local run = study{ name = name, cases = flat, task = "converge", snapshots = 0 }
   run:run{ file = options.file, workers = options.workers,
     progress = options.progress }
   local rows = {}

@@ -17,7 +17,7 @@ end
 local function write(self, store)
   store:set_info("kind", "study")
   store:set_info("name", self.name)
-  store:set_info("looks", tostring(self.looks))
+  store:set_info("looks", tostring(self.snapshots))
   store:set_info("task", self.task)
   if self.sample then store:set_info("sample", self.sample.text or design.text(self.sample)) end
   store:set_info("program", "archard " .. require "archard".version)

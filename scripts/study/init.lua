@@ -13,14 +13,14 @@ local study = {}
 local methods = {}
 local class = { __name = "study", __methods = methods, __fields = { "name", "file" } }
 
--- Default of `looks`: number of times that the surfaces of a case are stored before its end.
-local usual_looks = 6
+-- Default of `snapshots`: number of times that the surfaces of a case are stored before its end.
+local usual_snapshots = 6
 
 local open_file = lazy("archard.study.definitions", "open")
 
 -- --- making ------------------------------------------------------------------------------------
 
-local definition_fields = merged({ base = check.table, vary = check.table, name = check.text, looks = check.whole(0),
+local definition_fields = merged({ base = check.table, vary = check.table, name = check.text, snapshots = check.whole(0),
   cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
   sample = check.table }, of_samples)
 
@@ -57,7 +57,7 @@ local function new(where, given)
   check.definition(where, given, definition_fields)
   local sample = read_sample(where, given)
   local self = { name = given.name or "study", named = given.name ~= nil, flat = expand(where, given, sample), task = given.task,
-    looks = given.looks or sample and 0 or usual_looks, sample = sample }
+    snapshots = given.snapshots or sample and 0 or usual_snapshots, sample = sample }
   if not given.task then require "archard.study.names"(where, self.flat) end
   self.varied = settings.varied(self.flat)
   self.labels = {}
@@ -77,14 +77,14 @@ end
 -- The cases with stroke a on finer and finer meshes.
 function study.meshes(base)
   base = check.definition("study.meshes", base or {}, check.anything)
-  return new("study.meshes", { name = "meshes of the paper", base = base, looks = 0,
+  return new("study.meshes", { name = "meshes of the paper", base = base, snapshots = 0,
     cases = require "archard.study.paper".mesh_cases() })
 end
 
 -- The runs of the paper's convergence study (Fig. 8), by Eq. (4) and by Eq. (5).
 function study.trials(base)
   base = check.definition("study.trials", base or {}, check.anything)
-  return new("study.trials", { name = "trials", base = base, looks = 0,
+  return new("study.trials", { name = "trials", base = base, snapshots = 0,
     cases = require "archard.study.paper".trial_cases() })
 end
 
@@ -98,7 +98,7 @@ function study.open(path)
   local store = open_file("study.open", path, "read")
   check.as("study.open", store.check, store)
   local there = require "archard.study.stored"("study.open", store)
-  local self = new("study.open", { name = there.name, cases = { {} }, looks = there.looks, task = there.task })
+  local self = new("study.open", { name = there.name, cases = { {} }, snapshots = there.snapshots, task = there.task })
   self.sample, self.flat, self.varied, self.labels = there.sample, there.flat, settings.varied(there.flat), {}
   for i, case in ipairs(self.flat) do self.labels[i] = settings.label(case, self.varied) end
   self.file, self.reading = path, store

@@ -50,7 +50,7 @@ local function is_in(list, value)
   return false
 end
 
-local function look(run, what, distance)
+local function reading(run, what, distance)
   local found, history = { distance = run.distance }, run.history
   for _, name in ipairs(what.columns) do
     local column = history[name]
@@ -72,14 +72,14 @@ end
 -- loop={x=,tangential=} } and the run.
 function observe.run(given, what, on_progress)
   local run, last = wear(given), what.distances[#what.distances]
-  local looks = {}
+  local readings = {}
   for i, distance in ipairs(what.distances) do
     run:run{ distance = distance, progress = function()
       if on_progress then on_progress(run.distance / last) end
     end }
-    looks[i] = look(run, what, distance)
+    readings[i] = reading(run, what, distance)
   end
-  return looks, run
+  return readings, run
 end
 
 return observe

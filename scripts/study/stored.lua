@@ -43,11 +43,11 @@ local function sample_of(where, store, flat)
   return sample
 end
 
-local function looks_of(where, store)
+local function snapshots_of(where, store)
   local text = store:info("looks")
-  local looks = text and math.tointeger(tonumber(text))
-  if text and (not looks or looks < 0) then damaged(where, store, "%s looks", text) end
-  return looks
+  local snapshots = text and math.tointeger(tonumber(text))
+  if text and (not snapshots or snapshots < 0) then damaged(where, store, "%s looks", text) end
+  return snapshots
 end
 
 local tasks = check.one_of{ "wear", "converge" }
@@ -66,9 +66,9 @@ local function read(where, store)
     check.fail(where, ("%s: expected a run file of kind study, got %s"):format(store.path, tostring(kind)), "FORMAT")
   end
   local name, flat = store:info("name"), cases_of(where, store)
-  return { name = name and check.plain(name), looks = looks_of(where, store), task = task_of(where, store),
+  return { name = name and check.plain(name), snapshots = snapshots_of(where, store), task = task_of(where, store),
     flat = flat, sample = sample_of(where, store, flat) }
 end
 
--- (where, store) -> the study's { name=, looks=, task=, flat=, sample= }.
+-- (where, store) -> the study's { name=, snapshots=, task=, flat=, sample= }.
 return function(where, store) return check.as(where, read, where, store) end

@@ -43,13 +43,13 @@ local function saved_run(store, id)
   if fine and run.update > 0 and not run.done then return run, joint_file.surfaces(store, id) end
 end
 
--- (store, id, given = fields of wear{}, looks = number of records, every = seconds between saves, on_progress) -> the
+-- (store, id, given = fields of wear{}, snapshots = number of records, every = seconds between saves, on_progress) -> the
 -- finished run, the recorded surfaces
-return function(store, id, given, looks, every, on_progress)
+return function(store, id, given, snapshots, every, on_progress)
   local run, surfaces = saved_run(store, id)
   run = run or wear(given)
   local total, last = run.total_distance, term.clock()
-  local is_due = recorder(joint_file.is_joint(run) and 0 or looks, total) -- the maps of joints are recorded at the end
+  local is_due = recorder(joint_file.is_joint(run) and 0 or snapshots, total) -- the maps of joints are recorded at the end
   local list = surfaces and recorded(run, surfaces, is_due) or {}
   if not surfaces and is_due(run.distance) then record(run, list) end
   run:run{ progress = function()

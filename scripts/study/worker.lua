@@ -38,8 +38,8 @@ local function last_record(run)
 end
 
 function tasks.wear(store, id, on_progress, every)
-  local looks = tonumber(store:info("looks")) or 0
-  local run, list = wear_task(store, id, settings.nest(store:values(id, "settings")), looks, every, on_progress)
+  local snapshots = tonumber(store:info("looks")) or 0
+  local run, list = wear_task(store, id, settings.nest(store:values(id, "settings")), snapshots, every, on_progress)
   return function()
     joint_file.save(store, id, run, list, last_record(run))
   end, run
@@ -55,10 +55,10 @@ end
 -- A trial of a fit: stores the results that the fit compares with measurements.
 function tasks.fit(store, id, on_progress)
   local observe = require "archard.study.observe"
-  local looks, run = observe.run(settings.nest(store:values(id, "settings")),
+  local readings, run = observe.run(settings.nest(store:values(id, "settings")),
     observe.read(store:info("observe")), on_progress)
   run:close()
-  return function() store:set_values(id, "results", settings.flatten("fit", { looks = looks })) end
+  return function() store:set_values(id, "results", settings.flatten("fit", { looks = readings })) end
 end
 
 -- --- one case after the other ------------------------------------------------------------------

@@ -161,7 +161,7 @@ local function studies()
   local file, loads = os.tmpname(), {}
   os.remove(file)
   for i = 1, 20 do loads[i] = 60 + 3 * i end
-  local s = study{ looks = 2, base = { jump = 80, increments = 20,
+  local s = study{ snapshots = 2, base = { jump = 80, increments = 20,
     model = { mesh = { size = 0.04, height = 0.05 } } },
     vary = { alpha = { 0.1, 0.3, 0.5, 0.7, 0.9 }, stroke = { 0.1, 0.2, 0.4 }, load = loads } }
   local start = term.clock()

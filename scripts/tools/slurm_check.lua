@@ -13,7 +13,7 @@ local clock = require "archard.term".clock
 local function small_cases()
   local cases = {}
   for i = 1, count do cases[i] = { alpha = (i - 1) % 101 / 100, load = 80 + 40 * (i - 1) / count } end
-  return study{ name = "small", looks = 2, cases = cases, base = { geometry = "frozen", increments = 8,
+  return study{ name = "small", snapshots = 2, cases = cases, base = { geometry = "frozen", increments = 8,
     distance = 110, model = { mesh = { size = 0.04, height = 0.05 } } } }
 end
 

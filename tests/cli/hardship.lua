@@ -7,7 +7,7 @@ w = wear{ model = model(small), distance = 400, increments = 10, jump = 20 }
 w:step()
 height = map{ x = { 0, 1, 2 }, z = { 0, 1 }, y = { 0, 1, 2, 3, 4, 5 } }
 local worn = wear{ model = joint{ mesh = { size = 8 } }, k = 1e-9, cycles = 1e3, updates = 2 }
-local s = study{ looks = 1, base = { model = small, increments = 10, jump = 100, distance = 100 }, vary = { alpha = { 0, 1 } } }
+local s = study{ snapshots = 1, base = { model = small, increments = 10, jump = 100, distance = 100 }, vary = { alpha = { 0, 1 } } }
 
 local works = {
   { "save", function() w:save(folder .. "run.archard") end },

@@ -4,7 +4,8 @@ local prefix = arg and arg[1]
 local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,
   model = { mesh = { size = 0.06, height = 0.06 } } }
 
-local function new_study() return study{ name = "old", base = base, looks = 1,
+local snapshots = pcall(study, { base = base, looks = 1, vary = { alpha = { 0 } } }) and "looks" or "snapshots" -- "looks" in older programs
+local function new_study() return study{ name = "old", base = base, [snapshots] = 1,
   vary = { alpha = { 0.25, 0.5 } } } end
 
 local function new_wear(jump)

@@ -66,7 +66,7 @@ on_fitted = wear{ model = fitted }
 runs = { w, pair = { quickened{ alpha = 0.25 } }, [7] = "text" }
 runs.pair[1]:step(2)
 plan = study{ name = "plan", vary = { alpha = { 0.25, 0.5 } }, base = { stroke = 0.2 } }
-computed = study{ name = "done", base = base, vary = { alpha = { 0.5 } }, looks = 0 }
+computed = study{ name = "done", base = base, vary = { alpha = { 0.5 } }, snapshots = 0 }
 base.distance = 44
 computed = study{ name = "done", base = base, cases = { { alpha = 0.5 } } }:run{ file = path "computed.archard", workers = 1,
   progress = false }

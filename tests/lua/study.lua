@@ -87,7 +87,7 @@ holds(tostring(waiting:cases()[1]), { "case 1", "waiting" }, "print of a case to
 
 -- --- running -----------------------------------------------------------------------------------
 local function new_study() return small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.2 } },
-  looks = 2 } end
+  snapshots = 2 } end
 
 local content = dofile(here .. "/lib/content.lua")
 
@@ -192,7 +192,7 @@ holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is pa
 holds(study.open(path "ripples"):table(), "half_w", "the table keeps its columns")
 
 -- Loadings and series are stored like other settings.
-local blocks = study{ looks = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
+local blocks = study{ snapshots = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
   loading = { { x = { -0.05, 0.05, -0.05 }, load = { 80, 100, 80 }, cycles = 200 },
     { x = { -0.1, 0, 0.1, 0, -0.1 }, load = { 90, 90, 90, 90, 90 }, cycles = 100 } } },
   vary = { k = { { distance = { 0, 40 }, value = { 2e-8, 1e-8 } }, { distance = { 0, 40 },
@@ -255,7 +255,7 @@ fails(function() one:table{ format = "html" } end, '"markdown"', "no other form"
 -- --- figures -----------------------------------------------------------------------------------
 local drawn = one:figures{ dir = path "figures" }
 is(drawn[1].caption:find "cases", nil, "no note on a picture of all cases")
-local nine = small{ vary = { alpha = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 } }, looks = 0 }
+local nine = small{ vary = { alpha = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 } }, snapshots = 0 }
   :run{ file = path "nine", progress = false }
 drawn = nine:figures{ dir = path "figures" }
 for _, each in ipairs(drawn) do

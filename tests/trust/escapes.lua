@@ -109,7 +109,7 @@ for _, text in ipairs(words) do
     file = function(t) plot{ { y = { 1, 2 } }, file = t .. ".svg" } end,
     terminal = function(t) plot{ { y = { 1, 2 } }, term = t } end,
     column = function(t) export.csv({ [t] = { 1, 2 } }, "c.csv") plot.csv("c.csv") end,
-    study = function(t) study{ looks = t, base = { model = t } } end,
+    study = function(t) study{ snapshots = t, base = { model = t } } end,
   } do
     pcall(call, text)
     print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- the calling test checks

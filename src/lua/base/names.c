@@ -55,6 +55,7 @@ static const char *meaning_of(const char *name) {
       {"s", "stroke"},
       {"amplitude", "stroke"},
       {"d", "distance"},
+      {"looks", "snapshots"},
       {"cores", "workers"},
       {"threads", "workers"},
       {"color", "colour"},
