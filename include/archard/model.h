@@ -81,7 +81,7 @@ int arc_model_is_hertzian(const arc_model_def *def);
 /* True if one of the bodies is hollow: the other turns in it. */
 int arc_model_is_hole(const arc_model_def *def);
 /* Sliding distance [mm] along the surfaces of a rotation by `degrees`; 0 without a hole. */
-double arc_model_way(const arc_model_def *def, double degrees);
+double arc_model_arc_length(const arc_model_def *def, double degrees);
 /* True if the lower body slides along its own unworn surface: a block, or a body turning in or
  * around a hole. */
 int arc_model_slides_along(const arc_model_def *def);

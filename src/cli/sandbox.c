@@ -81,7 +81,7 @@ static const char *find(const char *name, char path[PATH_MAX]) {
   return name;
 }
 
-static void tell_missing(int missing) {
+static void report_missing(int missing) {
   static const char *const what[] = {
       "that no other files are opened and no other programs run (it has no Landlock of version 3)",
       "that no connections are made (it has no filter for system calls)",
@@ -124,7 +124,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
   set_environment(here);
   int missing = arc_jail_enter(&jail);
   if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* the pool of workers is small */
-  tell_missing(missing);
+  report_missing(missing);
   if (missing && self->strict) return 0;
   fprintf(stderr, "archard: it cannot begin anew: %s\n", strerror(arc_child_again(argv)));
   return 0;

@@ -170,7 +170,7 @@ local store <close> = require "archard.store".open(files)
 fails(function() store:publish() end, "replaces no file", "a store that replaces nothing")
 is(#store:cases(), 1, "stays open")
 os.remove(files)
-fails(function() run_of{ slide = "x", loading = { x = { 0, 1e300, 0 } } } end, "expected a way of at most 100000 increments",
+fails(function() run_of{ slide = "x", loading = { x = { 0, 1e300, 0 } } } end, "expected a path of at most 100000 increments",
   "a way of more increments than can be counted")
 for _, value in ipairs{ stepped.history, stepped.depth, contact{ model = small }:stress(), _G, math } do
   local metatable = debug.getmetatable(value)

@@ -178,7 +178,7 @@ contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape 
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = node_x(&e, 1) - node_x(&e, 0)};
   /* modulus with layers at the wave length of the fitted nodes */
-  e.E_star = arc_model_felt_modulus(shape->handle.model, 1 / edge.width);
+  e.E_star = arc_model_apparent_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
   edge.smooth = shape_is_corrected(shape) ? find_law(&e, between, &law) : 0;

@@ -165,9 +165,9 @@ static int descend(contact_problem *p, double line, double *fs) {
   insert(p, start);
   for (int guard = 0; guard < 100 * p->count; guard++) {
     p->iterations++;
-    int free_way;
-    while ((free_way = advance(p, line, f, fs)) == 0) p->iterations++;
-    if (free_way < 0) return -1;
+    int moved;
+    while ((moved = advance(p, line, f, fs)) == 0) p->iterations++;
+    if (moved < 0) return -1;
     spread(p, fs);
     const int worst = most_penetrating(p);
     if (worst < 0 || p->open[worst] > -1e-14 * fabs(p->approach)) return 1;

@@ -5,12 +5,12 @@
  * place of x: widths are areas, and forces those on whole rings.
  *
  * Pressures act along the normal that both surfaces share where they touch, taken from the plate,
- * with slope m. A surface element ds = dx / cos feels p ds along the normal, which is p dx along y
- * and -m p dx along x: the forces of an unknown f_k are f_k (-m_k, 1) on the cylinder and B' f, B'm
- * f the other way on the plate, and f_k = p_k w_k with the width along x. The gap is that along y
- * at a fixed x, 1 / cos times that along the normal: a point that moves by u changes it by u_y - m
- * u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces along x
- * balance to rounding too. */
+ * with slope m. A surface element ds = dx / cos carries p ds along the normal, which is p dx along
+ * y and -m p dx along x: the forces of an unknown f_k are f_k (-m_k, 1) on the cylinder and B' f,
+ * B'm the opposite of f on the plate, and f_k = p_k w_k with the width along x. The gap is that
+ * along y at a fixed x, 1 / cos times that along the normal: a point that moves by u changes it by
+ * u_y - m u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces
+ * along x balance to rounding too. */
 #include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"

@@ -58,8 +58,8 @@ static arc_status check_nodes(const shape_side *side, const surface_state *state
   for (int i = 0; i < side->n; i++) {
     const double *top = arc_body_top(side->body, i), *at = &xy[2 * i];
     const double reach = 2 * (state->h[i] - *state->even) + side->body->mesh->def.size;
-    const double way = hypot(at[0] - top[0], at[1] - top[1]);
-    if (!(way <= reach)) return refuse(side, i, "a place within its wear", way, error);
+    const double distance = hypot(at[0] - top[0], at[1] - top[1]);
+    if (!(distance <= reach)) return refuse(side, i, "a place within its wear", distance, error);
     if (i > 0 && !(at[0] > at[-2]))
       return refuse(side, i, "a place right of the node before", at[0], error);
   }

@@ -213,7 +213,7 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
   if (status != ARC_OK) {
     out_of_memory(error);
   } else {
-    const double even = arc_shape_even_felt(side);
+    const double even = arc_shape_even_stiffening(side);
     arc_shape_box(side, xy, even, box);
     status = arc_body_condense(side->body, box, even, result, error);
     if (status == ARC_OK) incline(side, xy, result);
@@ -281,7 +281,8 @@ arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *d
 static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
                                  arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};
-  if (geometry == ARC_FROZEN || (is_unworn(side) && arc_shape_even_felt(side) == 0)) return ARC_OK;
+  if (geometry == ARC_FROZEN || (is_unworn(side) && arc_shape_even_stiffening(side) == 0))
+    return ARC_OK;
   const arc_status status = arc_shape_check_box(shape, side, side->xy, error);
   return status == ARC_OK ? arc_shape_condense(side, side->xy, renewed, error) : status;
 }
@@ -314,16 +315,16 @@ void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections) {
   for (int b = 0; b < ARC_BODIES; b++) arc_shape_find_compliance_change(shape, &shape->side[b]);
 }
 
-arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
-                         const double *h, double even, arc_error *error) {
+arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
+                         const double *shift_y, const double *h, double even, arc_error *error) {
   shape_side *side = &shape->side[body], put = *side;
   compliance renewed = {0};
   put.xy = malloc(2 * (size_t)side->n * sizeof *put.xy);
   if (!put.xy) return out_of_memory(error);
   for (int i = 0; i < side->n; i++) {
     const double *top = arc_body_top(side->body, i);
-    put.xy[2 * i] = top[0] + way_x[i];
-    put.xy[2 * i + 1] = top[1] + way_y[i];
+    put.xy[2 * i] = top[0] + shift_x[i];
+    put.xy[2 * i + 1] = top[1] + shift_y[i];
   }
   const arc_status status = compliance_for(shape, &put, shape->geometry, &renewed, error);
   if (status == ARC_OK) {
@@ -343,7 +344,7 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
   shape_side worn = *side;
   compliance renewed = {0};
   worn.even += depth;
-  const int felt = shape->geometry == ARC_MOVING && arc_shape_even_felt(&worn) > 0;
+  const int felt = shape->geometry == ARC_MOVING && arc_shape_even_stiffening(&worn) > 0;
   const arc_status status = felt ? arc_shape_condense(&worn, side->xy, &renewed, error) : ARC_OK;
   if (status != ARC_OK) return status;
   side->even = worn.even;
@@ -370,7 +371,7 @@ double arc_meshed_depth(const arc_shape *shape, arc_body body) {
 }
 
 double arc_shape_risen(const arc_shape *shape, arc_body body) {
-  return shape->geometry == ARC_MOVING ? arc_shape_even_felt(&shape->side[body]) : 0;
+  return shape->geometry == ARC_MOVING ? arc_shape_even_stiffening(&shape->side[body]) : 0;
 }
 
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy) {

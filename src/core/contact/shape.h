@@ -81,7 +81,7 @@ double arc_shape_sink(const shape_side *side, double sunk, double even, int i, i
 
 /* The even wear [mm] that affects the stiffness: through layers, if the wear box reaches below all
  * of them (wear_box.c). */
-double arc_shape_even_felt(const shape_side *side);
+double arc_shape_even_stiffening(const shape_side *side);
 
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
@@ -157,8 +157,8 @@ arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *d
 /* Sets the surface of one body by displacements of its unworn nodes along x and y [surface] [mm],
  * with depths h [surface] and additional even wear, and renews the compliance of moving geometry.
  * Errors as arc_shape_wear: the shape is unchanged. */
-arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
-                         const double *h, double even, arc_error *error);
+arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
+                         const double *shift_y, const double *h, double even, arc_error *error);
 
 /* Memory of one shape [bytes]. */
 size_t arc_shape_bytes(const arc_shape *shape);

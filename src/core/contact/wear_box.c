@@ -64,7 +64,7 @@ static int reaches_below_layers(const shape_side *side) {
   return arc_shape_box_depth(side) > depth_of_layers(mesh) + mesh->def.height / 2;
 }
 
-double arc_shape_even_felt(const shape_side *side) {
+double arc_shape_even_stiffening(const shape_side *side) {
   const arc_mesh *mesh = side->body->mesh;
   const int moves = mesh->rows > 0 && depth_of_layers(mesh) > 0 && reaches_below_layers(side);
   return moves ? side->even : 0;

@@ -91,16 +91,16 @@ static int is_triangle(const arc_mesh *m, int e) {
 }
 
 /* True if triangle e is in the same cell as e - 2. */
-static int goes_on(const arc_mesh *m, int e) {
+static int is_in_cell_of_previous(const arc_mesh *m, int e) {
   return e - 2 >= m->box_elements && e < m->elements && is_triangle(m, e) &&
          is_triangle(m, e - 2) && m->element[4 * e] == m->element[4 * (e - 2)];
 }
 
 int arc_body_cell(const elastic_body *b, int e) {
   if (b->mesh->def.element != ARC_CPE4I || b->mesh->rows == 0 || !is_triangle(b->mesh, e)) return 1;
-  if (goes_on(b->mesh, e)) return 0;
+  if (is_in_cell_of_previous(b->mesh, e)) return 0;
   int count = 1;
-  while (goes_on(b->mesh, e + 2 * count) && count < most_cell_nodes - 1) count++;
+  while (is_in_cell_of_previous(b->mesh, e + 2 * count) && count < most_cell_nodes - 1) count++;
   return count;
 }
 

@@ -23,7 +23,7 @@ int arc_model_is_hole(const arc_model_def *def) {
   return arc_chart_of(def).polar;
 }
 
-double arc_model_way(const arc_model_def *def, double degrees) {
+double arc_model_arc_length(const arc_model_def *def, double degrees) {
   return arc_chart_of(def).radius * arc_radians(degrees);
 }
 

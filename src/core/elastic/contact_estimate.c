@@ -73,16 +73,16 @@ static void find_first_touch(contact_pair *g) {
   double least = INFINITY, first = 0, last = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_series *y = &g->solid[b].y_series;
-    int goes_on = 0;
+    int is_in_cell_of_previous = 0;
     for (int i = 0; i < y->count && g->form[b] == 0; i++) {
       const double x = y->distance[i], gap = gap_at(g, x);
       if (gap < least - alike) {
         least = gap;
         first = last = x;
-        goes_on = 1;
+        is_in_cell_of_previous = 1;
       } else if (gap > least + alike) {
-        goes_on = 0;
-      } else if (goes_on) {
+        is_in_cell_of_previous = 0;
+      } else if (is_in_cell_of_previous) {
         last = x;
       }
     }

@@ -32,7 +32,7 @@ static void find_rates(arc_space space, arc_material m, square a) {
 }
 
 /* exp(-A d), but for a factor that keeps it from overflow. */
-static void find_way_up(const square a, double d, square up) {
+static void find_transfer(const square a, double d, square up) {
   const double e = exp(-2 * d), cosh = (1 + e) / 2, sinh = -expm1(-2 * d) / 2;
   const double c[whole] = {cosh - d * sinh / 2, -(3 * sinh - d * cosh) / 2, d * sinh / 2,
                            -(d * cosh - sinh) / 2};
@@ -48,12 +48,12 @@ static void find_way_up(const square a, double d, square up) {
 
 /* c [2 x 2]: compliance (displacements per stress) on the lower face of a layer of depth d, then on
  * its upper one. */
-static void climb(arc_space space, arc_material m, double d, double c[half * half]) {
+static void add_layer_above(arc_space space, arc_material m, double d, double c[half * half]) {
   square a, up;
   double displaced[half * half], pressed[half * half];
   if (d == 0) return;
   find_rates(space, m, a);
-  find_way_up(a, d, up);
+  find_transfer(a, d, up);
   for (int i = 0; i < half; i++)
     for (int j = 0; j < half; j++) {
       const size_t at = dense_at(i, j, half);
@@ -81,9 +81,9 @@ double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, d
                           arc_material own, double q) {
   double c[half * half] = {0};
   if (layers == 0 && q * base > deep) return arc_material_modulus(space, own);
-  climb(space, own, fmin(q * base, deep), c);
+  add_layer_above(space, own, fmin(q * base, deep), c);
   for (int l = layers - 1; l >= 0; l--)
-    climb(space, layer[l].material, fmin(q * layer[l].thickness, deep), c);
+    add_layer_above(space, layer[l].material, fmin(q * layer[l].thickness, deep), c);
   return -2 / c[dense_at(1, 1, half)];
 }
 

@@ -45,7 +45,7 @@ static const double most_columns = 320;
 /* The contact's edges as fine as the paper's, spots twice as fine, whose pressure at the axis would
  * be 0.3 % low; with a node at the ends of a flat. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
-  const double least = 2 * ARC_CONTACT_ROOM * (e->half_width + e->edge) / most_columns;
+  const double least = 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, least), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
@@ -96,7 +96,7 @@ void arc_model_fit(arc_model_def *def, double load) {
 
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
   const arc_mesh_def paper = arc_mesh_default();
-  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / paper.size;
+  const double contact = ARC_CONTACT_MARGIN * half_width, scale = size / paper.size;
   zone[ARC_CYLINDER] = fmax(scale * paper.zone[ARC_CYLINDER], 2 * contact);
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }

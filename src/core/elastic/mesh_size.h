@@ -17,6 +17,6 @@ double arc_model_size_for(double half_width);
 double arc_model_memory(const arc_model_def *def);
 
 /* Margin for the edge peaks of worn contacts, in half widths. */
-#define ARC_CONTACT_ROOM 1.3
+#define ARC_CONTACT_MARGIN 1.3
 
 #endif

@@ -217,7 +217,7 @@ size_t arc_elastic_bytes(const arc_model *model) {
          arc_body_bytes(meshed(model)->body[ARC_PLATE]);
 }
 
-double arc_model_felt_modulus(const arc_model *m, double q) {
+double arc_model_apparent_modulus(const arc_model *m, double q) {
   arc_material own[ARC_BODIES] = {m->def.material[0], m->def.material[1]};
   arc_body_def solid[ARC_BODIES];
   for (int b = 0; b < ARC_BODIES; b++)

@@ -19,7 +19,7 @@ long arc_model_next_version(arc_model *model);
 
 /* The contact modulus of a model [MPa] to a pressure of wave number q [1/mm], as arc_pair_modulus,
  * with the layers that bodies from outside have. */
-double arc_model_felt_modulus(const arc_model *model, double q);
+double arc_model_apparent_modulus(const arc_model *model, double q);
 
 /* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_with_callbacks,
  * arc_model_release and arc_model_bytes. */

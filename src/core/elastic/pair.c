@@ -35,7 +35,7 @@ static const char *kind_of(const arc_model_def *def, arc_body body) {
 }
 
 /* A cylinder below is none of the upper body, which that word stood for first. */
-static int goes_by_kind(const arc_model_def *def, arc_body body) {
+static int is_named_by_kind(const arc_model_def *def, arc_body body) {
   const char *kind = kind_of(def, body);
   if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
   return body == ARC_UPPER || strcmp(kind, arc_body_name(ARC_UPPER)) != 0;
@@ -53,7 +53,7 @@ const char *arc_model_role_name(arc_body body) {
 const char *arc_model_body_name(const arc_model_def *def, arc_body body) {
   if (def->body[body].name[0]) return def->body[body].name;
   if (is_usual_pair(def)) return arc_body_name(body);
-  return goes_by_kind(def, body) ? kind_of(def, body) : arc_model_role_name(body);
+  return is_named_by_kind(def, body) ? kind_of(def, body) : arc_model_role_name(body);
 }
 
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body) {
@@ -65,7 +65,7 @@ int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *bo
   }
   for (int b = 0; b < ARC_BODIES; b++)
     if (strcmp(word, kind_of(def, (arc_body)b)) == 0) kinds++, *body = (arc_body)b;
-  if (kinds == 1) return goes_by_kind(def, *body) ? 1 : -1;
+  if (kinds == 1) return is_named_by_kind(def, *body) ? 1 : -1;
   if (kinds > 1) return -1;
   for (int b = 0; b < ARC_BODIES; b++) {
     *body = (arc_body)b;

@@ -2,8 +2,8 @@
  * increment of load and motion.
  *
  * Shear forces t belong to the cylinder's nodes as f do. t acts on the cylinder along (1, m), the
- * tangent in +x of the surface with slope m, and on the plate the other way; q = t / w is the shear
- * traction. Slip ds is the way of the plate's surface over the cylinder's, along +x:
+ * tangent in +x of the surface with slope m, and the opposite on the plate; q = t / w is the shear
+ * traction. Slip ds is the motion of the plate's surface over the cylinder's along +x:
  *
  *   gap - approach + m (x - problem x) + A_nn f + A_nt t >= 0,  f >= 0,  f gap = 0
  *   ds = dx + m d(approach) - d(r),   r = A_tn f + A_tt t
@@ -155,7 +155,7 @@ int arc_friction_press_increments(const arc_model *model, double load);
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
 /* Goes one increment on from `s`, on a problem just brought up to date and measured at the position
- * where points face each other: step->x, or where the plate's way is small (as under forces) any
+ * where points face each other: step->x, or where the plate's motion is small (as under forces) any
  * near it. p->f, p->approach, w->t and w->slip hold the solution, p->gap the gaps with what shear
  * does to them. ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE,
  * ARC_NUMERIC: the state is unchanged. */

@@ -17,10 +17,10 @@ static const double rounding = 1e-9;
 /* Direction of the plate under a constant load; 0: unknown. */
 static int sense_of(const friction_task *k, const friction_state *s) {
   static const double still = 1e-12;
-  const double way = k->dx + k->w->shear.shift;
+  const double motion = k->dx + k->w->shear.shift;
   if (k->step->mu == 0 || fabs(k->step->line - s->line) > rounding * s->line) return 0;
-  if (fabs(way) <= still * fabs(k->p->approach)) return s->memory.sense;
-  return way > 0 ? 1 : -1;
+  if (fabs(motion) <= still * fabs(k->p->approach)) return s->memory.sense;
+  return motion > 0 ? 1 : -1;
 }
 
 /* True if the shear is negligible. */
@@ -59,8 +59,8 @@ void arc_friction_close_loops(friction_state *s) {
 }
 
 double arc_friction_rise(const friction_memory *m, double force) {
-  const double way = fmax(0, m->sense * (force - m->turn[m->count - 1].force));
-  return m->count == 1 && m->fresh ? way : way / 2;
+  const double change = fmax(0, m->sense * (force - m->turn[m->count - 1].force));
+  return m->count == 1 && m->fresh ? change : change / 2;
 }
 
 /* Drops the oldest turning point. */

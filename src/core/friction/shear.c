@@ -59,7 +59,7 @@ static void find_shift(shear_problem *s) {
 
 /* target [stuck]: forces that prevent slip of the stuck nodes, with the others at their bounds. -1:
  * broke down, 0: no node can carry the given force. */
-static int solve_on_ways(shear_problem *s) {
+static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
   if (s->stuck == 0) return !s->by_force;
@@ -86,7 +86,7 @@ static void measure_slip(shear_problem *s) {
 }
 
 /* True if a state changed. */
-static int update_ways(shear_problem *s) {
+static int update_directions(shear_problem *s) {
   int changed = 0;
   for (int i = 0; i < s->n; i++) {
     int direction = s->direction[i];
@@ -103,11 +103,11 @@ static int update_ways(shear_problem *s) {
 static int newton(shear_problem *s) {
   for (int i = 0; i < newton_limit; i++) {
     s->iterations++;
-    const int solved = solve_on_ways(s);
+    const int solved = solve_stuck(s);
     if (solved <= 0) return solved;
     take_target(s);
     measure_slip(s);
-    if (!update_ways(s)) return 1;
+    if (!update_directions(s)) return 1;
   }
   return 0;
 }
@@ -125,7 +125,7 @@ static void start_inside(shear_problem *s) {
 /* Moves towards the target as far as the bounds allow; a node that reaches its bound slips from
  * then on. Returns 1 for a full step, 0 if a bound was reached, -1 on breakdown. */
 static int advance(shear_problem *s) {
-  const int solved = solve_on_ways(s);
+  const int solved = solve_stuck(s);
   if (solved <= 0) return solved < 0 ? -1 : 1;
   double step = 1;
   int blocking = -1;

@@ -122,7 +122,7 @@ static int sum_error(friction_task *k, double rise, double *energy) {
 
 /* Direction of slip of the nearest slipping node on one side of a candidate; 0 if the contact ends
  * first. */
-static int way_beside(const friction_task *k, int from, int side, int *apart) {
+static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   const double *slip = k->w->slip, *f = k->p->f;
   int c = from;
   while (c >= 0 && c < k->p->count && f[c] > 0 && slip[c] == 0) c += side;
@@ -137,8 +137,8 @@ static void guess_reserve(friction_task *k) {
   const friction_workspace *w = k->w;
   for (int c = 0; c < k->p->count; c++) {
     int left, right, apart[2];
-    left = way_beside(k, c, -1, &apart[0]);
-    right = way_beside(k, c, 1, &apart[1]);
+    left = slip_beside(k, c, -1, &apart[0]);
+    right = slip_beside(k, c, 1, &apart[1]);
     const int direction = apart[0] < apart[1] ? left : right;
     const double against = direction != 0 ? direction * w->t[c] : fabs(w->t[c]);
     w->reserve[c] = w->slip[c] == 0 ? fmax(0, mu * k->p->f[c] - against) : 0;
@@ -154,7 +154,7 @@ static void take_reserve(friction_task *k) {
 }
 
 /* The error of the sum is that of a motion on surfaces without shear, doubled after a reversal. */
-static void add_way(friction_task *k, friction_state *s) {
+static void add_sum_error(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;
   double energy;
@@ -171,5 +171,5 @@ void arc_friction_between(friction_task *k, friction_state *s) {
   guess_reserve(k);
   if (s->memory.sense == 0 || !shape_is_corrected(k->p->shape)) return;
   arc_friction_close_loops(s);
-  add_way(k, s);
+  add_sum_error(k, s);
 }

@@ -220,9 +220,10 @@ double arc_body_interface(const arc_body_def *b, int layer) {
 static arc_status check_layers(const arc_body_def *b, const char *path, arc_error *error) {
   const int layers = arc_body_layers(b);
   if (layers == 0 || arc_body_interface(b, layers - 1) < 0.9 * arc_body_measure(b)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field '%slayers': expected less than 0.9 of the body's %g mm together, got %g mm",
-                  path, arc_body_measure(b), arc_body_interface(b, layers - 1));
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field '%slayers': expected less than 0.9 of the body's %g mm together, got %g mm", path,
+      arc_body_measure(b), arc_body_interface(b, layers - 1));
 }
 
 arc_status arc_body_check(const arc_body_def *b, const char *path, arc_error *error) {

@@ -49,19 +49,19 @@ static form form_of(const arc_series *y) {
 static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
-  int turns = 0, way = 0;
+  int turns = 0, sense = 0;
   double from = 0, to = 0,
          at = 0; /* the first and the last extremum; the extreme point since then */
   double last = 0;
   for (int i = 0; i < y->count; i++) {
     const double x = y->distance[i], r = y->value[i] - form_at(f, x), step = r - last;
-    const int further = i == 0 || way * step > 0, turned = fabs(step) >= least * height;
+    const int further = i == 0 || sense * step > 0, turned = fabs(step) >= least * height;
     if (!further && !turned) continue;
-    if (!further && way != 0) {
+    if (!further && sense != 0) {
       if (turns++ == 0) from = at;
       to = at;
     }
-    if (!further) way = step > 0 ? 1 : -1;
+    if (!further) sense = step > 0 ? 1 : -1;
     last = r;
     at = x;
   }

@@ -149,7 +149,7 @@ static void read_all(arc_contact *c) {
 
 void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
                        double zone[ARC_BODIES]) {
-  const double under = arc_model_way(model, def->load_angle);
+  const double under = arc_model_arc_length(model, def->load_angle);
   const contact_estimate e = arc_model_estimate(model, def->load);
   arc_zone_for(fabs(under - def->x) + fabs(e.at), e.half_width + e.edge, model->mesh.size, zone);
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
@@ -168,7 +168,7 @@ static int is_off(const arc_contact *c) {
   return 2 * fabs(c->problem.x) >= arc_model_widest_zone(model, ARC_PLATE);
 }
 
-static arc_status tell_off(const arc_contact *c, arc_error *error) {
+static arc_status explain_position(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   return arc_fail(
       error, ARC_ARGUMENT,
@@ -197,10 +197,10 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
 }
 
 /* Error message for a contact beyond the zones. */
-static arc_status tell_zones(const arc_contact *c, arc_error *error) {
+static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (!error || arc_model_is_given(c->handle.shape->handle.model)) return ARC_ZONE;
-  if (is_off(c)) return tell_off(c, error);
+  if (is_off(c)) return explain_position(c, error);
   const arc_error why = *error;
   double zone[ARC_BODIES];
   arc_contact_def here = c->handle.def;
@@ -236,7 +236,7 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
 #else
   (void)error;
 #endif
-  if (status == ARC_ZONE) status = tell_zones(*contact, error);
+  if (status == ARC_ZONE) status = explain_zones(*contact, error);
   if (status != ARC_OK) {
     arc_plane_end_contact(*contact);
     *contact = NULL;

@@ -131,10 +131,10 @@ size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
 /* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's sum;
- * points are passed in order. way [surface] of both bodies: the sliding distance of each node if it
- * differs from share, its largest value. */
+ * points are passed in order. sliding [surface] of both bodies: the sliding distance of each node
+ * if it differs from share, its largest value. */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
-                           double *const way[ARC_BODIES]);
+                           double *const sliding[ARC_BODIES]);
 /* After the last problem: value is complete. */
 void arc_wear_jacobian_finish(wear_tangent *j);
 
@@ -217,12 +217,12 @@ arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
 /* Warns about new meshes of a run, with the reason. */
-void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
-                          const arc_callbacks *callbacks);
+void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const char *why,
+                            const arc_callbacks *callbacks);
 
 /* Warns that a run has larger meshes. */
-void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
-                         const arc_callbacks *callbacks);
+void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
+                            const arc_callbacks *callbacks);
 
 /* Reports a failed step. If the contact left the mesh, the message also says why the run does not
  * get a larger one: `trouble` (may be empty), or a step too long, with the required mesh. */

@@ -131,11 +131,11 @@ static void add_end(fretting *r, int at, double share) {
   const double *slip = path_of(w)->state.slip;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
-    const double pressure = point->p[ARC_CYLINDER][i], way = share * b->repeat * fabs(slip[i]);
+    const double pressure = point->p[ARC_CYLINDER][i], sliding = share * b->repeat * fabs(slip[i]);
     r->work[i] = 0;
-    if (pressure == 0 || way == 0) continue;
-    r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
-    r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
+    if (pressure == 0 || sliding == 0) continue;
+    r->work[i] = sliding * arc_wear_law_rubbed(w, pressure, r->window->mu);
+    r->rate->energy += r->window->mu * pressure * p->wc[i] * sliding;
   }
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
@@ -156,7 +156,7 @@ static int slips_everywhere(const friction_state *s, double *most) {
 /* Sliding distance of a node of the plate, from the work of its partners. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
-  double *const way[ARC_BODIES] = {r->work, r->on};
+  double *const sliding[ARC_BODIES] = {r->work, r->on};
   const double repeat = path_of(w)->block->repeat;
   const wear_point *point = &path_of(w)->point[at % 2];
   for (int i = 0; i < w->nc; i++)
@@ -166,7 +166,7 @@ static void add_to_jacobian(fretting *r, int at, double most) {
   for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(path_of(w)->state.slip[i]);
   for (int l = 0; l < w->np; l++)
     r->on[l] = point->q[ARC_PLATE][l] > 0 ? repeat * r->on[l] / point->q[ARC_PLATE][l] : 0;
-  arc_wear_jacobian_add(w, r->window, at, repeat * most, way);
+  arc_wear_jacobian_add(w, r->window, at, repeat * most, sliding);
 }
 
 static void note_increment(fretting *r, int at) {

@@ -6,7 +6,7 @@
 #include <math.h>
 
 double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i) {
-  return from->rotation ? arc_model_way(model, from->rotation[i]) : from->x[i];
+  return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
 /* arc_wear_reach for several loads. */
@@ -20,11 +20,11 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* Position of the contact, which follows the load while the plate slides below it [mm]. */
-static double way_to(const arc_loading *from, const arc_model_def *model, int i) {
-  const double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
-  if (!from->load_angle) return way;
-  return way + fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
+/* Sliding distance up to point i [mm]: of the plate, and of the contact, which follows the load. */
+static double sliding_of(const arc_loading *from, const arc_model_def *model, int i) {
+  const double sliding = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
+  if (!from->load_angle) return sliding;
+  return sliding + fabs(arc_model_arc_length(model, from->load_angle[i] - from->load_angle[i - 1]));
 }
 
 /* Under a load that falls to zero the contact becomes arbitrarily narrow: all loads below this
@@ -33,9 +33,9 @@ static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;
   for (int i = 1; i < from->count; i++) {
-    const double way = way_to(from, model, i);
-    sum += way * (from->load[i] + from->load[i - 1]) / 2;
-    whole += way;
+    const double sliding = sliding_of(from, model, i);
+    sum += sliding * (from->load[i] + from->load[i - 1]) / 2;
+    whole += sliding;
   }
   return whole > 0 ? share * sum / whole : 0;
 }
@@ -43,7 +43,7 @@ static double least_load(const arc_loading *from, const arc_model_def *model) {
 static double length_of(contact_pair *pair, const arc_loading *from, double least, int i) {
   const double load = fmax(from->load[i - 1], from->load[i]);
   if (!(load > 0)) return 0;
-  return way_to(from, pair->def, i) / reach_of(pair, fmax(load, least));
+  return sliding_of(from, pair->def, i) / reach_of(pair, fmax(load, least));
 }
 
 /* Number of increments for the contact there, unless given by the user. */

@@ -117,7 +117,7 @@ static int take_head(wear_tangent *j) {
 }
 
 static void join(const arc_wear *w, const contact_problem *p, const wear_point *point, double share,
-                 double *const way[ARC_BODIES], wear_tangent *j) {
+                 double *const sliding[ARC_BODIES], wear_tangent *j) {
   jacobian_group *g = j->group;
   g->points++;
   g->total += share;
@@ -125,7 +125,8 @@ static void join(const arc_wear *w, const contact_problem *p, const wear_point *
     const int n = b == ARC_CYLINDER ? j->nc : j->np;
     double *scale = b == ARC_CYLINDER ? g->scale : g->scale + j->nc;
     for (int i = 0; i < n; i++)
-      scale[i] += (way ? way[b][i] : share) * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
+      scale[i] +=
+          (sliding ? sliding[b][i] : share) * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
   }
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k, first = p->first[k];
@@ -248,14 +249,14 @@ static int is_better_head(const wear_tangent *j, const wear_block *block, int at
 }
 
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
-                           double *const way[ARC_BODIES]) {
+                           double *const sliding[ARC_BODIES]) {
   wear_tangent *j = window->tangent;
   const wear_block *block = path_of(w)->block;
   contact_problem *p = &path_of(w)->problem[block->problem_of[at]];
   const int joins = belongs(j, block, at, p);
   if (!joins) arc_wear_jacobian_finish(j);
   if (!joins || is_better_head(j, block, at)) j->group->head = p, j->group->at = at;
-  join(w, p, &path_of(w)->point[at % 2], share, way, j);
+  join(w, p, &path_of(w)->point[at % 2], share, sliding, j);
 }
 
 /* --- the largest eigenvalue ------------------------------------------------------------------- */

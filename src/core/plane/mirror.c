@@ -3,7 +3,7 @@
  * stay symmetric, as a mirrored rate is symmetric to the bit. */
 #include "core/plane/cycle.h"
 
-static int is_mirrored_way(const wear_block *b) {
+static int is_mirrored_motion(const wear_block *b) {
   const int last = b->count - 1;
   if (last % 2 || b->problems == 1) return 0;
   for (int i = 0; 2 * i <= last; i++)
@@ -49,7 +49,7 @@ int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
          (!window->depth || is_mirrored_depth(w, window->depth)) && w->def.rule == ARC_TRAPEZOID &&
          w->def.slip == ARC_SLIP_RIGID &&
          !(window->tangent && arc_wear_has_local_factors(w, window)) &&
-         !arc_model_is_given(w->model) && is_mirrored_way(block) &&
+         !arc_model_is_given(w->model) && is_mirrored_motion(block) &&
          is_mirrored_shape(window->shape);
 }
 

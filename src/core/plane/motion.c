@@ -92,8 +92,8 @@ static double slack_of(const arc_contact *c, double load) {
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);
-  const double way = motion->by_force ? 0 : motion->x - from->problem.x;
-  const int stay = fabs(way) <= slack_of(from, motion->load);
+  const double moved = motion->by_force ? 0 : motion->x - from->problem.x;
+  const int stay = fabs(moved) <= slack_of(from, motion->load);
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
     const double share = (double)i / motion->increments;

@@ -138,9 +138,10 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->procedure == ARC_NSP && !arc_wear_over_plate(d, model))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'procedure': with friction expected \"SP\": slip needs the way of the "
-                    "plate");
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'procedure': with friction expected \"SP\": slip needs the motion of the "
+        "plate");
   if (d->slide == ARC_SLIDE_Z)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'slide': with friction expected \"x\": its slip is that in the plane");
@@ -158,23 +159,23 @@ static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, 
   return ARC_OK;
 }
 
-static arc_status refuse_way(const char *field, double most, double got, arc_error *error) {
+static arc_status refuse_path(const char *field, double most, double got, arc_error *error) {
   return arc_fail(error, ARC_ARGUMENT,
-                  "field '%s': expected a way of at most %g increments, each an eighth of the "
-                  "contact's half width, got %g; give increments, or a shorter way",
+                  "field '%s': expected a path of at most %g increments, each an eighth of the "
+                  "contact's half width, got %g; give increments, or a shorter path",
                   field, most, got);
 }
 
 /* Points of a loading are not increased if the user gave the increments. */
-static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+static arc_status check_path(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
   const double stroke = strokes ? 2 * half_increments(d, model) : 0;
-  if (stroke > most_of_cycle) return refuse_way("stroke", most_of_cycle, stroke, error);
+  if (stroke > most_of_cycle) return refuse_path("stroke", most_of_cycle, stroke, error);
   for (int b = 0; b < d->blocks; b++) {
     const arc_loading *l = &d->loading[b];
     const double made = arc_loading_increments(d, model, l, NULL) - (l->count - 1);
     const double most = l->periodic ? most_of_cycle : most_of_history;
-    if (made > most) return refuse_way("loading", most, made, error);
+    if (made > most) return refuse_path("loading", most, made, error);
   }
   return ARC_OK;
 }
@@ -186,5 +187,5 @@ arc_status arc_plane_check(const arc_wear_def *d, const arc_model_def *model, ar
   if (status == ARC_OK) status = check_hole(d, model, error);
   for (int b = 0; b < d->blocks && status == ARC_OK; b++)
     status = check_turning(&d->loading[b], model, b + 1, error);
-  return status == ARC_OK ? check_way(d, model, error) : status;
+  return status == ARC_OK ? check_path(d, model, error) : status;
 }

@@ -71,9 +71,9 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
 }
 
 /* Fails for zones wider than the bodies. */
-static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BODIES],
-                             const arc_error *why, arc_error *error) {
-  const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_way(def, 1);
+static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
+                               const arc_error *why, arc_error *error) {
+  const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);
   char angle[100] = "";
   if (arc_model_is_hole(def))
     snprintf(angle, sizeof angle,
@@ -93,7 +93,8 @@ static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_erro
   double zone[ARC_BODIES];
   arc_wear_zones(&w->def, def, zone);
   for (int b = 0; b < ARC_BODIES; b++)
-    if (zone[b] > arc_model_widest_zone(def, (arc_body)b)) return refuse_way(def, zone, why, error);
+    if (zone[b] > arc_model_widest_zone(def, (arc_body)b))
+      return refuse_zones(def, zone, why, error);
   return arc_fail(error, ARC_ZONE,
                   "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
@@ -179,7 +180,7 @@ static int must_grow(const arc_wear *w, arc_error *why) {
 
 static void report_mesh(const arc_wear *before, const arc_wear *now,
                         const arc_callbacks *callbacks) {
-  arc_wear_tell_meshes(before, now, "the meshes are those asked for", callbacks);
+  arc_wear_report_meshes(before, now, "the meshes are those asked for", callbacks);
 }
 
 static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *error) {
@@ -196,7 +197,7 @@ static const arc_growth growth = {
     .grow = arc_wear_grow,
     .remesh = arc_wear_remesh,
     .resolve = arc_wear_resolve,
-    .report = arc_wear_tell_grown,
+    .report = arc_wear_report_growth,
     .report_mesh = report_mesh,
     .refuse = arc_wear_refuse,
 };

@@ -170,8 +170,8 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
   return go_onto(w, &def, callbacks, result, error);
 }
 
-void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
-                          const arc_callbacks *callbacks) {
+void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const char *why,
+                            const arc_callbacks *callbacks) {
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   arc_warn(callbacks,
            "after %.6g mm %s: both bodies have new ones from there on, elements %.4g x %.4g mm in "
@@ -180,15 +180,15 @@ void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const cha
            mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
 }
 
-void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
-                         const arc_callbacks *callbacks) {
+void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
+                            const arc_callbacks *callbacks) {
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const char *why = "the wear outgrows its mesh";
   if (old->fineness > 0 && mesh->size > old->size) return; /* elements go with the contact */
   if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly are taken into the wear box";
   if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
-  arc_wear_tell_meshes(before, now, why, callbacks);
+  arc_wear_report_meshes(before, now, why, callbacks);
 }
 
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,

@@ -20,12 +20,12 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                                    arc_error *error) {
   if (model->geometry != ARC_AXISYMMETRIC) return check_plane(d, error);
   if (arc_wear_has_friction(d))
-    return refuse_revolved(
-        "friction", "expected 0 for bodies of revolution: shear along a way is not axisymmetric",
-        error);
+    return refuse_revolved("friction",
+                           "expected 0 for bodies of revolution: shear along x is not axisymmetric",
+                           error);
   if (d->slide != ARC_SLIDE_Z)
     return refuse_revolved("slide",
-                           "expected \"z\" for bodies of revolution, the way around or on: a "
+                           "expected \"z\" for bodies of revolution, sliding across the section: a "
                            "contact that moves along x is not axisymmetric",
                            error);
   if (d->spin > 0 && d->track > 0)

@@ -17,7 +17,7 @@ static int sticks(const arc_contact *c, int set) {
 }
 
 /* True if the node and the next one stick. */
-static int goes_on(const arc_contact *c, int set) {
+static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
@@ -95,9 +95,9 @@ static void find_edges(stick_zone *z) {
 
 int arc_contact_stick(const arc_contact *c, int index, double edges[2]) {
   for (int s = 0; s < c->problem.active && c->has_friction; s++) {
-    if (!sticks(c, s) || goes_on(c, s - 1) || index-- > 0) continue;
+    if (!sticks(c, s) || is_in_cell_of_previous(c, s - 1) || index-- > 0) continue;
     stick_zone zone = {.c = c, .first = s, .last = s};
-    while (goes_on(c, zone.last)) zone.last++;
+    while (is_in_cell_of_previous(c, zone.last)) zone.last++;
     find_edges(&zone);
     edges[0] = zone.edge[0];
     edges[1] = zone.edge[1];

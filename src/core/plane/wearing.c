@@ -77,7 +77,7 @@ static int has_layers(const arc_model_def *d) {
 static double felt_modulus(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
-  return arc_model_felt_modulus(w->model, 1 / w->history[0].half_width);
+  return arc_model_apparent_modulus(w->model, 1 / w->history[0].half_width);
 }
 
 /* The drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2 L / (pi t E*) for

@@ -36,19 +36,20 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   const double most = model->mesh.fineness > 0 ? outgrown_at * half : INFINITY;
   const double widest = fmin(most, fmax(half, half / 2 + scar));
   /* on coarse meshes the margin is counted in elements: one under the edge, two that remain open */
-  return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);
+  return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_MARGIN);
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
   const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
   const int strokes = slides && def->blocks == 0 && !(def->tangential > 0);
-  const double aside = fabs(arc_model_way(model, def->load_angle));
+  const double aside = fabs(arc_model_arc_length(model, def->load_angle));
   double load = def->load, turn = aside, reach = aside + (strokes ? def->stroke / 2 : 0);
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) {
       const arc_loading *l = &def->loading[b];
       const double x = slides ? arc_loading_x(l, model, i) : 0;
-      const double under = arc_model_way(model, l->load_angle ? l->load_angle[i] : def->load_angle);
+      const double under =
+          arc_model_arc_length(model, l->load_angle ? l->load_angle[i] : def->load_angle);
       turn = fmax(turn, fabs(under));
       reach = fmax(reach, fabs(under - x));
       load = fmax(load, l->load[i]);

@@ -105,7 +105,8 @@ arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
 }
 
 /* On a shape whose window is for another load, the contact may need a larger one. */
-static arc_status with_room(space_contact *c, const arc_callbacks *callbacks, arc_error *error) {
+static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks *callbacks,
+                                          arc_error *error) {
   enum { most_tries = 12 };
   arc_status status = solve_contact(c, callbacks, error);
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
@@ -179,8 +180,8 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
     status = arc_space_copy(shape, &c->handle.shape, error);
   }
   if (status == ARC_OK)
-    status =
-        def->friction > 0 ? arc_space_press(c, callbacks, error) : with_room(c, callbacks, error);
+    status = def->friction > 0 ? arc_space_press(c, callbacks, error)
+                               : solve_in_larger_windows(c, callbacks, error);
   return finish(c, status, callbacks, result);
 }
 

@@ -18,8 +18,8 @@ static double step_to(const wear_block *b, int at) {
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;
-  const double way = w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before;
-  return v->block->repeat * way;
+  const double sliding = w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before;
+  return v->block->repeat * sliding;
 }
 
 /* Points at one position under one load are one contact. */

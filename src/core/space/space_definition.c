@@ -158,8 +158,8 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
   double sum = 0;
   if (parts) parts[0] = 0;
   for (int i = 1; i < loading->count; i++) {
-    const double way = fabs(loading->x[i] - loading->x[i - 1]);
-    const double made = def->increments > 0 ? 1 : fmax(1, ceil(way / longest - 1e-9));
+    const double sliding = fabs(loading->x[i] - loading->x[i - 1]);
+    const double made = def->increments > 0 ? 1 : fmax(1, ceil(sliding / longest - 1e-9));
     if (parts) parts[i] = made;
     sum += made;
   }

@@ -10,7 +10,8 @@
 typedef struct space_grid {
   int references;
   arc_halfspace *h;
-  double *x[ARC_BODIES], *z[ARC_BODIES]; /* [sites] coordinates of the sites [mm]; allocated as one block */
+  double *x[ARC_BODIES],
+      *z[ARC_BODIES]; /* [sites] coordinates of the sites [mm]; allocated as one block */
 } space_grid;
 
 /* An arc_shape of this kind. */

@@ -156,8 +156,8 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'slide': expected \"%s\", along which the starting shape was worn",
                     arc_slide_names[cells.turned]);
-  const double way = (wanted.track - wanted.nx) * wanted.size_x;
-  const int beyond = 2 * (int)ceil(way / 2 / cells.size_x - 1e-9);
+  const double margin = (wanted.track - wanted.nx) * wanted.size_x;
+  const int beyond = 2 * (int)ceil(margin / 2 / cells.size_x - 1e-9);
   if (cells.groove > 0 || cells.track >= cells.nx + beyond)
     return arc_space_copy(from, shape, error);
   cells.track = cells.nx + beyond;

@@ -59,8 +59,9 @@ static void average(const source *k, const source *alpha, double from, double to
   }
 }
 
-arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
-                        const arc_wear_record *state, double *value, arc_error *error) {
+arc_status arc_wear_evaluate_function(const arc_wear *w, const arc_setting *what,
+                                      arc_state_fn function, const arc_wear_record *state,
+                                      double *value, arc_error *error) {
   arc_error why;
   const arc_status status = function(w->def.context, what, state, value);
   if (status != ARC_OK)
@@ -84,11 +85,11 @@ arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
   source alpha = {d->alpha_function ? &none : &d->alpha_series, d->alpha};
   arc_status status = ARC_OK;
   if (d->k_function)
-    status =
-        arc_wear_ask(w, &arc_wear_settings[ARC_AT_k], d->k_function, state, &k.constant, error);
+    status = arc_wear_evaluate_function(w, &arc_wear_settings[ARC_AT_k], d->k_function, state,
+                                        &k.constant, error);
   if (status == ARC_OK && d->alpha_function)
-    status = arc_wear_ask(w, &arc_wear_settings[ARC_AT_alpha], d->alpha_function, state,
-                          &alpha.constant, error);
+    status = arc_wear_evaluate_function(w, &arc_wear_settings[ARC_AT_alpha], d->alpha_function,
+                                        state, &alpha.constant, error);
   if (status == ARC_OK) average(&k, &alpha, from, to, mean);
   return status;
 }

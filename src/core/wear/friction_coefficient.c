@@ -44,8 +44,8 @@ arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state,
   *mu = d->friction;
   if (d->friction_series.count > 0) *mu = arc_wear_series(&d->friction_series, state->distance);
   if (!d->friction_function) return ARC_OK;
-  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
-                      error);
+  return arc_wear_evaluate_function(w, &arc_wear_settings[ARC_AT_friction], d->friction_function,
+                                    state, mu, error);
 }
 
 arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,

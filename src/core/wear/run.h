@@ -112,8 +112,9 @@ arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
 /* A table at a distance [mm]. */
 double arc_wear_series(const arc_series *s, double distance);
 /* Evaluates a function for a quantity and checks the range of the result. */
-arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
-                        const arc_wear_record *state, double *value, arc_error *error);
+arc_status arc_wear_evaluate_function(const arc_wear *w, const arc_setting *what,
+                                      arc_state_fn function, const arc_wear_record *state,
+                                      double *value, arc_error *error);
 /* Wear coefficients of the present state. */
 arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], arc_error *error);
 int arc_wear_has_state_functions(const arc_wear *w);

@@ -132,8 +132,8 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
   if (arc_wear_jump_is_auto(&w->def) || own) return plan_automatic(w, callbacks, plan, error);
   *jump = w->def.jump;
   if (!w->def.jump_function) return ARC_OK;
-  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function, arc_wear_last(w),
-                      jump, error);
+  return arc_wear_evaluate_function(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function,
+                                    arc_wear_last(w), jump, error);
 }
 
 /* Upper limit of the distance: that of the run or the end of the block. */

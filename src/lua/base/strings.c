@@ -23,7 +23,7 @@ static int is_text(lua_State *L, int index, const char *text) {
 /* --- methods ---------------------------------------------------------------------------------- */
 
 /* Looks up the name at index 2 in the user's __index on top. Upvalue 2: the string library. */
-static int ask_user(lua_State *L) {
+static int call_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
     lua_pushvalue(L, 2);
@@ -47,7 +47,7 @@ static int string_index(lua_State *L) {
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
   push(L, &index_key);
-  return ask_user(L);
+  return call_user(L);
 }
 
 /* Pops the user's __index. A table as __index of strings is much faster than a function, but only a

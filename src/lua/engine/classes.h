@@ -70,22 +70,22 @@ int joint_takes(lua_State *L, const char *method);
 
 /* --- models (model_class.c) ------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones [mm] that a contact or run needs on a model; `asker`: its
- * definition. */
-typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES],
-                               arc_error *error);
+/* Computes the half widths of the zones [mm] that a contact or run needs on a model; `definition`:
+ * its definition. */
+typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
+                               double zone[ARC_BODIES], arc_error *error);
 
 /* Pushes the model for field `model` of the definition table at index 1: a model object, or a table
  * of its fields; if nil, the definition of the worn object's model (index `worn`), or the default.
  * "auto" values of the mesh are set from the load [N] and the zones from `zones`. */
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
-                          const void *asker);
+                          const void *definition);
 
 /* If field `model` of the definition table at index 1 is an object: pushes a model with the zones
  * that `zones` requires and prints a warning. Returns NULL and pushes nothing if `model` is a
  * table, the zones are wide enough, or the meshes were imported. */
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
-                            const void *asker);
+                            const void *definition);
 
 /* Reads the field "mesh" of the table at `index` over the mesh of a run, for arc_wear_set; returns
  * 0 if the field is nil. */

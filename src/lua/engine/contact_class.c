@@ -294,9 +294,9 @@ int luaopen_archard_contact_record(lua_State *L) {
 
 /* --- construction ----------------------------------------------------------------------------- */
 
-static arc_status needed_zones(const void *asker, const arc_model_def *model,
+static arc_status needed_zones(const void *definition, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
-  const arc_contact_def *def = asker;
+  const arc_contact_def *def = definition;
   const arc_hertz_def pair = {.radius = model->radius,
                               .thickness = model->thickness,
                               .load = def->load,

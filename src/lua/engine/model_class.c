@@ -181,15 +181,15 @@ static int model_new(lua_State *L) {
 /* --- model as an argument --------------------------------------------------------------------- */
 
 static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zones_fn zones,
-                       const void *asker) {
+                       const void *definition) {
   double needed[ARC_BODIES];
   arc_error error = {0};
-  error_check(L, zones(asker, def, needed, &error), &error, where, -1);
+  error_check(L, zones(definition, def, needed, &error), &error, where, -1);
   arc_model_fit_zones(def, needed);
 }
 
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
-                          const void *asker) {
+                          const void *definition) {
   args_get(L, 1, "model");
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
@@ -216,13 +216,13 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   lua_pop(L, 1);
   if (!arc_model_has_maps(&def)) {
     arc_model_fit(&def, load);
-    suit_zones(L, &def, where, zones, asker);
+    suit_zones(L, &def, where, zones, definition);
   }
   return model_push(L, &def, where);
 }
 
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
-                            const void *asker) {
+                            const void *definition) {
   arc_model_def def = *arc_model_definition(model);
   double needed[ARC_BODIES], before[ARC_BODIES];
   char text[200];
@@ -230,7 +230,7 @@ arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *wh
   const int object = box_test(L, -1, &model_class) != NULL;
   lua_pop(L, 1);
   if (!object || arc_model_is_given(model) || arc_model_has_maps(&def)) return NULL;
-  if (def.geometry == ARC_SPRINGS || zones(asker, &def, needed, NULL) != ARC_OK) return NULL;
+  if (def.geometry == ARC_SPRINGS || zones(definition, &def, needed, NULL) != ARC_OK) return NULL;
   for (int b = 0; b < ARC_BODIES; b++) {
     before[b] = def.mesh.zone[b];
     needed[b] = fmax(needed[b], before[b]);

@@ -143,14 +143,14 @@ static int rank_of(const char *name) {
   return 4;
 }
 
-static int goes_before(const char *a, const char *b) {
+static int is_before(const char *a, const char *b) {
   int ranks = rank_of(a) - rank_of(b);
   return ranks ? ranks < 0 : strcmp(a, b) < 0;
 }
 
 /* Inserts a name into the first `count`, which are sorted. */
 static void insert_name(const char **names, size_t count, const char *name) {
-  while (count > 0 && goes_before(name, names[count - 1])) {
+  while (count > 0 && is_before(name, names[count - 1])) {
     names[count] = names[count - 1];
     count--;
   }

@@ -14,12 +14,12 @@
 
 static const char question[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\\033[c";
 
-enum { LONGEST_WAIT_MS = 1000, ROOM = 512 };
+enum { LONGEST_WAIT_MS = 1000, MOST_KEYS = 512 };
 
 static struct {
   term_answer answer;
   int known;
-  unsigned char typed[ROOM];
+  unsigned char typed[MOST_KEYS];
   size_t first, count;
 } asked;
 
@@ -50,7 +50,7 @@ static int has_four(const unsigned char *bytes, int length) {
 }
 
 static void keep(unsigned char key) {
-  if (asked.count < ROOM) asked.typed[asked.count++] = key;
+  if (asked.count < MOST_KEYS) asked.typed[asked.count++] = key;
 }
 
 /* Separates replies from typed keys. Returns the number of bytes used; sets *finished at the DA1
@@ -85,7 +85,7 @@ static int readable(long wait) {
 }
 
 static void read_answer(void) {
-  unsigned char bytes[ROOM];
+  unsigned char bytes[MOST_KEYS];
   size_t count = 0;
   int finished = 0;
   long until = milliseconds() + LONGEST_WAIT_MS;
@@ -103,7 +103,7 @@ static void read_answer(void) {
 /* --- query ------------------------------------------------------------------------------------ */
 
 /* True for a foreground process on a terminal; in the background, reading would suspend it. */
-static int may_ask(void) {
+static int may_query(void) {
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
@@ -132,7 +132,7 @@ static void ask(const struct termios *before) {
 
 term_answer term_query_graphics(void) {
   struct termios before;
-  if (!asked.known && may_ask() && tcgetattr(STDIN_FILENO, &before) == 0) ask(&before);
+  if (!asked.known && may_query() && tcgetattr(STDIN_FILENO, &before) == 0) ask(&before);
   return asked.answer;
 }
 

@@ -10,9 +10,9 @@
 
 /* Half widths of the zones that the run needs. For worn surfaces, whose contact may be wider at the
  * start, they are computed for the whole run. */
-static arc_status needed_zones(const void *asker, const arc_model_def *model,
+static arc_status needed_zones(const void *definition, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
-  const wear_request *request = asker;
+  const wear_request *request = definition;
   arc_wear_def def = wear_request_settle(request, model);
   arc_status status = arc_wear_check(&def, model, error);
   arc_model_def sized = *model;

@@ -161,8 +161,9 @@ static void name_local_call(const local_call *call, const arc_wear_record *state
              body_names[call->body], call->x[call->at], call->p[call->at], state->distance);
 }
 
-static arc_status ask_local(void *context, arc_body body, int n, const double *x, const double *z,
-                            const double *p, const arc_wear_record *state, double *factor) {
+static arc_status call_local_factor(void *context, arc_body body, int n, const double *x,
+                                    const double *z, const double *p, const arc_wear_record *state,
+                                    double *factor) {
   wear_functions *f = context;
   local_call call = {f, body, n, -1, x, z, p, factor};
   callback_state before;
@@ -264,7 +265,7 @@ static int push_given(lua_State *L, int index, const arc_setting *s, args_locati
 /* Sets the function pointer of a setting in the definition, or clears it. */
 static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
   if (place_of(s) == LOCAL)
-    def->local_factor = given ? ask_local : NULL;
+    def->local_factor = given ? call_local_factor : NULL;
   else
     *(arc_state_fn *)(void *)((char *)def + s->function) = given ? ask : NULL;
 }

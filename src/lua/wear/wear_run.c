@@ -116,7 +116,7 @@ typedef struct run_call {
 } run_call;
 
 /* Calls a function with the run; returns true if the run must end. */
-static int ask_user(run_call *call, int function, const char *name) {
+static int call_user(run_call *call, int function, const char *name) {
   lua_State *L = call->L;
   if (!function) return 0;
   lua_pushvalue(L, function);
@@ -142,9 +142,9 @@ static int is_to_stop(void *context) {
 static int after_step(void *context, const arc_wear *wear) {
   (void)wear;
   run_call *call = context;
-  const int progress = ask_user(call, call->progress, "progress");
+  const int progress = call_user(call, call->progress, "progress");
   if (call->failed) return 1;
-  return ask_user(call, call->stop_when, "stop_when") || progress;
+  return call_user(call, call->stop_when, "stop_when") || progress;
 }
 
 /* Pushes the progress display of a run to `goal` [mm], or nil (archard.lib.run_progress decides).
