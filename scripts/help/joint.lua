@@ -59,13 +59,14 @@ return {
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
     text = "Initial wear depths, a function of theta and phi in degrees or a w:map of a run." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
-    text = "A joint run written by w:save(path), which continues with the same bits, as with wear.open. Functions k, alpha and creep "
-      .. "must be given again." },
+    text = "A joint run written by w:save(path), which continues with the same bits, as with wear.open. Functions k, "
+      .. "alpha and creep must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking cycle "
       .. 'with approximate curves in between; "prosim" is a simplified walking cycle of simulators. Own cycles: '
       .. "flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, "
-      .. '1], a number, or a list over t; order of the rotations ("xyz"), increments (20), also of named gaits: '
+      .. '1], a number, or a list over t (period=100: t in percent); increments without load do not wear. '
+      .. 'Order of the rotations ("xyz"), increments (20), also of named gaits: '
       .. 'gait("iso", { increments=40 }). A gait must be closed. '
       .. ".track [mm] and .work [N mm] are those of one cycle with a head of 28 mm; .instants has fifteen numbers "
       .. "for each increment: rotation by rows, rotation vector, load." },
@@ -73,6 +74,7 @@ return {
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },
   { "gait.flexion", kind = "function", use = "gait.flexion{ angle=21.5, load=2000 }", result = "gait",
     text = "Flexion only, angle cos(2 pi t), under a constant load." },
-  { "gait.read", kind = "function", use = 'gait.read("walk.csv", { increments=20 })', result = "gait",
-    text = "A gait from a table: columns t in [0, 1], flexion, adduction, rotation in degrees, and load or Fx, Fy, Fz in N." },
+  { "gait.read", kind = "function", use = 'gait.read("walk.csv", { increments=20, period=100 })', result = "gait",
+    text = "A gait from a table: columns t from 0 to the period (1; 100 for percent of the cycle), flexion, adduction, "
+      .. "rotation in degrees, and load or Fx, Fy, Fz in N." },
 }

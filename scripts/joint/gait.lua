@@ -25,13 +25,13 @@ end
 module.rocking = simple("rocking", 23)
 module.flexion = simple("flexion", 21.5)
 
--- gait.read(path, { increments=, order= }): reads the columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
+-- gait.read(path, { increments=, order=, period= }): reads the columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
 function module.read(path, options)
   local where = "gait.read"
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
-  options = check.definition(where, options or {}, { increments = check.count, order = check.text })
+  options = check.definition(where, options or {}, { increments = check.count, order = check.text, period = check.positive })
   local table_of = require("archard.lib.csv").read(path)
-  local given = { increments = options.increments, order = options.order, t = rawget(table_of, "t") }
+  local given = { increments = options.increments, order = options.order, period = options.period, t = rawget(table_of, "t") }
   for _, name in ipairs{ "flexion", "adduction", "rotation" } do given[name] = rawget(table_of, name) end
   local x, y, z = rawget(table_of, "Fx"), rawget(table_of, "Fy"), rawget(table_of, "Fz")
   given.load = z and { x = x, y = y, z = z } or rawget(table_of, "load")

@@ -18,7 +18,19 @@ end)
 given.kind = check.kind('a gait such as gait "iso", or its fields', function(v) return type(v) == "table" or given.is(v) end)
 given.fields = { gait = given.kind, name = check.text, instants = check.list } -- also for gaits of run files and blocks
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
-  increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true) }
+  increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true), period = check.positive }
+
+-- Times as shares of the cycle.
+local function over_cycle(t, period)
+  local shares = {}
+  for i, time in ipairs(t) do shares[i] = time / period end
+  local first, last = shares[1], shares[#shares]
+  if not first or math.abs(first) > 1e-9 or math.abs(last - 1) > 1e-9 then
+    check.fail("gait", ("field 't': expected times from 0 to the period %g, got %s; the period is that of the cycle in the unit of t, 100 for percent")
+      :format(period, first and ("%g to %g"):format(t[1], t[#t]) or "none"))
+  end
+  return shares
+end
 
 -- Converts a number, a list over times (evenly spaced without `times`) or a function to a function of t.
 local function over_time(name, value, times)
@@ -49,11 +61,20 @@ end
 
 for name, kind in pairs(fields) do given.fields[name] = kind end
 
+local most = 60 -- degrees of rotation in half an increment
+
 -- The list of n instants from functions of three angles and three loads.
 local function instants_of(n, parts, loads, order)
   local angles, forces = {}, {}
   for i = 0, 2 * n do
-    for k = 1, 3 do angles[3 * i + k] = parts[k](i / (2 * n)) end
+    for k = 1, 3 do
+      angles[3 * i + k] = parts[k](i / (2 * n))
+      local turned = i > 0 and math.abs(angles[3 * i + k] - angles[3 * i + k - 3]) or 0
+      if turned > most then
+        check.fail("gait", ("field 'increments': expected rotations of at most %g degrees in half an increment, got %.3g at t = %.3g; use more than %d")
+          :format(most, turned, i / (2 * n), n))
+      end
+    end
   end
   for i = 0, n - 1 do
     for k = 1, 3 do forces[3 * i + k] = loads[k]((i + 0.5) / n) end
@@ -67,15 +88,16 @@ function given.read(from, name)
   if not next(from) then check.fail("gait", "expected at least one angle (flexion, adduction or rotation), got none") end
   local n = from.increments or usual
   local parts, loads = {}, {}
+  local times = from.t and over_cycle(from.t, from.period or 1)
   for i, angle in ipairs{ "flexion", "adduction", "rotation" } do
-    parts[i] = over_time(angle, from[angle] or 0, from.t)
+    parts[i] = over_time(angle, from[angle] or 0, times)
   end
   local load = from.load or 2000
   local by_axis = type(load) == "table" and #load == 0
   for k, axis in ipairs{ "x", "y", "z" } do
     local value
     if by_axis then value = load[axis] or 0 else value = k == 3 and load or 0 end
-    loads[k] = over_time(by_axis and "load." .. axis or "load", value, from.t)
+    loads[k] = over_time(by_axis and "load." .. axis or "load", value, times)
   end
   return made(name or "own", instants_of(n, parts, loads, from.order or "xyz"), instants_of(2 * n, parts, loads, from.order or "xyz"))
 end

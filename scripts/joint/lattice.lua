@@ -32,7 +32,7 @@ function lattice.warn_of_rim(where, joint, margin)
   end
   local layers = joint.cup.layers
   local is_soft = layers[1].material.E < 1e4
-  local least = is_soft and math.deg(layers[1].thickness / joint.head.radius) or 25
+  local least = is_soft and math.min(math.deg(layers[1].thickness / joint.head.radius), joint.cup.cover) or 25
   if (is_soft or #layers > 1) and margin < least then
     warn(("%s: the contact is %.3g degrees from the cup's rim; the model has complete spheres, with errors of some percent below %.3g degrees"):format(
       where, margin, least))

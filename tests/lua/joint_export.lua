@@ -143,12 +143,23 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
+-- Loads that fall to zero: continuous, and without work there.
+local function swing(least) return gait{ flexion = { 0, 20, 0, -20, 0 }, load = { least, 2000, 2000, least, least } } end
+local function worn_by(least)
+  return wear{ model = joint{ mesh = { size = 4 } }, loading = swing(least), cycles = 1e5, updates = 3 }:run{ progress = false }
+end
+local none, small = worn_by(0), worn_by(1e-6)
+near(none.depth.cup, small.depth.cup, 1e-6, "a load of zero and of 1 uN in the swing: depth")
+near(none.volume.total, small.volume.total, 1e-8, "volume")
+fails(function() contact{ model = joint{}, load = 1e-9 } end, "field 'mesh.size'", "a contact of no cell")
 fails(function() joint{ cup = { layers = { { thickness = 1, material = { E = -1 } } } } } end, "field 'cup.layers[1].material.E': expected a number > 0", "E below zero")
 fails(function() joint{ head = { material = { E = 1, nue = 0.3 } } } end, "did you mean 'nu'?", "a misspelt field of a material")
 fails(function() joint{ head = { material = gait "iso" } } end, "field 'head.material'", "a material that is none")
 fails(function() wear{ model = joint{}, k = function() return "1" end }:run{ progress = false } end, "got string", "k as a string")
 fails(function() contact{ model = tilted, load = 3000, direction = { -1, 0, 0.5 } } end, "degrees from its axis", "a load that points out of the cup")
 fails(function() wear{ model = tilted, loading = gait{ load = { x = -900, z = 300 } } }:run{ progress = false } end, "degrees from its axis", "in a run")
+fails(function() wear{ model = joint{ mesh = { size = 4 } }, loading = gait{ flexion = { 0, 20, 0 }, load = { z = { 2000, -1000, 2000 } } } }:run{ progress = false } end,
+  "180 degrees from its axis, in increment", "a load that pulls for a part of the cycle")
 fails(function() contact{ model = joint{ mesh = { size = 10 } }, load = 300 } end, "cells across the contact", "cells too large for the contact")
 local edge = joint{ head = { material = material{ E = 1e15 } }, mesh = { size = 4 }, cup = { clearance = 0.1, cover = 45, layers = { { thickness = 8, material = pe } } } }
 ok(contact{ model = edge, load = 3000 }.rim_margin < 4, "a contact that reaches the rim has a margin below a cell")

@@ -2,6 +2,7 @@
 #include "core/base/dense.h"
 #include "core/numeric/active_work.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -180,12 +181,23 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* After g = A p: adds the gap and stores the largest displacement. */
+/* Rounding of the gaps of the set, which no iteration improves. */
+static double rounding_of(const pass *s, size_t o) {
+  const double *gap = s->problem->gap + o, *area = s->w->area + o;
+  double largest = 0;
+  for (int k = 0; k < s->problem->cells; k++)
+    if (area[k] > 0) largest = fmax(largest, fabs(gap[k]));
+  return 16 * DBL_EPSILON * largest;
+}
+
+/* After g = A p: adds the gap and stores the largest displacement, at least one whose tolerance is
+ * above the rounding. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);
   (void)worker;
-  s->w->largest[block] = arc_cells_add_gap(s->problem->cells, s->problem->gap + o, s->w->g + o);
+  const double moved = arc_cells_add_gap(s->problem->cells, s->problem->gap + o, s->w->g + o);
+  s->w->largest[block] = fmax(moved, rounding_of(s, o) / s->problem->tolerance);
 }
 
 void arc_active_factor(void *context, int block, int worker) {

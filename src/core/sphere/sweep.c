@@ -96,6 +96,13 @@ static double size_of(const double v[3]) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+/* The error of a load with the increment at which it acts. */
+static arc_status refuse_load(int increment, arc_error *error) {
+  const arc_error why = *error;
+  return arc_fail(error, why.status, "%.300s, in increment %d of the cycle", why.message,
+                  increment + 1);
+}
+
 /* Solves all instants once. */
 static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, arc_error *error) {
   double heaviest = 0;
@@ -111,8 +118,10 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
     double approach[3];
     if (callbacks && callbacks->stop && callbacks->stop(callbacks->context))
       return arc_fail(error, ARC_STOPPED, "stopped");
+    if (size_of(at->load) == 0) continue; /* no contact, no wear */
     const arc_status status =
         arc_sphere_solve(s->j, &stand, approach, &s->record.iterations, error);
+    if (status == ARC_ARGUMENT) return refuse_load(i, error);
     if (status != ARC_OK) return status;
     s->record.solutions++;
     if (size_of(at->load) > heaviest) {
