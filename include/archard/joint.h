@@ -159,6 +159,7 @@ typedef struct arc_joint_record {
   double volume[ARC_BODIES]; /* [mm3] */
   double p_peak;             /* [MPa] of the last cycle */
   double area;               /* [mm2] largest of the last cycle */
+  double rim_margin;         /* [degrees] smallest of the last cycle, as of arc_joint_press */
   double penetration[3];     /* [mm] of the head, under the largest load of the last cycle */
   double work;               /* [N mm] sum of p |s| dA over a cycle, the last one's */
   double loss;               /* [mm3] sum over updates of cycles k p |s| dA: both volumes */

@@ -43,7 +43,7 @@ return function(joint, given)
   local result = check.as(where, sphere.press, joint.engine, load * (n[1] / length), load * (n[2] / length), load * (n[3] / length))
   result.model, result.load, result.direction = joint, load, { n[1], n[2], n[3] }
   result.pressure = lattice.map(joint.engine, "pressure")
-  lattice.warn_of_rim("contact", joint, result.rim_margin)
+  lattice.warn_of_rim("contact", joint, result.rim_margin, {})
   lattice.check_cells(where, joint.engine, result.half_angle)
   return strict.object(result, class)
 end

@@ -23,9 +23,12 @@ function lattice.deepest(engine, body)
   return most
 end
 
--- Warns if the contact reaches the rim, within a cell, or is so near the rim that the error of the complete spheres exceeds about 1 %.
-function lattice.warn_of_rim(where, joint, margin)
+-- Warns if the contact reaches the rim, within a cell, or is so near the rim that the error of the complete spheres
+-- exceeds about 1 %; of each once in a run, which keeps what it was warned of in the table `warned`.
+function lattice.warn_of_rim(where, joint, margin, warned)
+  if warned.reached then return end
   if margin < joint.mesh.size then
+    warned.reached = true
     warn(("%s: the contact reaches the cup's rim (from its outermost cell %.2g degrees, less than a cell of %.2g): edge loading is outside this model"):format(
       where, margin, joint.mesh.size))
     return
@@ -33,7 +36,8 @@ function lattice.warn_of_rim(where, joint, margin)
   local layers = joint.cup.layers
   local is_soft = layers[1].material.E < 1e4
   local least = is_soft and math.min(math.deg(layers[1].thickness / joint.head.radius), joint.cup.cover) or 25
-  if (is_soft or #layers > 1) and margin < least then
+  if not warned.near and (is_soft or #layers > 1) and margin < least then
+    warned.near = true
     warn(("%s: the contact is %.3g degrees from the cup's rim; the model has complete spheres, with errors of some percent below %.3g degrees"):format(
       where, margin, least))
   end

@@ -170,7 +170,7 @@ function runs.new(model, given)
   local run = { model = model, engine = sphere.create(model), blocks = blocks_of(given.loading or gait "iso"),
     k = given.k or usual.k, alpha = given.alpha or usual.alpha, creep = given.creep, cycles = given.cycles or usual.cycles,
     updates = given.updates, jump = given.jump, scheme = given.scheme or "sweep", tolerance = given.tolerance or usual.tolerance,
-    history = runs.history{}, functions = {} }
+    history = runs.history{}, functions = {}, warned = {} }
   for _, name in ipairs(runs.callable) do
     if type(run[name]) == "function" then table.insert(run.functions, name) end
   end
@@ -214,15 +214,33 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- Computes the first contact under the largest load: refuses cells that are too large, warns if the rim is near. Its
--- pressure and area become those of the history's first row.
-local function check_contact(run)
-  local load = largest_load(run.blocks[1].gait.instants)
+-- The state of the joint as it is now is set again when the value is closed: a contact computed for a look changes no bit
+-- of the run.
+local function unchanged(run)
+  local state = sphere.state(run.engine)
+  return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })
+end
+
+-- Computes the contact under a gait's largest load: refuses cells that are too large, warns if the rim is near.
+local function check_contact(run, gait_of_block)
+  local load = largest_load(gait_of_block.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
   local contact = check.as("joint_wear:run", sphere.press, run.engine, load[1], load[2], load[3])
-  lattice.warn_of_rim("joint_wear:run", run.model, contact.rim_margin)
+  lattice.warn_of_rim("joint_wear:run", run.model, contact.rim_margin, run.warned)
   lattice.check_cells("joint_wear:run", run.engine, contact.half_angle)
-  run.history.p_peak[1], run.history.area[1] = contact.p_max, contact.area
+  return contact
+end
+
+-- Checks the contact of the block that begins. The first one's pressure and area become those of the history's first row.
+local function begin_block(run, block)
+  if run.cycle > 0 then
+    local _ <close> = unchanged(run)
+    check_contact(run, block.gait)
+  else
+    local contact = check_contact(run, block.gait)
+    run.history.p_peak[1], run.history.area[1] = contact.p_max, contact.area
+  end
+  run.checked = block
 end
 
 -- Cycles up to the next of the given number of updates, which end at goal (j/m)^1.5.
@@ -289,16 +307,18 @@ end
 -- w:run{ cycles=, distance=, progress= }: runs up to a number of cycles or a sliding distance of the load. An error or Ctrl-C leaves the run after its last complete
 -- step, from which it can be continued with identical results.
 function methods:run(given)
+  if not self.engine then check.fail("joint_wear:run", "expected a run, got a closed one") end
   given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, distance = check.positive,
     progress = check.progress })
   local goal = given.cycles or given.distance and cycles_of(self, given.distance) or self.cycles
   local watch, shown <close> = watcher(self, given.progress, goal)
   local reported <close> = report(self, goal)
-  if self.cycle == 0 then check_contact(self) end
   while self.cycle < goal * (1 - 1e-12) do
     local block, last = block_at(self)
+    if self.checked ~= block then begin_block(self, block) end
     self.loading = block.gait
     note(self, advance(self, block.gait.instants, math.min(goal, last) - self.cycle))
+    lattice.warn_of_rim("joint_wear:run", self.model, self.record.rim_margin, self.warned)
     report(self, goal)
     if watch(self) then break end
   end
@@ -331,8 +351,11 @@ local map_kind = check.one_of{ "cup", "head", "cross shear", "creep", "pressure"
 function methods:map(what, given)
   if not map_kind.test(what) then check.refuse("joint_wear:map", "what", map_kind.expected, what) end
   local instants = self.loading.increments
+  if not self.engine then check.fail("joint_wear:map", "expected a run, got a closed one") end
   given = check.definition("joint_wear:map", given or {}, { instant = check.whole(1, instants) })
-  if what == "pressure" then press_at(self, given.instant or self:heaviest()) end
+  if what ~= "pressure" then return lattice.map(self.engine, what) end
+  local _ <close> = unchanged(self)
+  press_at(self, given.instant or self:heaviest())
   return lattice.map(self.engine, what)
 end
 

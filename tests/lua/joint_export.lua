@@ -3,6 +3,7 @@
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
+local warnings = require "archard.warnings"
 local pe, cocr = material{ E = 1000, nu = 0.4 }, material{ E = 230e3, nu = 0.3 }
 local folder = os.tmpname()
 os.remove(folder)
@@ -143,6 +144,27 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
+-- The rim and the cells are checked in all instants, updates and blocks; a look changes no bit.
+local lining = joint{ foundation = "winkler", mesh = { size = 4 }, cup = { clearance = 0.1, inclination = 20, cover = 85,
+  layers = { { thickness = 5, material = pe } } } }
+warnings.keep()
+wear{ model = lining, k = 1e-9, alpha = 0, cycles = 2e6 }:run{ progress = false }
+ok(warnings.take():find "reaches the cup's rim", "a contact that grows to the rim")
+local tilted_later = { { gait = gait "iso", cycles = 1e4 }, { gait = gait{ flexion = { 0, 20, 0 }, load = { x = -1400, z = 900 } } } }
+wear{ model = joint{ cup = { inclination = 30 }, mesh = { size = 4 } }, cycles = 2e4, loading = tilted_later }:run{ progress = false }
+ok(warnings.take():find "reaches the cup's rim", "a second block tilted to the rim")
+local light = { { gait = gait{ flexion = { 0, 20, 0 }, load = 3000 }, cycles = 1e4 }, { gait = gait{ flexion = { 0, 20, 0 }, load = 5 } } }
+fails(function() wear{ model = joint{ mesh = { size = 6 } }, cycles = 2e4, loading = light }:run{ progress = false } end, "field 'mesh.size'",
+  "a second block of a small load on large cells")
+local function looked_at(look)
+  local run_of = wear{ model = lining, k = 1e-9, cycles = 2e5, jump = 5e4 }
+  for cycles = 5e4, 2e5, 5e4 do
+    run_of:run{ cycles = cycles, progress = false }
+    if look then run_of:map "pressure" end
+  end
+  return run_of
+end
+is(looked_at(true).volume.cup, looked_at(false).volume.cup, "a look at the pressure changes no bit")
 -- Loads that fall to zero: continuous, and without work there.
 local function swing(least) return gait{ flexion = { 0, 20, 0, -20, 0 }, load = { least, 2000, 2000, least, least } } end
 local function worn_by(least)

@@ -96,6 +96,25 @@ local law = 2000 / (integral * sliding(0))
 within(law, 4.3113, 2e-4, "the law of deep wear")
 within(in_the_middle(deep:map "pressure"), law, 1e-3, "the pressure in the middle against it")
 
+-- --- surface layers thinner than a cell -----------------------------------------------------------------
+-- On 4 and 2 degrees (cells of 1 and .5 mm) against .5 degrees; a soft coat that vanishes leaves no trace.
+local function coated(size, thickness, E)
+  return contact{ load = 3000, model = joint{ mesh = { size = size }, head = { material = cocr,
+    layers = thickness and { { thickness = thickness, material = material{ E = E, nu = 0.3 } } } or nil } } }.p_center
+end
+for _, row in ipairs{ { 4, 29.335, 45.69 }, { 2, 29.335, 45.69 } } do
+  local size = row[1]
+  within(coated(size, 0.1, 300), row[2], 0.01, ("soft coat of .1 mm, %g degrees"):format(size))
+  within(coated(size, 0.01, 300), row[3], 0.012, ("soft coat of .01 mm, %g degrees"):format(size))
+  within(coated(size, 1e-5, 300), coated(size), 3e-4, ("soft coat of 10 nm, %g degrees: none"):format(size))
+end
+local function lined(size)
+  return contact{ load = 2000, model = joint{ mesh = { size = size }, cup = { clearance = 0.1, layers = {
+    { thickness = 0.2, material = material{ E = 20, nu = 0.49 } }, { thickness = 6, material = cocr } } } } }.p_center
+end
+within(lined(4), 24.88, 0.05, "rubber of .2 mm, 4 degrees")
+within(lined(1), 24.88, 0.03, "rubber of .2 mm, 1 degree")
+
 -- --- rocking of a metal joint ---------------------------------------------------------------------------
 local rocks = wear{ model = metal(2), loading = gait.rocking{ increments = 60 }, k = 3e-11, alpha = 0, cycles = 1e6 }
 for _, row in ipairs{ { 2.5e5, 6.621, 0.52780, 16.41 }, { 1e6, 15.617, 2.15182, 9.267 } } do

@@ -215,7 +215,7 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
   j->rows = 2 * (int)ceil(90 / def->size - 1e-9);
   j->d = pi / j->rows;
   j->sites = 2 * j->rows * j->rows;
-  j->limit = arc_sphere_limit(def);
+  j->limit = arc_sphere_limit(def, j->rows);
   j->K = arc_sphere_winkler(def);
   const size_t n = (size_t)j->sites;
   const carve_part parts[] = {{&j->normal, 3 * n}, {&j->area, n},   {&j->h[0], n},

@@ -33,8 +33,10 @@ struct arc_joint {
   int kept_count;
 };
 
-/* A over (l + 1/2), both bodies; stiffness of springs. */
-double arc_sphere_limit(const arc_joint_def *def);
+/* (l + 1/2) C_l of both bodies at the degree that the cells of `rows` resolve: the limit of large
+ * degrees unless the surface layer is thinner than a cell. */
+double arc_sphere_limit(const arc_joint_def *def, int rows);
+/* Stiffness of springs [MPa/mm]. */
 double arc_sphere_winkler(const arc_joint_def *def);
 
 /* Table of the remainder for arc_sphere_kernel; NULL: no memory, or (*numeric) no compliance. */
@@ -78,6 +80,9 @@ typedef struct sphere_stand {
   double dose;             /* cycles, times k if k is NULL */
   int instant;
 } sphere_stand;
+/* Angle between the pressed cells and the cup's rim [degrees]; the cover without contact. */
+double arc_sphere_rim_margin(const arc_joint *j);
+
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
                             int *iterations, arc_error *error);
 

@@ -134,10 +134,9 @@ double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree)
   return solve_degree(&s, degree, body == ARC_LOWER, stiff * (degree + 1) / def->radius);
 }
 
-double arc_sphere_limit(const arc_joint_def *def) {
-  const arc_material cup = def->cup[0].material,
-                     head = def->head[0].thickness > 0 ? def->head[0].material : def->core;
-  return 2 * def->radius * ((1 - cup.nu * cup.nu) / cup.E + (1 - head.nu * head.nu) / head.E);
+double arc_sphere_limit(const arc_joint_def *def, int rows) {
+  return (rows + 0.5) *
+         (arc_joint_compliance(def, ARC_UPPER, rows) + arc_joint_compliance(def, ARC_LOWER, rows));
 }
 
 /* Springs in series of the liner only: the deformation of shells outside it is negligible. */

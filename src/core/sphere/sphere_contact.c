@@ -144,6 +144,15 @@ static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   return moved < 1e-9 * j->def.radius;
 }
 
+/* The error of a contact of so few cells that they cannot carry a load in three directions. */
+static arc_status refuse_cells(const arc_joint *j, const double load[3], arc_error *error) {
+  const arc_error why = *error;
+  return arc_fail(error, why.status,
+                  "field 'mesh.size': the contact under %.3g N was not found on cells of %.3g "
+                  "degrees, which may be too large for it (%.200s)",
+                  sqrt(dot(load, load)), j->d * 180 / pi, why.message);
+}
+
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
                             int *iterations, arc_error *error) {
   static const double unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -182,18 +191,17 @@ arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approac
       status = ARC_OK;
     }
   }
-  return status;
+  return status == ARC_NUMERIC ? refuse_cells(j, at->load, error) : status;
 }
 
 /* --- results ---------------------------------------------------------------------------------- */
 
-static double rim_margin(const arc_joint *j) {
-  double axis[3], farthest = 0;
+double arc_sphere_rim_margin(const arc_joint *j) {
+  double axis[3], least = 1;
   axis_of(j, axis);
-  for (int i = 0; i < j->sites; i++)
-    if (j->p[i] > 0)
-      farthest = fmax(farthest, acos(fmax(-1, fmin(1, dot(j->normal + 3 * (size_t)i, axis)))));
-  return j->def.cover - farthest * 180 / pi;
+  for (int c = 0; c < j->size * j->size; c++)
+    if (j->press[c] > 0) least = fmin(least, dot(j->normal + 3 * (size_t)sphere_site(j, c), axis));
+  return j->def.cover - acos(fmax(-1, least)) * 180 / pi;
 }
 
 arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double load[3],
@@ -218,7 +226,7 @@ arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double 
   made.p_max = fmax(made.p_max, made.p_center); /* it may lie between cells */
   made.half_angle =
       acos(fmax(-1, 1 - made.area / (2 * pi * j->def.radius * j->def.radius))) * 180 / pi;
-  made.rim_margin = rim_margin(j);
+  made.rim_margin = arc_sphere_rim_margin(j);
   *contact = made;
   return ARC_OK;
 }

@@ -16,7 +16,7 @@ static const double pi = 3.14159265358979323846;
 /* sum (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2)) P_l; a weight is P_l averaged over a cap of a cell's
  * area. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
-  const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def);
+  const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def, rows);
   const int entries = fine * rows + 4;
   double *table = calloc((size_t)entries, sizeof *table);
   double *share = malloc((degrees + 1) * sizeof *share);

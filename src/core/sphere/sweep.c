@@ -87,6 +87,7 @@ static void deposit(sweep *s, const arc_gait_instant *at) {
     add_shear(s, at->omega, site, p);
   }
   s->record.area = fmax(s->record.area, area);
+  s->record.rim_margin = fmin(s->record.rim_margin, arc_sphere_rim_margin(j));
   s->record.loss += volume;
   s->record.volume[ARC_LOWER] += (1 - s->alpha) * volume;
   if (s->alpha > 0) wear_head(s, at->rotation, volume, head);
@@ -219,6 +220,7 @@ arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double 
   if (!begin(&s)) return arc_fail(error, ARC_MEMORY, "out of memory for an update");
   const size_t n = (size_t)j->sites;
   s.record.p_peak = s.record.area = s.record.work = 0;
+  s.record.rim_margin = j->def.cover;
   status = set_coefficients(&s, callbacks, error);
   if (status == ARC_OK) status = run(&s, record->updates % 2, callbacks, error);
   if (status == ARC_OK) {

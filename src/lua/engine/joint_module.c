@@ -285,8 +285,9 @@ static double creep_of(void *context, double p_mean, double cycles) {
 }
 
 /* Fields of a record, in the order of push_record. */
-static const char *const record_names[] = {
-    "cycles", "updates", "solutions", "volume_head", "volume_cup", "p_peak", "area", "work", NULL};
+static const char *const record_names[] = {"cycles",     "updates", "solutions", "volume_head",
+                                           "volume_cup", "p_peak",  "area",      "work",
+                                           "rim_margin", NULL};
 
 static void read_record(lua_State *L, int index, arc_joint_record *r) {
   lua_pushvalue(L, index);
@@ -301,8 +302,8 @@ static void read_record(lua_State *L, int index, arc_joint_record *r) {
 static int push_record(lua_State *L, const arc_joint_record *r) {
   const double value[] = {
       r->cycles, r->updates, r->solutions, r->volume[ARC_UPPER], r->volume[ARC_LOWER],
-      r->p_peak, r->area,    r->work};
-  lua_createtable(L, 0, 9);
+      r->p_peak, r->area,    r->work,      r->rim_margin};
+  lua_createtable(L, 0, 10);
   for (int i = 0; record_names[i]; i++) array_set_number(L, record_names[i], value[i]);
   array_set(L, "penetration", r->penetration, 3);
   return 1;
