@@ -163,4 +163,10 @@ function file.open(path, functions)
   return check.as("joint.open", read, path, functions)
 end
 
+-- (path, functions, id) -> the run of a joint that is a case of a study, nil for a run of the engine.
+function file.open_case(path, functions, id)
+  local from <close> = store.open(path, "read")
+  return results_of(from, id) and file.wear(from, id, functions)
+end
+
 return file

@@ -33,6 +33,7 @@ near(fields.loading.track, gait{ flexion = { 0, 20, 0 }, load = 900 }.track, 1e-
 local base = { model = springs, k = 1e-9, alpha = 0.3, cycles = 2e5, updates = 4 }
 local s = study{ base = base, vary = { clearance = { 0.08, 0.1, 0.15 }, alpha = { 0.3, 0.6 } } }
 s:run{ file = path "s", workers = 2, progress = false }
+is(wear.open(path "s", 1).volume.cup, s:cases()[1]:wear().volume.cup, "wear.open opens a case")
 is(#s.failed, 0, "a study of clearances and partitions")
 local third = s:cases()[2]
 is(third.label, "alpha 0.3, model.cup.clearance 0.1", "its labels")

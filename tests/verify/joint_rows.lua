@@ -97,7 +97,7 @@ within(law, 4.3113, 2e-4, "the law of deep wear")
 within(in_the_middle(deep:map "pressure"), law, 1e-3, "the pressure in the middle against it")
 
 -- --- surface layers thinner than a cell -----------------------------------------------------------------
--- On 4 and 2 degrees (cells of 1 and .5 mm) against .5 degrees; a soft coat that vanishes leaves no trace.
+-- On 4 and 2 degrees (cells of 1 and .5 mm) against .5 degrees; a soft coat that vanishes has no effect.
 local function coated(size, thickness, E)
   return contact{ load = 3000, model = joint{ mesh = { size = size }, head = { material = cocr,
     layers = thickness and { { thickness = thickness, material = material{ E = E, nu = 0.3 } } } or nil } } }.p_center

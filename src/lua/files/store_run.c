@@ -331,13 +331,16 @@ static int is_of_joint(lua_State *L, arc_store *store) {
   return joint;
 }
 
-/* Pushes joint.open(path, functions); the arguments are at 1 and 3. */
-static void open_joint(lua_State *L) {
-  script_require(L, "archard.joint.joint");
-  lua_getfield(L, -1, "open");
+/* Pushes a joint's run: that of a file of its own, or case `id` of a study, nil if this is a run of
+ * the engine. Path and functions are at 1 and 3. */
+static int open_joint(lua_State *L, int id) {
+  script_require(L, "archard.joint.file");
+  lua_getfield(L, -1, id > 0 ? "open_case" : "open");
   lua_pushvalue(L, 1);
   lua_pushvalue(L, 3);
-  lua_call(L, 2, 1);
+  lua_pushinteger(L, id);
+  lua_call(L, 3, 1);
+  return !lua_isnil(L, -1);
 }
 
 /* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run. The case may be
@@ -357,10 +360,13 @@ int wear_open(lua_State *L) {
   box *opened = box_test(L, -1, &store_class);
   if (is_of_joint(L, store)) {
     box_empty(opened, &store_class);
-    open_joint(L);
-    return 1;
+    return open_joint(L, 0);
   }
   if (id == 0) id = only_case(L, store);
+  if (open_joint(L, id)) {
+    box_empty(opened, &store_class);
+    return 1;
+  }
   store_push_wear(L, store, id, given, "wear.open");
   box_empty(opened, &store_class);
   return 1;
