@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local given_gait = require "archard.joint.given_gait"
+local keys = require "archard.lib.keys"
 local made = require "archard.joint.made"
 local sphere = require "archard.sphere"
 
@@ -25,12 +26,19 @@ end
 module.rocking = simple("rocking", 23)
 module.flexion = simple("flexion", 21.5)
 
+local columns = { t = true, flexion = true, adduction = true, rotation = true, load = true, Fx = true, Fy = true, Fz = true }
+
 -- gait.read(path, { increments=, order=, period= }): reads the columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
 function module.read(path, options)
   local where = "gait.read"
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   options = check.definition(where, options or {}, { increments = check.count, order = check.text, period = check.positive })
   local table_of = require("archard.lib.csv").read(path)
+  for _, name in ipairs(keys(table_of)) do
+    if not columns[name] then
+      warn(("%s: %s: the column '%s' is not used (known: %s)"):format(where, path, name, table.concat(keys(columns), ", ")))
+    end
+  end
   local given = { increments = options.increments, order = options.order, period = options.period, t = rawget(table_of, "t") }
   for _, name in ipairs{ "flexion", "adduction", "rotation" } do given[name] = rawget(table_of, name) end
   local x, y, z = rawget(table_of, "Fx"), rawget(table_of, "Fy"), rawget(table_of, "Fz")

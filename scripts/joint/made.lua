@@ -29,12 +29,21 @@ local function warn_of_few(name, count, track, work, finer)
   end
 end
 
+-- A gait of constant angles wears nothing.
+local function warn_of_rest(name, instants)
+  for i = 1, #instants, 15 do
+    if instants[i + 9] ~= 0 or instants[i + 10] ~= 0 or instants[i + 11] ~= 0 then return end
+  end
+  warn(("gait %s: the head does not move: flexion, adduction and rotation are constant"):format(name))
+end
+
 -- (name, list of numbers [, the list of twice as many increments]) -> gait
 return function(name, instants, finer)
   if type(name) ~= "string" or type(instants) ~= "table" or #instants < 15 or #instants % 15 ~= 0 then
     check.fail("gait", "expected a name and fifteen numbers for each instant")
   end
   local track, work = sphere.path(instants, 14)
+  if finer then warn_of_rest(name, instants) end
   if finer then warn_of_few(name, #instants // 15, track, work, finer) end
   return strict.object({ name = name, increments = #instants // 15, instants = instants, track = track, work = work }, class)
 end

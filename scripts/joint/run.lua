@@ -318,7 +318,7 @@ function methods:run(given)
     if self.checked ~= block then begin_block(self, block) end
     self.loading = block.gait
     note(self, advance(self, block.gait.instants, math.min(goal, last) - self.cycle))
-    lattice.warn_of_rim("joint_wear:run", self.model, self.record.rim_margin, self.warned)
+    lattice.warn_of_rim("joint_wear:run", self.model, self.record.rim_margin, self.warned, 0.5)
     report(self, goal)
     if watch(self) then break end
   end

@@ -2,6 +2,7 @@
 -- Ordinary collector: long runs, which small steps of the collector slow down.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
+local warnings = require "archard.warnings"
 
 -- --- gaits -------------------------------------------------------------------------------------------
 near(gait("iso").track, 22.308, 5e-3, "track of the walk")
@@ -27,6 +28,15 @@ file:write("t,flexion,adduction,rotation,load\n0,0,0,0,1000\n0.5,10,0,0,1000\n1,
 file:close()
 near(gait.read(path).track, list.track, 1e-9, "flexion from a table")
 is(gait.read(path).name, path:match "[^/]+$", "named after its file")
+do
+  local file <close> = io.open(path, "w")
+  file:write "t [%],flexion [deg],adduction [rad],load [kN],torque\n0,0,0,1,5\n50,10,0,1,5\n100,0,0,1,5\n"
+end
+warnings.keep()
+near(gait.read(path).track, list.track, 1e-9, "columns with units")
+ok(warnings.take():find "column 'torque' is not used", "other columns are named")
+gait{ flexion = 0 }
+ok(warnings.take():find "the head does not move", "a gait at rest")
 os.remove(path)
 fails(function() gait{ flexion = 0, load = { z = { 1000 } } } end, "field 'load.z': expected at least two values", "a load of one value")
 fails(function() gait "isso" end, "did you mean 'iso'", "a gait by a wrong name")

@@ -64,7 +64,7 @@ near(integral(alone, alone.pressure)[3], 2000, 0.02, "whose pressure carries the
 export.csv(single, folder .. "c.csv")
 local table_of = csv.read(folder .. "c.csv")
 is(#table_of.value, #single.pressure.values, "as a table over theta and phi")
-near(table_of["theta [degrees]"][#table_of.value], 178, 1e-3, "in degrees")
+near(table_of.theta[#table_of.value], 178, 1e-3, "in degrees")
 os.remove(folder .. "c.vtu")
 os.remove(folder .. "c.csv")
 export.json(w, folder .. "w.json")
