@@ -163,6 +163,11 @@ holds(read "series.pvd", { 'file="series-00001-plate.vtu"', 'timestep="' .. requ
   "files and distances")
 holds(read "series-00001-plate.vtu", { 'Name="wear_depth"', 'Name="pressure"', 'Name="mises"', 'Name="displacement"' },
   "arrays")
+local said, usual = {}, io.stderr
+io.stderr = { write = function(_, ...) said[#said + 1] = table.concat{ ... } end }
+export.pvd(w, at "last.pvd")
+io.stderr = usual
+holds(table.concat(said), { "last.pvd with one state at ", "as progress of w:run" }, "written states are reported")
 fails(function() export.pvd(c, at "c.pvd") end, "export.pvd: expected a wear object", "of a contact")
 fails(function() export.pvd(w, at "c.vtu") end, "ends in .pvd", "another ending")
 fails(function() export.pvd(w, at "c.pvd", { every = 0 }) end, "field 'every': expected a whole number >= 1", "never")

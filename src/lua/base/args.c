@@ -45,17 +45,18 @@ static const char *push_known(lua_State *L, const arc_setting *list) {
 }
 
 void args_unknown(lua_State *L, args_location location, const arc_setting *list, const char *name) {
+  static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
   names_search search = names_begin(name);
   for (const arc_setting *field = list; field->name; field++) names_offer(&search, field->name);
+  names_search model = names_begin(name);
+  for (int i = 0; of_model[i] && location.prefix[0] == '\0'; i++) names_offer(&model, of_model[i]);
+  if (model.best && (!search.best || strcmp(model.best, name) == 0))
+    error_raise(L, ARC_ARGUMENT, location.where,
+                "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
+                model.best);
   if (search.best)
     error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (did you mean '%s'?)",
                 location.prefix, name, search.best);
-  static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
-  for (int i = 0; of_model[i] && location.prefix[0] == '\0'; i++) names_offer(&search, of_model[i]);
-  if (search.best)
-    error_raise(L, ARC_ARGUMENT, location.where,
-                "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
-                search.best);
   if (strcmp(name, "E") == 0 || strcmp(name, "nu") == 0)
     error_raise(L, ARC_ARGUMENT, location.where,
                 "unknown field '%s%s': it is a field of the material of a body", location.prefix,
