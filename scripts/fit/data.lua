@@ -268,7 +268,10 @@ end
 
 -- Returns the list of items, and true if the user gave their errors.
 function data.read(where, given, motion)
-  if #given == 0 then check.fail(where, "field 'data': expected a list of measurements, got none") end
+  if #given == 0 then
+    local single = next(given) ~= nil and "a single one: write data = { { ... } }" or "none"
+    check.fail(where, "field 'data': expected a list of measurements, got " .. single)
+  end
   local items = {}
   for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)

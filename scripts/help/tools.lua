@@ -251,7 +251,7 @@ return {
     values = columns,
     text = "Columns of w.history against the travelled distance, a panel for each quantity. Units follow the values: "
       .. "distances in mm, m or km, depths in nm, um or mm. Accepts the options of plot{}." },
-  { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',
+  { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance", "cycle" of joints',
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
   { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(w, "height")  plot.map(t, { levels=12, file="t.png" })',

@@ -8,6 +8,7 @@ local hertz_of = require "archard.lib.hertz_of"
 local measured = require "archard.plot.measured"
 local naming = require "archard.plot.naming"
 local shapes = require "archard.plot.shapes"
+local strict = require "archard.strict"
 
 local curves = {}
 
@@ -305,7 +306,7 @@ function curves.history(...)
     against = check.one_of { "distance", "cycle", "update" } }, ...)
   if not columns[1] then columns = { get(objects[1].history, "p_center") and "p_center" or "p_peak" } end
   local names, scale = naming.names_of(where, objects, options.titles)
-  local abscissa = options.against or "distance"
+  local abscissa = options.against or strict.is(objects[1], "joint_wear") and "cycle" or "distance"
   local panels = history_panels(columns)
   for i, object in ipairs(objects) do
     local history = object.history

@@ -160,6 +160,8 @@ is(again.value.k, first.value.k, "the same file gives the same")
 is(again.runs, 0, "without a run")
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
 is(g.value.k, first.value.k, "a fit in this process gives the same bits")
+fails(function() fit{ unknown = { k = 2e-8 }, data = volumes } end,
+  "field 'data': expected a list of measurements, got a single one: write data = { { ... } }", "one measurement, not in a list")
 fails(function() fit{ base = { jump = 40 }, unknown = { k = 2e-8 }, data = { volumes }, file = file } end,
   { file, "another fit" }, "a file of another fit is refused")
 os.remove(file)
