@@ -179,7 +179,8 @@ return {
       .. "similar bodies (Dundurs' beta up to 0.01, such as steels) under constant load the error is 1.6 % if one "
       .. "element slips on each side, 0.3 % if three do; for beta up to 0.1, 12 % and 1.5 %. For larger beta, "
       .. "changing loads and edges of scars it is a sum over nodes, with errors of 45, 15 and 6 % if one, one and a "
-      .. "half and two elements slip." },
+      .. "half and two elements slip. Meshes chosen for a contact with friction have 27 elements in the half width: "
+      .. "cycles of similar bodies are then within 0.5 %, of others 1.5 % from 0.3 of full slip on, 6 % at 0.2." },
   { "contact.energy_error", kind = "field", unit = "N mm",
     text = "In 3-D: estimated error of contact.energy due to the length of the increments, the difference to the energy "
       .. "with half as many. It is close to the error where the direction of slip rotates and three times the error "

@@ -46,9 +46,9 @@ return {
     text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, partial slip or "
       .. "gross slip), and at each load the amplitudes of the transitions, from periodic cycles between two forces. "
       .. "Partial slip begins when slip covers a share `annulus` of the width, as any force causes some slip at the "
-      .. "edges of a smooth contact; for 0.1 this is 19 % of the sliding force (Cattaneo, Mindlin). Error for a "
-      .. "cylinder: 13, 4, 3 and 2 % at a fineness of 1, 2, 4 and 8; of gross slip 0.5 %. Accepts the fields of "
-      .. "contact{} too (worn=, friction=, model=); the default model has a fineness of 2." },
+      .. "edges of a smooth contact; for 0.1 this is 19 % of the sliding force (Cattaneo, Mindlin). Errors "
+      .. "for a cylinder: 0.5 % (unlike bodies 3 %), 8 % at a fineness of 0.2; of gross slip 0.5 %. Accepts the fields "
+      .. "of contact{} too (worn=, friction=, model=)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
     text = "Amplitudes of the plate's motion, half its strokes, increasing." },

@@ -15,7 +15,7 @@ local strict = require "archard.strict"
 
 local where = "study.fretting_map"
 
-local usual = { friction = 0.6, annulus = 0.1, model = { mesh = { fineness = 2 } } }
+local usual = { friction = 0.6, annulus = 0.1 }
 local levels, last_level = 18, 0.9 -- number of force levels; the last one as a share of the sliding force
 local sliding = 1 - 1e-6
 local steps = 4 -- increments of half a cycle; the shear has little effect on the pressure

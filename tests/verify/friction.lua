@@ -376,3 +376,27 @@ do
   end
   within(low, 2.677e-3, 0.005, "the plate slides after [mm]")
 end
+
+-- --- meshes chosen for a contact with friction ----------------------------------------------------
+
+local function loop_energy(bodies, share)
+  local there = contact{ model = bodies, load = load, friction = mu }:move{ tangential = share * mu * load }
+  local back = there:move{ tangential = -share * mu * load }
+  return back:move{ tangential = share * mu * load }.energy - there.energy
+end
+
+for i, share in ipairs{ 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95 } do
+  within(loop_energy(nil, share), cycle_energy(share), i == 1 and 0.01 or 0.005,
+    ("steel, automatic mesh, %g of full slip: energy of a cycle [N mm]"):format(share))
+end
+for name, bodies in pairs{ ["aluminium plate"] = { plate = { E = 70e3, nu = 0.33 } },
+  ["polymer cylinder"] = { cylinder = { E = 3600, nu = 0.4 } } } do
+  local fine = {}
+  for key, value in pairs(bodies) do fine[key] = value end
+  fine.mesh = { fineness = 14 }
+  fine = contact{ model = fine, load = load }.model
+  for _, share in ipairs{ 0.2, 0.3, 0.5, 0.7, 0.9 } do
+    within(loop_energy(bodies, share), loop_energy(fine, share), share < 0.3 and 0.06 or 0.015,
+      ("%s, automatic mesh, %g of full slip: energy of a cycle [N mm]"):format(name, share))
+  end
+end

@@ -42,12 +42,15 @@ static double largest_size(const arc_model_def *def) {
  * over the whole zone, which is as deep as wide. */
 static const double most_columns = 320;
 
+static double smallest_size(const contact_estimate *e) {
+  return 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
+}
+
 /* The contact's edges as fine as the paper's, spots twice as fine, whose pressure at the axis would
  * be 0.3 % low; with a node at the ends of a flat. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
-  const double least = 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
-  const double size = fmax(fine, least), flat = e->flat / 2;
+  const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
@@ -91,6 +94,18 @@ static void fit_to(arc_model_def *def, const contact_estimate *e) {
 void arc_model_fit(arc_model_def *def, double load) {
   contact_estimate e = {0};
   if (def->mesh.size == 0) e = arc_model_estimate(def, load);
+  fit_to(def, &e);
+}
+
+void arc_model_fit_friction(arc_model_def *def, double load) {
+  static const double finer = 5;
+  contact_estimate e = {0};
+  if (def->mesh.size == 0) {
+    e = arc_model_estimate(def, load);
+    fit_size(def, &e);
+    def->mesh.size =
+        fmin(def->mesh.size, fmax(def->mesh.size / finer, smallest_size(&e) / def->mesh.fineness));
+  }
   fit_to(def, &e);
 }
 

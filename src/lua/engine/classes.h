@@ -77,9 +77,10 @@ typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
 
 /* Pushes the model for field `model` of the definition table at index 1: a model object, or a table
  * of its fields; if nil, the definition of the worn object's model (index `worn`), or the default.
- * "auto" values of the mesh are set from the load [N] and the zones from `zones`. */
-arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
-                          const void *definition);
+ * "auto" values of the mesh are set from the load [N], finer with friction
+ * (arc_model_fit_friction), and the zones from `zones`. */
+arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
+                          zones_fn zones, const void *definition);
 
 /* If field `model` of the definition table at index 1 is an object: pushes a model with the zones
  * that `zones` requires and prints a warning. Returns NULL and pushes nothing if `model` is a

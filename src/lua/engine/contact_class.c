@@ -357,7 +357,8 @@ static int contact_new(lua_State *L) {
   args_read(L, 1, (args_location){"contact", ""}, arc_contact_settings, &def);
   worn_check(L, 1, "contact");
   int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
+  arc_model *model =
+      model_argument(L, worn, "contact", def.load, def.friction > 0, needed_zones, &def);
   int holder = lua_gettop(L);
   arc_error error = {0};
   request asked = {.shape = push_shape(L, worn, model, def.load), .def = &def};

@@ -188,8 +188,8 @@ static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zone
   arc_model_fit_zones(def, needed);
 }
 
-arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
-                          const void *definition) {
+arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
+                          zones_fn zones, const void *definition) {
   args_get(L, 1, "model");
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
@@ -215,7 +215,10 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   read_definition(L, lua_gettop(L), location, &def);
   lua_pop(L, 1);
   if (!arc_model_has_maps(&def)) {
-    arc_model_fit(&def, load);
+    if (friction)
+      arc_model_fit_friction(&def, load);
+    else
+      arc_model_fit(&def, load);
     suit_zones(L, &def, where, zones, definition);
   }
   return model_push(L, &def, where);

@@ -79,7 +79,7 @@ static int wear_new(lua_State *L) {
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
   request.worn = !lua_isnil(L, worn);
-  arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
+  arc_model *model = model_argument(L, worn, "wear", request.def.load, 0, needed_zones, &request);
   int holder = lua_gettop(L);
   check_coefficients(L, &request, arc_model_definition(model));
   arc_error error = {0};
