@@ -246,8 +246,9 @@ static rubbing random_contact(double *stuck) {
   return press(&def, 10 * random_in(0.5, 1), mu);
 }
 
-/* One random leg: constant or changed load, to a motion or force in any direction. */
-static void random_leg(rubbing *r, double stuck) {
+/* One random leg: constant or changed load, to a motion or force in any direction. Returns the
+ * number of increments. */
+static int random_leg(rubbing *r, double stuck) {
   const double before = r->to.position.load, force = hypot(r->s.force[0], r->s.force[1]);
   const int forced = random_int(0, 1), parts = random_int(1, 4);
   double load = random_int(0, 1) ? before : random_in(3, 19);
@@ -266,6 +267,7 @@ static void random_leg(rubbing *r, double stuck) {
     slide(r);
     check_coulomb(r, 1);
   }
+  return parts;
 }
 
 /* Every increment satisfies Coulomb's conditions and has converged except for single cells.
@@ -275,11 +277,12 @@ static void test_random_paths(void **state) {
   const char *wish = getenv("SPACE_PATHS");
   const int paths = wish ? atoi(wish) : 25;
   arc_halfspace_effort all = {0};
+  int increments = 0;
   random_start(28);
   for (int k = 0; k < paths; k++) {
     double stuck;
     rubbing r = random_contact(&stuck);
-    for (int leg = 0; leg < 5; leg++) random_leg(&r, stuck);
+    for (int leg = 0; leg < 5; leg++) increments += random_leg(&r, stuck);
     assert_true(r.s.energy >= 0);
     all.sweeps += r.effort.sweeps;
     all.iterations += r.effort.iterations;
@@ -287,10 +290,10 @@ static void test_random_paths(void **state) {
     all.unfinished += r.effort.unfinished;
     end(&r);
   }
-  printf("# %d paths: %d sweeps, %d steps of conjugate gradients, %d with flipping cells, %d "
-         "unfinished\n",
-         paths, all.sweeps, all.iterations, all.flipping, all.unfinished);
-  assert_true(all.flipping <= all.sweeps / 100 && all.unfinished == 0);
+  printf("# %d paths, %d increments: %d sweeps, %d steps of conjugate gradients, %d with flipping "
+         "cells, %d unfinished\n",
+         paths, increments, all.sweeps, all.iterations, all.flipping, all.unfinished);
+  assert_true(100 * all.flipping <= increments && 200 * all.unfinished <= increments);
 }
 
 /* A failed increment leaves the state unchanged; layers and periodic windows are refused. */

@@ -248,19 +248,29 @@ static arc_status like_bodies(increment *s, arc_halfspace_effort *effort, arc_er
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
+/* Share of a sweep's change of the shear: single sites may alternate between two states for ever
+ * unless it becomes small. */
+static double relaxation(int sweep) {
+  enum { plain_sweeps = 15, equal_sweeps = 20 };
+  static const double relaxed = 0.7, decay = 0.9, smallest = 0.02;
+  if (sweep <= plain_sweeps) return 1;
+  return sweep <= equal_sweeps ? relaxed
+                               : fmax(smallest, relaxed * pow(decay, sweep - equal_sweeps));
+}
+
 static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {
-  enum { most_sweeps = 60, plain_sweeps = 15 };
-  static const double settled = 1e-6, relaxed = 0.7;
+  enum { most_sweeps = 80 };
+  static const double settled = 1e-6;
   int known = 0;
   if (s->h->shear->couple[0] == NULL) return like_bodies(s, effort, error);
   for (int k = 0; k < most_sweeps; k++) {
     double change;
     int entering = 0;
-    hold(s, k > plain_sweeps ? relaxed : 1);
+    hold(s, relaxation(k));
     arc_status status = press(s, &change, error);
     effort->sweeps++;
     if (status != ARC_OK) return status;
-    if (k > 0 && change <= settled && known) { /* pressures of the present shear */
+    if (k > 0 && change <= settled * relaxation(k) && known) { /* pressures of the present shear */
       memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
       return ARC_OK;
     }
