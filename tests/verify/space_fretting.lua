@@ -2,6 +2,7 @@
 -- closed end state at nu = 0, steps, times of the processor as a note. Steel ball of 10 mm, 10 N, friction 0.5.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local warnings = require "archard.warnings"
 local within, note, ok = figures.within, figures.note, figures.ok
 
 local k, load, mu, radius = 1e-8, 10, 0.5, 10
@@ -78,6 +79,32 @@ local few, many = slide(0.5, { scheme = "implicit", jump = 1250 }), slide(0.5, {
 within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40: depth")
 within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40: volume")
 
+-- --- a long crowned roller -------------------------------------------------------------------------
+-- McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a roller, and the plane engine under the
+-- load there, over the same slip: the lag of long rollers is that of their length.
+do
+  local fields = { friction = 0.9, stroke = 0.05, k_cylinder = 1.9e-8, k_plate = 2.9e-8 }
+  local function run(changes)
+    for name, value in pairs(changes) do fields[name] = value end
+    return wear(fields):run{ progress = false }
+  end
+  local function slip(w) return w.energy / (0.9 * w.load) end
+  local roller = run{ model = { geometry = "3-D", upper = body.ball{ radius = 6, radius_z = 300 }, lower = body.block{},
+    mesh = { size = 0.008 } }, load = 45, cycles = 5000 }
+  local area = 0
+  for _, name in ipairs{ "ball", "block" } do
+    local section = roller:profile(name, { z = 0 })
+    for i = 2, #section.x do area = area + (section.h[i] + section.h[i - 1]) / 2 * (section.x[i] - section.x[i - 1]) end
+  end
+  local line = { model = { radius = 6 }, load = area / (4.8e-8 * slip(roller)), cycles = 500 }
+  line.cycles = 500 * slip(roller) / slip(run(line))
+  local plane = run(line)
+  ok(roller.gross == 1 and plane.gross == 1, "a long roller: gross slip")
+  within(slip(plane), slip(roller), 0.003, "a long roller: slip [mm]")
+  within(roller.depth.upper, plane.depth.cylinder, 0.01, "a long roller: depth in its middle [mm]")
+  within(roller.depth.lower, plane.depth.plate, 0.01, "a long roller: depth of the flat [mm]")
+end
+
 -- --- unlike bodies pressed together, and a force that rotates ---------------------------------------
 do
   local bodies = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{ material = { E = 3600, nu = 0.4 } } }
@@ -105,4 +132,36 @@ do
   local missed = 2 * sixteen - eight - work
   ok(math.abs(missed) < 2 * shown and math.abs(missed) > shown / 3,
     ("chosen increments miss %.2g N mm of its work, energy_error shows %.2g"):format(missed, shown))
+end
+
+-- Circular motion of radius r in full slip: each point lags by its own angle, the work of a turn is 2 pi mu times the
+-- integral of p sqrt(r^2 - u^2) with the displacement u = d (1 - s^2 / 2) that Hertz' pressure times mu causes at the
+-- distance s a from the axis (nu = 0; the same within 1 % at 0.3).
+do
+  warnings.keep()
+  local bodies = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 14 } }
+  local d = 4.706e-4
+  local function turn(r, increments)
+    local c, before = contact{ model = bodies, load = load, friction = mu }:move{ x = r }, nil
+    for _ = 1, 2 do
+      before = c.energy
+      for i = 1, increments do
+        local angle = 2 * math.pi * i / increments
+        c = c:move{ x = r * math.cos(angle), z = r * math.sin(angle), increments = 1 }
+      end
+    end
+    return c.energy - before
+  end
+  for _, times in ipairs{ 4, 20 } do
+    local r, sum, points = times * d, 0, 1000
+    for i = 1, points do
+      local s = (i - 0.5) / points
+      sum = sum + 3 * s * math.sqrt(1 - s * s) * math.sqrt(r * r - (d * (1 - s * s / 2)) ^ 2) / points
+    end
+    local exact, label = 2 * math.pi * mu * load * sum, ("a circle of %g times the limit of partial slip"):format(times)
+    local coarse, fine = turn(r, 64), turn(r, 128)
+    within(fine, exact, 0.01, label .. ": work of a turn [N mm]")
+    within((2 * fine - coarse), exact, 0.001, label .. ": of first order, extrapolated from 64 and 128 increments")
+  end
+  ok(warnings.take():find "14 cells in its half width", "cells that are too large for friction are named")
 end
