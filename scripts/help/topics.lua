@@ -100,7 +100,8 @@ prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them to their surfaces once. Elements in the contact zone are mesh.size wide and
 mesh.height high; they grow to mesh.far outside. By default the size follows the expected contact, with layers: 5.4 elements per
-half width, 10.8 for a ball, 5.4 per rounded edge of a punch, 8 per wave of a rough profile, in wear runs 5 per slip zone.
+half width, 10.8 for a ball, 5.4 per rounded edge of a punch, 8 per wave of a rough profile and 5 per
+spot that touches, 27 in contact{} with friction, in wear runs 5 per slip zone.
 mesh.fineness = 2 halves the size. If you set mesh.size, use at least four elements per half width (hertz{} computes it).
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 

@@ -6,14 +6,18 @@ local within = figures.within
 local length, height = 0.1, 1e-4
 local star = math.pi * 109890.1 * height / length -- mean pressure for full contact
 
--- Default meshes have eight elements per wave; an error of 1 % needs six times as many. For Westergaard's pressures, (p
+-- Default meshes have eight elements per wave and five in the width that touches on a crest. For Westergaard's pressures, (p
 -- / cos)^2 is linear in sin^2 of pi x / l and becomes zero at the edge of the contact.
 local function wavy(radius, fineness, zone)
   return model{ upper = body.profile{ width = 4, height = 2,
       y = function(x) return height * math.cos(2 * math.pi * x / length) - x * x / (2 * radius) end },
     lower = body.block{ width = 4, height = 2 }, mesh = { fineness = fineness, far = 0.2, zone = { cylinder = zone, plate = zone } } }
 end
-within(wavy(220, 1, 1).mesh.size, length / 8, 1e-3, "waves: eight elements each by themselves [mm]")
+local smooth = contact{ load = 100, model = { upper = body.profile{ width = 4, height = 2, y = function(x) return -x * x / 200 end },
+  lower = body.block{ width = 4, height = 2 } } }
+local touching = 2 * length / math.pi * math.asin(math.sqrt(100 / (2 * smooth.half_width) / star))
+within(wavy(100, 1, 1).mesh.size, touching / 5, 0.02, "waves: five elements in a spot by themselves [mm]")
+within(wavy(22, 1, 1).mesh.size, length / 8, 1e-3, "waves in full contact: eight elements each [mm]")
 local fine = contact{ load = 45, average = 0, model = wavy(220, 6, 0.9) }
 local size = fine.model.mesh.size
 local at, force = fine:pressure("profile"), 0
@@ -31,6 +35,22 @@ local s1, q1 = line(last)
 within(2 / math.pi * math.asin(math.sqrt(s0 + q0 * (s1 - s0) / (q0 - q1))), 2 / math.pi * math.asin(math.sqrt(mean / star)), 0.01,
   "waves: share in contact")
 within(fine.p_center, 2 * math.sqrt(mean * star), 0.01, "waves: pressure at a crest, 48 elements each [MPa]")
+
+-- Waves of a micrometre on a cylinder: the crest in the middle and the largest one beside it by themselves.
+for _, row in ipairs{ { 1e-3, 0.05 }, { 2e-3, 0.1 } } do
+  local deep, long = table.unpack(row)
+  local function crests(finer)
+    local c = contact{ load = 100, average = 0, model = { mesh = { fineness = finer }, lower = body.block{ width = 4, height = 2 },
+      upper = body.profile{ width = 4, height = 2, y = function(x) return deep / 2 * math.cos(2 * math.pi * x / long) - x * x / 20 end } } }
+    local p, beside = c:pressure("profile"), 0
+    for k, x in ipairs(p.x) do if math.abs(x - long) < long / 2 then beside = math.max(beside, p.p[k]) end end
+    return c.p_center, beside
+  end
+  local middle_crest, next_crest = crests(1)
+  local fine_middle, fine_next = crests(3)
+  within(middle_crest, fine_middle, 0.01, ("waves of %g um by themselves: pressure in the middle [MPa]"):format(1e3 * deep))
+  within(next_crest, fine_next, 0.04, "on the next crest")
+end
 
 -- In full contact waves decay as exp(-d / d_c), d_c = l / (pi k E*), after subtraction of the profile's form.
 local decay = length / (math.pi * 1e-8 * 109890.1)

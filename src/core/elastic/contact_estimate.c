@@ -189,10 +189,15 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
                   : load / (2 * half_width * line_length(g->def));
 }
 
+/* Width [mm] that touches on each crest of waves under the mean pressure p: Westergaard's. */
+static double spot_width(const body_waves *w, double modulus, double p) {
+  const double flat = pi * modulus * w->height / 2 / w->length; /* mean pressure of full contact */
+  return p < flat ? 2 * w->length / pi * asin(sqrt(p / flat)) : w->length;
+}
+
 /* Body whose profile is rough under the load, judged by the contact of its form; the width is then
- * that of the form only. Returns the length of the shortest waves [mm]. */
-static double find_waves(contact_pair *g, double load) {
-  double shortest = INFINITY;
+ * that of the form only. Sets the length of the shortest waves and the width of spots. */
+static void find_waves(contact_pair *g, double load, contact_estimate *e) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;
   const double wide = width_under(g, load), a = g->least + wide;
@@ -200,10 +205,13 @@ static double find_waves(contact_pair *g, double load) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const body_waves *w = &g->waves[b];
     const int rough = pi * modulus_at(g, a) * w->height / 2 > felt * p * w->length;
-    if (rough) shortest = fmin(shortest, w->length);
-    if (!rough) g->form[b] = 0;
+    if (!rough) {
+      g->form[b] = 0;
+      continue;
+    }
+    e->wave = fmin(e->wave, w->length);
+    e->spot = fmin(e->spot, spot_width(w, modulus_at(g, a), p));
   }
-  return shortest;
 }
 
 static int has_profile(const contact_pair *g) {
@@ -222,11 +230,12 @@ static int is_plain(const contact_pair *g, double half_width) {
 }
 
 static contact_estimate estimate(contact_pair g, double load) {
-  contact_estimate e = {.half_width = arc_model_hertz(g.def, load).half_width, .wave = INFINITY};
+  contact_estimate e = {
+      .half_width = arc_model_hertz(g.def, load).half_width, .wave = INFINITY, .spot = INFINITY};
   e.edge = e.half_width;
   if (is_plain(&g, e.half_width)) return e;
   if (has_profile(&g)) {
-    e.wave = find_waves(&g, load);
+    find_waves(&g, load, &e);
     find_first_touch(&g);
   }
   const double wide = width_under(&g, load);

@@ -13,6 +13,7 @@ typedef struct contact_estimate {
   double edge; /* half width of the cylinder or ball whose pressure has edges of the same sharpness;
                   equal to the half width except for rounded edges or kinks */
   double wave; /* length of the shortest waves that are felt; INFINITY: none are */
+  double spot; /* width of the spots that touch on the crests of waves; INFINITY: no waves */
 } contact_estimate;
 
 /* Relative shape of the unworn surfaces of a pair. Created once for any number of loads; `at`,

@@ -54,13 +54,17 @@ static double contact_size(const arc_model_def *def, const contact_estimate *e) 
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
-/* Eight elements per wave of a rough profile. */
+/* Eight elements per wave of a rough profile, and five in the spots that touch. */
+static double size_of_waves(const contact_estimate *e) {
+  enum { a_wave = 8, a_spot = 5 };
+  return fmin(e->wave / a_wave, fmax(e->spot / a_spot, smallest_size(e)));
+}
+
 static void fit_size(arc_model_def *def, const contact_estimate *e) {
-  enum { a_wave = 8 };
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->fineness == 0) mesh->fineness = 1;
   mesh->size =
-      fmin(fmin(contact_size(def, e), e->wave / a_wave) / mesh->fineness, largest_size(def));
+      fmin(fmin(contact_size(def, e), size_of_waves(e)) / mesh->fineness, largest_size(def));
 }
 
 /* Rows so high that two fit into soft layers that hardly change their volume: a single one locks

@@ -240,11 +240,20 @@ static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks
 
 enum { fewest = 4 }; /* elements in a contact, or in one of its edges */
 
+/* Elements in the spots of a rough profile: pressures were 3 and 4 % off with 1.9 and 2.1. */
+static const double least_of_spot = 4;
+
 /* Edges with three elements have peaks 6 % low, with two 16 %. */
 static void warn_edges(const arc_model *m, double load, const arc_callbacks *callbacks) {
   const double size = m->def.mesh.size;
   if (!(load > 0) || arc_model_is_given(m)) return;
   const contact_estimate e = arc_model_estimate(&m->def, load);
+  if (e.spot < least_of_spot * size)
+    arc_warn(callbacks,
+             "the waves of the profile touch over %.2g mm, fewer than %g elements of %g mm: "
+             "pressures on their crests may be off by several per cent; mesh.size = %.2g resolves "
+             "them",
+             e.spot, least_of_spot, size, e.spot / 5);
   if (e.edge >= 0.5 * e.half_width || e.edge >= fewest * size) return;
   arc_warn(callbacks,
            "pressure rises over %.2g mm at the edges of the contact, fewer than %d elements of %g "
