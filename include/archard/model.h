@@ -189,7 +189,7 @@ double arc_model_seconds(const arc_model *model);
 void arc_model_fit(arc_model_def *def, double load);
 /* The same for a contact with friction, whose slip zones are narrower than the contact: automatic
  * elements are a fifth as wide, 27 in the half width of an unworn cylinder, fewer where edges are
- * sharp. */
+ * sharp or given zones wide (320 elements in all). */
 void arc_model_fit_friction(arc_model_def *def, double load);
 /* Sets "auto" zones to the needed ones [mm], rounded up to ten elements, limited by the bodies. */
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);

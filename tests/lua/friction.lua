@@ -143,3 +143,11 @@ fails(function() plot.shear(m) end, "expected a contact", "a model has no shear"
 fails(function() plot.shear(smooth) end, "expected a contact with friction", "no shear to draw without friction")
 fails(function() plot.slip(d, "plate") end, "expected contacts", "a word")
 os.remove(name)
+
+-- automatic meshes: finer with friction, but 320 elements in a given zone at most
+local plain, rubbed = contact{ load = 100 }.model.mesh, contact{ load = 100, friction = 0.3 }.model.mesh
+near(rubbed.size, plain.size / 5, 1e-12, "a fifth as wide with friction")
+is(rubbed.fineness, 1, "and still of fineness 1")
+near(contact{ load = 100, friction = 0.3, model = { mesh = { size = 0.03 } } }.model.mesh.size, 0.03, 1e-12, "a given size stays")
+near(contact{ load = 100, friction = 0.3, model = { mesh = { zone = { cylinder = 2, plate = 2.4 } } } }.model.mesh.size, 2.4 / 320, 1e-12,
+  "the widest zone has 320 elements")
