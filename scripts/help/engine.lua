@@ -3,6 +3,8 @@
 -- those of Mattei and Di Puccio, "Influence of the wear partition factor on wear evolution
 -- modelling of sliding surfaces".
 
+local of_all = '; E, nu, k or material, layers and name as in help "body".'
+
 return {
   -- --- material -------------------------------------------------------------------------------
   { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
@@ -46,29 +48,31 @@ return {
       .. "of layers." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = 'A half cylinder, fixed at its flat. For a pin in a bush, hold = "free" lets the flat move sideways and '
-      .. 'hold = "hub" makes it a whole disc around a rigid hub.' },
+      .. 'hold = "hub" makes it a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
     text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, with the surface x^2 / (2 radius) + z^2 '
-      .. "/ (2 radius_z); z is across the motion." },
+      .. "/ (2 radius_z); z is across the motion. Fields: radius, radius_z" .. of_all },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
     text = 'A block, fixed at its base (an upper block: at its top). With geometry="3-D" a half-space, or with a '
-      .. "height a layer on a rigid base." },
+      .. "height a layer on a rigid base. Fields: width, height" .. of_all },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
-    text = "A block with a flat of full width `flat` and edges rounded by `radius`." },
+    text = "A block with a flat of full width `flat` and edges rounded by `radius`. Fields: flat, radius, "
+      .. "height" .. of_all },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
     result = "table",
     text = "A block with a given or measured surface: heights y(x) out of the body in mm, lists x and y, or a trace "
-      .. "with heights, body.profile(profile.read(path))." },
+      .. "with heights, body.profile(profile.read(path)). Fields: width, height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
     text = 'A given or measured topography for model{ geometry="3-D" }, as upper or lower body: heights out of the '
       .. "body on an even grid, as a map or as the fields of map{ x=, z=, y= }. With a radius (and radius_z) they "
       .. "are added to a ball. Heights between the points are cubic. The contact must stay within the map, which is "
-      .. "centred at x = z = 0." },
+      .. "centred at x = z = 0. Fields: x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
-    text = "A whole disc, fixed at a hub of 0.15 radius in its middle." },
+    text = "A whole disc, fixed at a hub of 0.15 radius in its middle. Fields: radius" .. of_all },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
     text = 'A ring. With fixed="outer" its hole is in contact with a disc, cylinder or inner ring; the contact is '
-      .. "then solved along the arc, x is the length along the hole, and there is no friction." },
+      .. "then solved along the arc, x is the length along the hole, and there is no friction. Fields: "
+      .. "inner, outer, fixed" .. of_all },
   { "body.gmsh", kind = "function", use = "body.gmsh{ name=, E=, materials={ coating={ E=400e3 } } }",
     result = "table",
     text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }; materials by the names of "

@@ -66,7 +66,8 @@ end
 
 -- --- changing a number ---------------------------------------------------------------------------
 
--- k_cylinder or k_plate, from which k and alpha follow.
+-- The value of k_cylinder or k_plate, and a function that returns a definition with another value; k and alpha follow
+-- from both.
 local function of_couple(run, name, definition)
   local there = { k_cylinder = run.k_cylinder, k_plate = run.k_plate }
   return there[name], function(value)

@@ -36,7 +36,8 @@ static size_t symbol_before(const char *words, const char *at) {
   return isalnum(c) || c == '_' || c >= 0x80 ? 0 : length;
 }
 
-/* Bytes after the _ or ^ at `at` that are lowered or raised; 0: it is no mark. */
+/* Number of bytes after the _ or ^ at `at` that are lowered or raised; 0 if it is an ordinary
+ * character. */
 static size_t marked(const char *words, const char *at) {
   size_t count = 0;
   if (at == words) return 0;

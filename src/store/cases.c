@@ -255,7 +255,7 @@ static arc_status read_value(arc_store *store, query *q, int id, arc_value *valu
   case COLUMN_ARRAY:
     return read_array(store, q, value, to, error);
   case COLUMN_BYTES:
-    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: '%s' is no list of numbers",
+    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: '%s' is not a list of numbers",
                     store->path, value->name);
   case COLUMN_NONE:
   case COLUMN_NUMBER:

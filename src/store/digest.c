@@ -105,7 +105,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
   return status;
 }
 
-/* --- which cases have one --------------------------------------------------------------------- */
+/* --- cases that need a checksum --------------------------------------------------------------- */
 
 /* SQL condition: a case needs a checksum. */
 #define NEEDS_ONE                                                                                  \

@@ -160,7 +160,7 @@ refused({ "'name'", "letters", '"3s"' }, "a name that is no word", function() bo
 refused({ "'name'", "letters", "got 3" }, "a name that is no text", function() body.disc{ radius = 9, name = 3 } end)
 refused({ "'name'", "letters" }, "a name that is too long", function() body.disc{ radius = 9, name = ("x"):rep(32) } end)
 for _, word in ipairs{ "upper", "plate", "total", "ring", "size" } do
-  refused({ "'name'", "no kind of body", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
+  refused({ "'name'", "not a kind of body", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
 end
 refused({ "'lower.name'", '"a"' }, "two of one name", function()
   model{ upper = body.disc{ radius = 9, name = "a" }, lower = body.ring{ inner = 10, outer = 20, name = "a" } }
@@ -275,3 +275,12 @@ fails(function() plot.history(case, "depth_plug") end, "no column 'depth_plug'",
 os.remove(picture)
 hips:close()
 os.remove(file)
+
+-- help of a body names the fields that its constructor takes
+local describe = require "archard.help"
+for _, kind in ipairs{ "cylinder", "ball", "block", "punch", "profile", "disc", "ring" } do
+  local _, problem = pcall(body[kind], { zork = 1 })
+  local known = tostring(problem):match "%(known: (.-), name,"
+  local shown = tostring(describe.text("body." .. kind)):gsub("%s+", " ")
+  ok(known and shown:find("Fields: " .. known, 1, true), ("help of body.%s names %s"):format(kind, tostring(known)))
+end

@@ -239,7 +239,7 @@ static const struct broken {
     {"no-upper", "no physical group 'upper' of surfaces; found: 'upper.contact' (curves)"},
     {"no-lower-contact", "no physical group 'lower.contact' of curves; found:"},
     {"no-upper-fixed", "no physical group 'upper.fixed'"},
-    {"fixed-no-edge", "line 5 of 'upper.fixed' at (-2, 2) mm is no edge of an element"},
+    {"fixed-no-edge", "line 5 of 'upper.fixed' at (-2, 2) mm is not an edge of an element"},
     {"fixed-surface", "expected curves in the group 'upper.fixed', got surfaces"},
     {"flipped", "element 18 of 'upper' at (-0.5, 1.0125) mm is flipped"},
     {"folded", "element 18 of 'upper' at (-0.5, 1.0125) mm is folded or not convex"},
@@ -255,7 +255,7 @@ static const struct broken {
     {"shared-node", "node 3 at (0, 0) mm belongs to both bodies"},
     {"contact-in-pieces", "'upper.contact' is in pieces: expected one curve, got one that begins "
                           "at (-2, 0.2) mm and another at (0, 0) mm"},
-    {"contact-inside", "line 2 of 'upper.contact' at (-1, 0.05) mm is no edge on the boundary"},
+    {"contact-inside", "line 2 of 'upper.contact' at (-1, 0.05) mm is not an edge on the boundary"},
     {"contact-upright", "overhangs: a contact surface has one y for each x"},
     {"contact-behind", "that of 'upper' looks down"},
     {"contact-fixed", "node 5 at (2, 0.2) mm is both in 'upper.contact' and in 'upper.fixed'"},

@@ -210,7 +210,7 @@ static void test_broken_meshes(void **state) {
       {"element-twice", "overlap at node"},
       {"two-pieces", "is in pieces"},
       {"contact-fixed", "is both in"},
-      {"fixed-no-edge", "is no edge of an element"},
+      {"fixed-no-edge", "is not an edge of an element"},
       {"binary", "the file is binary"},
       {"huge-nodes", "expected a number of nodes"},
       {"truncated", "the file ends"},

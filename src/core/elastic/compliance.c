@@ -19,7 +19,7 @@ size_t arc_compliance_bytes(int n) {
   return compliance_numbers(n) * sizeof(double);
 }
 
-/* All five blocks, slopes and levels in one piece of memory; flat, `along` is yy itself. */
+/* One allocation for all five blocks, slopes and levels. On a flat surface `along` is yy. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){0};

@@ -29,7 +29,7 @@ arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_erro
   if (!is_taken(b->name)) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field '%sname': expected a name that is no kind of body, no field of mesh and none "
+      "field '%sname': expected a name that is not a kind of body, not a field of mesh and none "
       "of upper, lower, plate, total, both and all, got \"%s\"",
       path, b->name);
 }

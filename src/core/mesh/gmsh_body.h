@@ -1,4 +1,4 @@
-/* One body out of a Gmsh file. */
+/* One body of a Gmsh file. */
 #ifndef MESH_GMSH_BODY_H
 #define MESH_GMSH_BODY_H
 

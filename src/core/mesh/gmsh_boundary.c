@@ -154,7 +154,7 @@ static arc_status link_surface(const msh_body *b, int *right, int *left) {
     const int forth = end[0] >= 0 && end[1] >= 0 && b->next[end[0]] == end[1];
     const int back = end[0] >= 0 && end[1] >= 0 && b->next[end[1]] == end[0];
     if (!forth && !back)
-      return refuse_line(b, e, "contact", "is no edge on the boundary of the body");
+      return refuse_line(b, e, "contact", "is not an edge on the boundary of the body");
     const int from = end[back], to = end[!back], upper = b->mesh->body == ARC_CYLINDER;
     status = check_direction(b, e, from, to);
     right[upper ? from : to] = upper ? to : from;
@@ -214,7 +214,7 @@ static arc_status mark_fixed(const msh_body *b, const edge *list, int edges, cha
     const edge line = {.from = end[0], .to = end[1]};
     if (end[0] < 0 || end[1] < 0) return refuse_line(b, e, "fixed", "is not part of the body");
     if (!bsearch(&line, list, (size_t)edges, sizeof line, compare_ends))
-      return refuse_line(b, e, "fixed", "is no edge of an element");
+      return refuse_line(b, e, "fixed", "is not an edge of an element");
     fixed[end[0]] = fixed[end[1]] = 1;
   }
   for (int i = 0; i < b->mesh->surface; i++) {

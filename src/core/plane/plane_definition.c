@@ -144,7 +144,7 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
         "plate");
   if (d->slide == ARC_SLIDE_Z)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'slide': with friction expected \"x\": its slip is that in the plane");
+                    "field 'slide': with friction expected \"x\": slip is computed in the plane");
   return ARC_OK;
 }
 

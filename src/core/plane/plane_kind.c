@@ -155,8 +155,8 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_friction_warn(w->model, mu, "wear", callbacks);
 }
 
-/* Rims that slip: volumes of 10000 cycles were 9 to 35 % off on 0.5 to 1.6 elements, 3 to 8 % on 3
- * to 4; energies twice as much. */
+/* Warns of narrow slip zones: with 0.5 to 1.6 elements volumes of 10000 cycles were 9 to 35 % off,
+ * with 3 to 4 elements 3 to 8 %; energies twice as much. */
 static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 5, few = 2;
   const arc_wear_record *now = arc_wear_last(w);

@@ -185,7 +185,7 @@ void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const char *why = "the wear outgrows its mesh";
-  if (old->fineness > 0 && mesh->size > old->size) return; /* elements go with the contact */
+  if (old->fineness > 0 && mesh->size > old->size) return; /* only coarser, not reported */
   if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly are taken into the wear box";
   if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
   arc_wear_report_meshes(before, now, why, callbacks);
