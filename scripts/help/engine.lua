@@ -323,10 +323,10 @@ return {
     text = "{ eigenvalue=, jump_limit= }: largest growth rate of ripples [1/cycle], linearised at the present state, "
       .. "and the limit 2 / eigenvalue. Explicit updates with a larger jump make the surfaces rough." },
   { "wear.loop", kind = "method", use = "w:loop()",
-    text = "The fretting loop of a periodic cycle on the present surfaces, of runs with friction: { x=, tangential=, "
-      .. "energy=, stick_width=, gross= } with the position of the plate's base [mm], the tangential force [N], the "
-      .. "energy of a cycle [N mm], the width that never slips [mm], and 1 for gross slip. The energy is more "
-      .. "accurate than the loop's area, which omits slip between nodes in partial slip, and in gross slip contains "
+    text = "The fretting loop of a periodic cycle on the present surfaces, of runs with friction: { cycle=, x=, "
+      .. "tangential=, energy=, stick_width=, gross= } with the cycles of the run so far, the position of the plate's "
+      .. "base [mm], the tangential force [N], the energy of a cycle [N mm], the width that never slips [mm], and "
+      .. "true for gross slip. The energy is more accurate than the loop's area, which omits slip between nodes in partial slip, and in gross slip contains "
       .. "the surface strain under pressure (0.12 % at 591 MPa on steel). plot.loop(w) draws the loop." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",

@@ -27,11 +27,17 @@ local function split(...)
   return given, options or {}
 end
 
--- Names of several runs, or an empty list; loops without their run have no names.
-local function names_of(where, things, titles)
-  local runs = #things > 1
-  for _, thing in ipairs(things) do runs = runs and not is_loop(thing) end
-  return titles or (runs and naming.names_of(where, things)) or {}
+-- Names of several runs; of loops without their run the cycles at which they were computed; an empty list for a single
+-- one.
+local function names_of(where, things, loops, titles)
+  if titles or #things == 1 then return titles or {} end
+  local runs, cycles = true, {}
+  for i, thing in ipairs(things) do
+    runs = runs and not is_loop(thing)
+    local cycle = rawget(loops[i], "cycle")
+    cycles[i] = cycle == 0 and "unworn" or cycle and ("after %.6g cycles"):format(cycle) or nil
+  end
+  return runs and naming.names_of(where, things) or cycles
 end
 
 -- Micrometres, or mm if the positions exceed 1 mm.
@@ -53,7 +59,7 @@ function loop.loop(...)
   local loops = {}
   for i, thing in ipairs(things) do loops[i] = loop_of(where, thing) end
   local unit, scale = unit_of(loops)
-  local names = names_of(where, things, options.titles)
+  local names = names_of(where, things, loops, options.titles)
   local given = { xlabel = "position of the plate / " .. unit, ylabel = "tangential force / N",
     title = #things > 1 and "fretting loops" or "fretting loop" }
   for i, one in ipairs(loops) do

@@ -18,7 +18,7 @@ local smooth = contact{ load = 100, model = { upper = body.profile{ width = 4, h
 local touching = 2 * length / math.pi * math.asin(math.sqrt(100 / (2 * smooth.half_width) / star))
 within(wavy(100, 1, 1).mesh.size, touching / 5, 0.02, "waves: five elements in a spot by themselves [mm]")
 within(wavy(22, 1, 1).mesh.size, length / 8, 1e-3, "waves in full contact: eight elements each [mm]")
-local fine = contact{ load = 45, average = 0, model = wavy(220, 6, 0.9) }
+local fine = contact{ load = 45, average = 0, model = wavy(220, 4, 0.9) }
 local size = fine.model.mesh.size
 local at, force = fine:pressure("profile"), 0
 for i, x in ipairs(at.x) do force = force + math.max(0, math.min(1, (length / 2 - math.abs(x)) / size + 0.5)) * at.p[i] * size end
@@ -47,7 +47,7 @@ for _, row in ipairs{ { 1e-3, 0.05 }, { 2e-3, 0.1 } } do
     return c.p_center, beside
   end
   local middle_crest, next_crest = crests(1)
-  local fine_middle, fine_next = crests(3)
+  local fine_middle, fine_next = crests(2)
   within(middle_crest, fine_middle, 0.01, ("waves of %g um by themselves: pressure in the middle [MPa]"):format(1e3 * deep))
   within(next_crest, fine_next, 0.04, "on the next crest")
 end

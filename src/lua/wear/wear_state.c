@@ -151,7 +151,8 @@ int wear_loop(lua_State *L) {
   made->busy = RUN_IDLE;
   functions_leave(L, &call, "wear:loop");
   error_check(L, status, &error, "wear:loop", -1);
-  lua_createtable(L, 0, 5);
+  lua_createtable(L, 0, 6);
+  array_set_number(L, "cycle", arc_wear_last(made->thing)->cycle);
   array_set(L, "x", loop->x, loop->count);
   array_set(L, "tangential", loop->tangential, loop->count);
   array_set_number(L, "energy", loop->energy);
@@ -410,6 +411,8 @@ static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
 
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
+  const int rubs = settings->friction > 0 || settings->friction_function != NULL ||
+                   settings->friction_series.count > 0;
   char line[600], motion[140], load[100], k_alpha[220], steps[40], increments[40];
   show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
@@ -421,7 +424,7 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
-           arc_geometry_names[settings->geometry], arc_slip_names[settings->slip]);
+           arc_geometry_names[settings->geometry], rubs ? "local" : arc_slip_names[settings->slip]);
   luaL_addstring(text, line);
   add_others(text, settings);
 }
