@@ -276,7 +276,7 @@ os.remove(picture)
 hips:close()
 os.remove(file)
 
--- help of a body names the fields that its constructor takes
+-- help of a body names the fields of its constructor
 local describe = require "archard.help"
 for _, kind in ipairs{ "cylinder", "ball", "block", "punch", "profile", "disc", "ring" } do
   local _, problem = pcall(body[kind], { zork = 1 })

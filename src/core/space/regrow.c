@@ -81,7 +81,7 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
   for (int b = 0; b < ARC_BODIES; b++) {
     const axis x = along_x(from, b), to_x = along_x(to, b);
     if (loses(depth[b], &x, &z, &to_x, &to_z))
-      return arc_fail(error, ARC_ZONE, "the new window does not hold all that is worn");
+      return arc_fail(error, ARC_ZONE, "the new window does not contain all worn cells");
   }
   for (int b = 0; b < ARC_BODIES; b++) {
     const axis x = along_x(from, b), to_x = along_x(to, b);
