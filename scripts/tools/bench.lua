@@ -294,6 +294,17 @@ local function half_spaces(quick)
     for _ = 1, 3 do best = math.min(best, (timed(function() contact{ model = m, load = 10 } end))) end
     line(("contact on %d x %d cells, with its kernel"):format(cells, cells), string.format("%.0f", 1e3 * best), "ms")
   end
+  for _, row in ipairs{ { 64, "10" }, { 128, "50" } } do
+    local cells, goal = table.unpack(row)
+    local m = model{ geometry = "3-D", mesh = { size = 3.6 * half / cells } }
+    local c, best, each = contact{ model = m, load = 10, friction = 0.5 }, math.huge, 4
+    c = c:move{ tangential = 3, increments = each }
+    for _ = 1, 3 do
+      best = math.min(best, (timed(function() c = c:move{ tangential = -c.tangential, increments = each } end)) / each)
+    end
+    local window = #c:shear().x
+    line(("an increment with friction on %d x %d cells"):format(window, window), string.format("%.0f", 1e3 * best), "ms", goal)
+  end
   for _, fineness in ipairs(quick and { 1 } or { 1, 2 }) do
     local m = model{ geometry = "3-D", upper = body.ball{ radius = 5 }, lower = body.block{}, mesh = { fineness = fineness } }
     local width = hertz{ geometry = "3-D", radius = 5, load = 20 }.half_width

@@ -11,8 +11,9 @@ arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error)
   enum { fields = 15 };
   const size_t n = (size_t)cells;
   *w = (stick_slip_work){.block = calloc(fields * n, sizeof *w->block),
-                         .state = calloc(n, sizeof *w->state)};
-  if (!w->block || !w->state) {
+                         .state = calloc(n, sizeof *w->state),
+                         .site = calloc(n, sizeof *w->site)};
+  if (!w->block || !w->state || !w->site) {
     arc_stick_slip_end(w);
     return arc_fail(error, ARC_MEMORY, "out of memory for the shear of %d cells", cells);
   }
@@ -26,6 +27,7 @@ arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error)
 void arc_stick_slip_end(stick_slip_work *w) {
   free(w->block);
   free(w->state);
+  free(w->site);
   *w = (stick_slip_work){.block = NULL};
 }
 

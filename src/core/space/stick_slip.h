@@ -38,6 +38,7 @@ typedef struct stick_slip_work {
   double *tangent[2];                /* [window] of unit length where cells slip */
   double *diagonal;                  /* [window] slip over bound */
   double *r[2], *z[2], *d[2], *a[2]; /* residual, preconditioned, direction, operator on it */
+  int *site, sites;                  /* cells that carry shear, of the present Newton step */
   double *block;
 } stick_slip_work;
 

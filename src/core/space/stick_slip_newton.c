@@ -39,9 +39,19 @@ static void precondition_cell(const stick_slip_problem *p, const stick_slip_work
   }
 }
 
-static double dot(int n, double *const a[2], double *const b[2]) {
+/* Lists the cells that carry shear: all others keep q = 0. */
+static void list_sites(const stick_slip_problem *p, stick_slip_work *w) {
+  w->sites = 0;
+  for (int k = 0; k < cells_of(p); k++)
+    if (w->state[k] != SHEAR_NONE) w->site[w->sites++] = k;
+}
+
+static double dot(const stick_slip_work *w, double *const a[2], double *const b[2]) {
   double sum = 0;
-  for (int k = 0; k < n; k++) sum += a[0][k] * b[0][k] + a[1][k] * b[1][k];
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
+    sum += a[0][k] * b[0][k] + a[1][k] * b[1][k];
+  }
   return sum;
 }
 
@@ -55,10 +65,11 @@ static holding find_holding(const stick_slip_problem *p, const stick_slip_work *
   static const double unit[2][2] = {{1, 0}, {0, 1}};
   static const double least = 1e-9;
   double g[2][2] = {{0, 0}, {0, 0}};
-  for (int k = 0; k < cells_of(p); k++)
+  for (int s = 0; s < w->sites; s++)
     for (int i = 0; i < 2; i++) {
+      const int k = w->site[s];
       double z[2];
-      if (w->state[k] == SHEAR_NONE || !p->by_force[i]) continue;
+      if (!p->by_force[i]) continue;
       precondition_cell(p, w, k, unit[i], z);
       for (int j = 0; j < 2; j++) g[i][j] += p->by_force[j] ? z[j] : 0;
     }
@@ -88,16 +99,17 @@ static void motion_of(const holding *h, const double sum[2], double motion[2]) {
 /* z := M^-1 (r - motion), of no sums along given forces. */
 static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
                          double motion[2]) {
-  const int n = cells_of(p);
   double sum[2] = {0, 0};
-  for (int k = 0; k < n; k++) {
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double z[2];
     precondition_cell(p, w, k, (const double[2]){w->r[0][k], w->r[1][k]}, z);
     sum[0] += z[0];
     sum[1] += z[1];
   }
   motion_of(h, sum, motion);
-  for (int k = 0; k < n; k++) {
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double z[2];
     precondition_cell(p, w, k, (const double[2]){w->r[0][k] - motion[0], w->r[1][k] - motion[1]},
                       z);
@@ -110,7 +122,8 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
 static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   count->applications++;
-  for (int k = 0; k < cells_of(p); k++) {
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double part[2];
     free_part(w, k, (const double[2]){w->a[0][k], w->a[1][k]}, part);
     for (int i = 0; i < 2; i++)
@@ -118,9 +131,10 @@ static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_co
   }
 }
 
-static void step(const stick_slip_problem *p, stick_slip_work *w, double length) {
+static void step(stick_slip_work *w, double length) {
   for (int i = 0; i < 2; i++)
-    for (int k = 0; k < cells_of(p); k++) {
+    for (int s = 0; s < w->sites; s++) {
+      const int k = w->site[s];
       w->q[i][k] += length * w->d[i][k];
       w->r[i][k] -= length * w->a[i][k];
     }
@@ -134,25 +148,26 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   for (int i = 0; i < 2; i++) {
     if (!p->by_force[i]) continue;
     lacking[i] = p->force[i] / area;
-    for (int k = 0; k < cells_of(p); k++) lacking[i] -= w->q[i][k];
+    for (int s = 0; s < w->sites; s++) lacking[i] -= w->q[i][w->site[s]];
   }
   motion_of(h, lacking, motion);
   if (motion[0] == 0 && motion[1] == 0) return;
-  for (int k = 0; k < cells_of(p); k++) {
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double z[2];
     precondition_cell(p, w, k, motion, z);
     w->d[0][k] = z[0];
     w->d[1][k] = z[1];
   }
   apply(p, w, count);
-  step(p, w, 1);
+  step(w, 1);
 }
 
 /* The largest entry of r in free directions. */
-static double largest_residual(const stick_slip_problem *p, const stick_slip_work *w,
-                               const double motion[2]) {
+static double largest_residual(const stick_slip_work *w, const double motion[2]) {
   double most = 0;
-  for (int k = 0; k < cells_of(p); k++) {
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double part[2];
     free_part(w, k, (const double[2]){w->r[0][k] - motion[0], w->r[1][k] - motion[1]}, part);
     most = fmax(most, fmax(fabs(part[0]), fabs(part[1])));
@@ -174,11 +189,14 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
                           stick_slip_count *count) {
   enum { most_steps = 400 };
   static const double inexact = 0.1;
-  const int n = cells_of(p);
+  const size_t bytes = (size_t)cells_of(p) * sizeof(double);
+  list_sites(p, w);
   const holding h = find_holding(p, w);
   double motion[2], product = 0;
   if (h.singular) return 0;
-  for (int k = 0; k < n; k++) {
+  for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
+  for (int s = 0; s < w->sites; s++) {
+    const int k = w->site[s];
     double part[2];
     free_part(w, k, (const double[2]){w->slip[0][k], w->slip[1][k]}, part);
     w->r[0][k] = part[0];
@@ -186,18 +204,21 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
   }
   hold_forces(p, w, &h, count);
   precondition(p, w, &h, motion);
-  const double wanted = fmax(least, inexact * largest_residual(p, w, motion));
-  for (int i = 0; i < 2; i++) memset(w->d[i], 0, (size_t)n * sizeof(double));
-  for (int k = 0; k < most_steps && largest_residual(p, w, motion) > wanted; k++) {
+  const double wanted = fmax(least, inexact * largest_residual(w, motion));
+  for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
+  for (int k = 0; k < most_steps && largest_residual(w, motion) > wanted; k++) {
     const double before = product;
-    product = dot(n, w->r, w->z);
+    product = dot(w, w->r, w->z);
     const double share = before > 0 ? product / before : 0;
     for (int i = 0; i < 2; i++)
-      for (int c = 0; c < n; c++) w->d[i][c] = w->z[i][c] + share * w->d[i][c];
+      for (int s = 0; s < w->sites; s++) {
+        const int c = w->site[s];
+        w->d[i][c] = w->z[i][c] + share * w->d[i][c];
+      }
     apply(p, w, count);
-    const double curvature = dot(n, w->d, w->a);
+    const double curvature = dot(w, w->d, w->a);
     if (!(curvature > 0)) break;
-    step(p, w, product / curvature);
+    step(w, product / curvature);
     precondition(p, w, &h, motion);
     count->iterations++;
   }
