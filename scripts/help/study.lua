@@ -47,8 +47,9 @@ return {
       .. "gross slip), and at each load the amplitudes of the transitions, from periodic cycles between two forces. "
       .. "Partial slip begins when slip covers a share `annulus` of the width, as any force causes some slip at the "
       .. "edges of a smooth contact; for 0.1 this is 19 % of the sliding force (Cattaneo, Mindlin). Errors "
-      .. "for a cylinder: 0.5 % (unlike bodies 3 %), 8 % at a fineness of 0.2; of gross slip 0.5 %. Accepts the fields "
-      .. "of contact{} too (worn=, friction=, model=)." },
+      .. "for a cylinder: 0.5 % (unlike bodies 3 %), 8 % at a fineness of 0.2; of gross slip 0.5 %. In "
+      .. "3-D the rim's width is a share of the radius, 27 % of the sliding force for 0.1; for a ball 1.5 % and 0.2 %. "
+      .. "Accepts the fields of contact{} too (worn=, friction=, model=)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
     text = "Amplitudes of the plate's motion, half its strokes, increasing." },

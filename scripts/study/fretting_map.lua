@@ -4,9 +4,9 @@
 --
 -- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin when the
 -- slip annulus reaches a given share of the width; a share this small is usually narrower than one element. The width
--- of the stick zone is therefore computed at forces up to sliding, and 1 - (stick width / contact width)^2 is fitted by
--- b1 s + b2 s^2, where s is the force divided by the sliding force: for the Hertz contact it equals s (Cattaneo and
--- Mindlin).
+-- of the stick zone is therefore computed at forces up to sliding, and 1 - (stick width / contact width)^n is fitted by
+-- b1 s + b2 s^2, where s is the force divided by the sliding force: for the Hertz contact it equals s, with n = 2 of
+-- cylinders and 3 of balls (Cattaneo and Mindlin).
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -43,9 +43,10 @@ end
 -- --- steady cycles -------------------------------------------------------------------------------
 
 -- Width of the stick zone at an end of a cycle, divided by the contact width; nil if all nodes of one side stick, as
--- the mesh cannot resolve the slip there.
+-- the mesh cannot resolve the slip there. In 3-D the root of the share of the area.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
+  if type(zones) == "number" then return zones < 1 and math.sqrt(zones) or nil end
   if zones[1] and (zones[1].left <= edges.left or zones[#zones].right >= edges.right) then return nil end
   for _, zone in ipairs(zones) do sum = sum + zone.right - zone.left end
   return sum / (edges.right - edges.left)
@@ -64,14 +65,24 @@ local function amplitude(pressed, share)
   return (there.x - back.x) / 2
 end
 
+-- The amplitude from which all of the contact slips. Forces on maps of cells are exact to 1e-5 of the sliding force, so in 3-D it
+-- is extrapolated from 99 % by Mindlin's 1 - (1 - s)^(2/3).
+local function gross_amplitude(pressed)
+  if type(pressed.stick) ~= "number" then return amplitude(pressed, sliding) end
+  local near = 0.99
+  return amplitude(pressed, near) / (1 - (1 - near) ^ (2 / 3))
+end
+
 -- --- borders -------------------------------------------------------------------------------------
+
+local function exponent_of(contact) return type(contact.stick) == "number" and 3 or 2 end
 
 -- Adds one end of a cycle to the normal equations of b1 and b2.
 local function add_end(sums, share, contact)
   local width = share_of(contact)
   if not width then return end
   for power = 2, 4 do sums[power] = sums[power] + share ^ power end
-  for power = 1, 2 do sums.of[power] = sums.of[power] + share ^ power * (1 - width ^ 2) end
+  for power = 1, 2 do sums.of[power] = sums.of[power] + share ^ power * (1 - width ^ exponent_of(contact)) end
   sums.count = sums.count + 1
 end
 
@@ -86,7 +97,7 @@ local function partial_share(pressed, annulus)
     add_end(sums, share, there)
   end
   if sums.count < 4 then return sliding end
-  local det, target = sums[2] * sums[4] - sums[3] ^ 2, 1 - (1 - annulus) ^ 2
+  local det, target = sums[2] * sums[4] - sums[3] ^ 2, 1 - (1 - annulus) ^ exponent_of(pressed)
   local b1 = (sums.of[1] * sums[4] - sums.of[2] * sums[3]) / det
   local b2 = (sums.of[2] * sums[2] - sums.of[1] * sums[3]) / det
   local under = b1 ^ 2 + 4 * b2 * target
@@ -105,7 +116,7 @@ local function add_load(self, given, load)
   local pressed = check.as(where, contact, merged(given, { load = load }))
   self.load[i] = load
   self.partial_from[i] = amplitude(pressed, partial_share(pressed, self.annulus))
-  self.gross_from[i] = amplitude(pressed, sliding)
+  self.gross_from[i] = gross_amplitude(pressed)
   self.regime[i] = {}
   for j, motion in ipairs(self.motion) do self.regime[i][j] = regime_of(self, i, motion) end
 end

@@ -134,3 +134,18 @@ fails(function()
 end, { "field 'friction'", "rigid base" }, "a rigid base")
 fails(function() fret{ track = 5, tangential = false, stroke = false } end, "field 'friction'", "a pin on a disc")
 holds(tostring(w), { "force of +-3.5 N", "sticks on" }, "print(run)")
+
+-- --- the map of stick, partial slip and gross slip ----------------------------------------------------
+do
+  local modulus = 200e3 / (2 * (1 - 0.3 ^ 2))
+  local half = (3 * 10 * 10 / (4 * modulus)) ^ (1 / 3)
+  local limit = 3 * 0.5 * 10 * 2 * 1.7 * 2.6 / 200e3 / (16 * half) -- Mindlin's motion at which all slips [mm]
+  local warnings = require "archard.warnings"
+  warnings.keep()
+  local map = study.fretting_map{ friction = 0.5, load = { 10 }, motion = { 5e-5, 2e-4, 6e-4 },
+    model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{}, mesh = { size = half / 14 } } }
+  warnings.take()
+  near(map.gross_from[1], limit, 0.01, "a map in 3-D: gross slip from")
+  near(map.partial_from[1], limit * (1 - 0.9 ^ 2), 0.06, "partial slip from, where the rim is a tenth of the radius")
+  is(table.concat(map.regime[1], " "), "stick partial gross", "its regimes")
+end

@@ -165,3 +165,12 @@ do
   end
   ok(warnings.take():find "14 cells in its half width", "cells that are too large for friction are named")
 end
+
+-- The map of stick, partial slip and gross slip against Mindlin's motions, on automatic cells.
+do
+  local limit = 3 * mu * load * 2 * 1.7 * 2.6 / 200e3 / (16 * a)
+  local map = study.fretting_map{ friction = mu, load = { load }, motion = { 2e-4 },
+    model = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{} } }
+  within(map.gross_from[1], limit, 0.002, "gross slip from [mm]")
+  within(map.partial_from[1], limit * (1 - 0.9 ^ 2), 0.015, "partial slip from, where the rim is a tenth of the radius [mm]")
+end
