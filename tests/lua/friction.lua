@@ -151,3 +151,5 @@ is(rubbed.fineness, 1, "and still of fineness 1")
 near(contact{ load = 100, friction = 0.3, model = { mesh = { size = 0.03 } } }.model.mesh.size, 0.03, 1e-12, "a given size stays")
 near(contact{ load = 100, friction = 0.3, model = { mesh = { zone = { cylinder = 2, plate = 2.4 } } } }.model.mesh.size, 2.4 / 320, 1e-12,
   "the widest zone has 320 elements")
+is(rubbed.zone.plate, plain.zone.plate, "zones as wide as without friction")
+near(contact{ load = 100, friction = 0.5 }:move{ x = 0.3 }.tangential, 50, 1e-9, "a plate moves by three half widths of the contact")

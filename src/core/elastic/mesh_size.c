@@ -108,7 +108,7 @@ void arc_model_fit_friction(arc_model_def *def, double load) {
     e = arc_model_estimate(def, load);
     fit_size(def, &e);
     const double zone = fmax(def->mesh.zone[ARC_UPPER], def->mesh.zone[ARC_LOWER]);
-    const double least = fmax(smallest_size(&e), zone / most_columns) / def->mesh.fineness;
+    const double least = fmax(smallest_size(&e), zone / most_columns) / fmax(1, def->mesh.fineness);
     def->mesh.size = fmin(def->mesh.size, fmax(def->mesh.size / finer, least));
   }
   fit_to(def, &e);

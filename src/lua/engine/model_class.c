@@ -215,11 +215,14 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   read_definition(L, lua_gettop(L), location, &def);
   lua_pop(L, 1);
   if (!arc_model_has_maps(&def)) {
-    if (friction)
-      arc_model_fit_friction(&def, load);
-    else
-      arc_model_fit(&def, load);
+    arc_model_def fine = def;
+    arc_model_fit(&def, load);
     suit_zones(L, &def, where, zones, definition);
+    if (friction) {
+      for (int b = 0; b < ARC_BODIES; b++) fine.mesh.zone[b] = def.mesh.zone[b];
+      arc_model_fit_friction(&fine, load);
+      def = fine;
+    }
   }
   return model_push(L, &def, where);
 }
