@@ -169,7 +169,7 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
   arc_status status = arc_store_info(old, "kind", &found, error);
   if (status == ARC_OK && !found) status = is_empty(old, &empty, error);
   if (status == ARC_OK && !empty && (!found || strcmp(found, kind) != 0))
-    status = arc_fail(error, ARC_ARGUMENT, "%s: not replaced: it contains a %s, expected a %s",
+    status = arc_fail(error, ARC_ARGUMENT, "%s: not replaced: it holds a %s, expected a %s",
                       arc_store_path(old), found ? found : "file without a kind", kind);
   free(found);
   return status;
