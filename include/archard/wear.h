@@ -105,14 +105,15 @@ typedef struct arc_loading {
          "Which pressures an update uses: those at its start (explicit), or those at its end "     \
          "(implicit, for longer steps).")                                                          \
   QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
-           "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function of the state "  \
+           "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). 1 mm3/(N m) is " \
+           "1e-3 mm2/N. A function of the state "                                                  \
            "(help \"state\") is evaluated along each update; a table is interpolated over the "    \
            "distance, and two values at one distance are a jump. Both are integrated, and an "     \
            "update ends at a jump. Functions are evaluated 1.6 times a cycle or 3236 times a "     \
            "run, whichever is less: shorter peaks may be missed.")                                 \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
-           "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
-           "loses. 0: only the plate wears, 1: only the cylinder.")                                \
+           "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
+           "share of the wear volume. 0: only the plate wears, 1: only the cylinder.")             \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. Give this and k_plate, or k and "  \
         "alpha; or each body its own, as model = { cylinder = { k = ... }, plate = { k = ... } "   \
@@ -120,7 +121,8 @@ typedef struct arc_loading {
   OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
         "Wear coefficient of the plate alone, k_p = (1 - alpha) k.")                               \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
-         "Normal load L_N; with loading, that of the reference configuration.")                    \
+         "Normal load L_N. To vary it use loading; this is then the load of reported pressures "   \
+         "and widths.")                                                                            \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
          "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
          "positive towards +x. With loading, that of the reference configuration.")                \

@@ -295,15 +295,16 @@ return {
       .. "model=w.model, worn=w, friction=w.friction } solves it with friction." },
   { "wear.save", kind = "method", use = "w:save(path)",
     text = "Writes the run to a run file; wear.open continues it. A run already saved in the file is replaced; other "
-      .. "files are refused." },
+      .. "files are refused. A run that is killed is lost if it was not saved: w:run{ progress = function(w) if "
+      .. "w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = "Reads a run written by w:save, or a case of a study by its number, and continues it with the same "
       .. "results. Functions of the definition are not stored and must be given again: wear.open(path, { k = f })." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "
-      .. "along the normals) of each node, present position (worn_x, y), and length `way` of the vector sum of the "
-      .. "wear." },
+      .. "along the normals, positive into the body) of each node, present position (worn_x, y), and length `way` of "
+      .. 'the vector sum of the wear. export.csv(w:profile("plate"), "plate.csv") writes it.' },
   { "wear.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'w:pressure("cylinder" | "plate")',
     text = "Pressure on a body with the plate at x = 0 under the nominal load, { x=, p= } in mm and MPa." },

@@ -3,14 +3,15 @@
 return {
   { "fit", kind = "function", class = "fitted",
     use = "f = fit{ unknown={ k=1e-8, alpha={ start=0.5 } }, data={...} }",
-    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors: weighted nonlinear "
+    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, at once (some tens of "
+      .. "runs); k and alpha together need data of both bodies. Weighted nonlinear "
       .. "least squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are differences of runs, "
       .. "with steps chosen by their noise. Several kinds of data need their errors; for one kind without errors "
       .. "they are estimated from the residuals. Standard errors, correlations and bands are linearised at the "
       .. "result. Refused: too few data, implausible units, an unknown without effect. If it does not converge: "
       .. "NOT_CONVERGED." },
   { "fit.best", type = "table { value=, chi2=, runs= }",
-    text = "The best values so far of the last fit, by name; empty before the first. Use it after Ctrl-C." },
+    text = "After Ctrl-C: the best values of the fit that was interrupted, by name." },
   { "fit{unknown}", type = "table of tables",
     text = 'Parameters to identify, by name: numbers of wear{}, of a model and of its bodies as ["model.radius"], '
       .. '["lower.E"], ["lower.layer1.thickness"], the names of study{ vary= }. A number is the start value.' },

@@ -298,7 +298,7 @@ end
 function help.search(text)
   local found = help.matches(text)
   if not found[1] then
-    return print(('no text contains %s; it is called as help.search "units"'):format(names.shown(text)))
+    return print(('no text contains %s; try another word, as in help.search "units", or help()'):format(names.shown(text)))
   end
   pager.show(show.found(found, text))
 end

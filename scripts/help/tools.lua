@@ -17,7 +17,7 @@ return {
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface: positions x and heights z (out of the body) or depths h, in mm, with "
+    text = "A measured trace across a surface (the computed one is w:profile): positions x and heights z (out of the body) or depths h, in mm, with "
       .. "the standard deviation of its noise. Use it as a start, worn = { plate = p }, for comparison, "
       .. 'plot.profile(w, "plate", { measured = p }), and for evaluation. Methods return new profiles. Points '
       .. "without a value (NaN) are removed; decreasing positions are reversed." },
@@ -319,8 +319,9 @@ return {
     text = "Writes files for other programs. Files are written atomically; a wrong ending is refused, a missing one "
       .. "appended." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
-    text = "Columns of numbers with a line of names and units: the history of a run, the pressures of a contact "
-      .. '(with friction also shear and slip), or a table of lists, with units in a third argument { x="mm" }. A '
+    text = "Columns of numbers with a line of names and units: the history of a run (its worn surface: "
+      .. 'export.csv(w:profile("plate"), path)), the pressures of a contact (with friction also shear and slip), or a '
+      .. 'table of lists, with units in a third argument { x="mm" }. A '
       .. "stress becomes two files, path-cylinder.csv and path-plate.csv; a map has columns x, z and its name, a "
       .. "line per point. Returns the names of the files." },
   { "export.vti", kind = "function", use = 'export.vti(t, "t.vti")  export.vti({ depth, pressure }, "t.vti")',

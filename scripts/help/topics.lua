@@ -95,6 +95,7 @@ computes such tables from volumes measured at several distances. See help "state
   plot.save                   the last picture, and its data beside it
 
 Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases can be continued.
+A run that is killed is lost if it was not saved: help "wear.save". Studies keep each case that is done.
 Functions of a definition are not stored; give them again when the file is opened. examples "files" shows most formats. The
 prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
@@ -140,8 +141,9 @@ One update of the geometry represents many cycles. Their number:
   jump = 50            fixed, as in the paper: 100 for most cases at 0.11 mm,
                        20 to 50 for longer strokes, on elements of 20 um
 
-Above a stability limit a fixed jump causes ripples, which make the surfaces rough: w:stability() computes the limit, and runs
-above it give a warning. The limit decreases with longer strokes and smaller elements.
+Above a stability limit a fixed jump causes ripples, which make the surfaces rough: w:stability() computes the limit. Runs above
+it give a warning and end when ripples appear. The limit decreases with longer strokes and smaller elements. A jump below it may
+still be too long: compare with half of it.
 
 increments divide a cycle; with "auto" the plate moves by less than an eighth of the half width in each. w:step() makes one
 update, w:run() all; Ctrl-C stops after the running step, and w:run() continues. examples "steps" compares the choices.]] },
