@@ -141,6 +141,8 @@ for _, case in ipairs{
   { function() material{ v = 0.3 } end, "unknown field 'v' (did you mean 'nu'?)" },
   { function() model{ plate = { v = 0.3 } } end, "unknown field 'plate.v' (did you mean 'nu'?)" },
   { function() wear{ mu = 0.3 } end, "unknown field 'mu' (did you mean 'friction'?)" },
+  { function() wear{ k = 1e-8, model = { lower = body.block{ layers = { { thickness = 0.02, E = 3000, nu = 0.4, k = 1e-6 } } } } } end,
+    "layer 1 of the plate has its own wear coefficient, 1e-06 mm2/N" },
   { function() contact{ P = 3 } end, "unknown field 'P' (did you mean 'load'?)" },
 } do fails(case[1], table.move(case, 2, #case, 1, {}), case[2]) end
 local flat = model{ upper = body.punch{ flat = 1 }, mesh = { size = 0.05 } }

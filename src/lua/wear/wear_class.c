@@ -58,16 +58,31 @@ static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
   return status;
 }
 
+/* Raises an error for the first layer with a wear coefficient. */
+static void refuse_layers(lua_State *L, const arc_model_def *model) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int l = 0; l < arc_body_layers(&model->body[b]); l++) {
+      const double k = model->body[b].layer[l].material.k;
+      if (k > 0)
+        error_raise(L, ARC_ARGUMENT, "wear",
+                    "fields 'k' and 'alpha': layer %d of the %s has its own wear coefficient, %s "
+                    "mm2/N; expected only one of the two: give the k of each material instead",
+                    l + 1, arc_body_name((arc_body)b), args_show_number(L, k));
+    }
+}
+
 /* Raises an error if k or alpha are given and the bodies have their own wear coefficients. */
 static void check_coefficients(lua_State *L, const wear_request *request,
                                const arc_model_def *model) {
   arc_wear_def def = request->def;
-  if (request->own_k && arc_wear_def_of_bodies(&def, model))
-    error_raise(L, ARC_ARGUMENT, "wear",
-                "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
-                "mm2/N (model.cylinder.k, model.plate.k); expected only one of the two",
-                args_show_number(L, model->material[ARC_CYLINDER].k),
-                args_show_number(L, model->material[ARC_PLATE].k));
+  if (!request->own_k || !arc_wear_def_of_bodies(&def, model)) return;
+  if (!(model->material[ARC_CYLINDER].k > 0 || model->material[ARC_PLATE].k > 0))
+    refuse_layers(L, model);
+  error_raise(L, ARC_ARGUMENT, "wear",
+              "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
+              "mm2/N (model.cylinder.k, model.plate.k); expected only one of the two",
+              args_show_number(L, model->material[ARC_CYLINDER].k),
+              args_show_number(L, model->material[ARC_PLATE].k));
 }
 
 /* wear{ model=, k=, alpha=, load=, stroke=, ... }: called as __call of the table `wear`. */
