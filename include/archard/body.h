@@ -59,7 +59,7 @@ extern const char *const arc_hold_names[];
  * imported mesh with this name. */
 #define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
   TEXT(name, "a name of a material in the imported mesh", ARC_OPTIONAL,                            \
-       "Name of the material in the imported mesh, in place of a thickness.")                      \
+       "Name of the layer's physical group in an imported mesh, instead of a thickness.")          \
   NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer.")
 
 typedef struct arc_layer {
@@ -76,15 +76,17 @@ extern const arc_setting arc_layer_settings[]; /* with the material as a group *
 
 #define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \
   TEXT(name, ARC_BODY_NAME, ARC_OPTIONAL,                                                          \
-       "Name in results, pictures and files. Default: its kind or role.")                          \
+       "Name of the body in results, pictures and files. Default: the kind of body, or "           \
+       "\"upper\" and \"lower\".")                                                                 \
   CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
-         "Its shape. \"usual\": a cylinder above, a block below; \"gmsh\": the shape in the Gmsh " \
-         "file of the model.")                                                                     \
+         "Shape of the body. \"usual\": a cylinder as upper and a block as lower body; \"gmsh\": " \
+         "the shape in the Gmsh file of the model.")                                               \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Radius of a cylinder or disc, or of the rounded edges of a punch; default: the "         \
          "model's. For a map: radius of the ball that its heights are added to; default: none.")   \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
-         "Radius of a ball across the motion: a crowned roller, an ellipsoid. Default: radius.")   \
+         "Radius of a ball across the motion (along z), for a crowned roller or an ellipsoid. "    \
+         "Default: radius.")                                                                       \
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
          "Width of a block or profile. Default: twice the model's radius.")                        \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
@@ -95,13 +97,13 @@ extern const arc_setting arc_layer_settings[]; /* with the material as a group *
   NUMBER(inner, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Inner radius of a ring.")                        \
   NUMBER(outer, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Outer radius of a ring.")                        \
   CHOICE(fixed, rim, ARC_RIM_OUTER, 0,                                                             \
-         "Which rim of a ring is held; the other one is in contact.")                              \
+         "Rim of a ring that is fixed. The other rim is in contact.")                              \
   CHOICE(                                                                                          \
       hold, hold, ARC_HOLD_FIXED, 0,                                                               \
-      "Support of a cylinder, which matters where the contact is nearly as wide: \"fixed\": the "  \
-      "flat of a half cylinder is rigid; \"free\": the flat moves along itself without friction, " \
-      "held sideways in the middle 15 % only; \"hub\": a whole disc around a rigid hub of 0.15 "   \
-      "radius, as body.disc.")
+      "Support of a cylinder, which matters if the contact is nearly as wide as the cylinder. "    \
+      "\"fixed\": the flat of a half cylinder is rigid; \"free\": the flat slides along itself "   \
+      "without friction and is fixed sideways only in its middle 15 %; \"hub\": a whole disc "     \
+      "around a rigid hub of 0.15 radius, as body.disc.")
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)

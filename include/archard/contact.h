@@ -121,29 +121,32 @@ extern const char *const arc_press_names[];
 #define ARC_CONTACT_SETTINGS(NUMBER, WHOLE, CHOICE, OTHER)                                         \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
   NUMBER(x, "mm", 0, ANY, 0,                                                                       \
-         "Position of the plate; in holes along their surface: radius times the angle.")           \
+         "Position of the plate. In a hole it is the arc length, radius times angle.")             \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
-         "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
-         "positive towards +x.")                                                                   \
+         "Direction of the load in a hole: its angle from the point of first contact, positive "   \
+         "towards +x.")                                                                            \
   NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
-         "Length of the moving average for p_average, at least four elements. 0: p_max.")          \
-  NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: without.")              \
-  CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
-         "\"friction\": friction acts while the bodies are pressed together; \"frictionless\": "   \
-         "only afterwards.")                                                                       \
+         "Length over which p_average averages the pressure, at least four elements. 0: no "       \
+         "average, p_average is p_max.")                                                           \
+  NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: no friction.")          \
+  CHOICE(                                                                                          \
+      press, press, ARC_PRESS_FRICTION, 0,                                                         \
+      "\"friction\": friction acts while the bodies are pressed together; \"frictionless\": it "   \
+      "acts only afterwards.")                                                                     \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
-        "Load steps with friction, with the base of the plate held. \"auto\": four while the "     \
-        "edge of the contact crosses one element, at least 20; in 3-D as many as c:move makes.")   \
+        "Number of load increments of a contact with friction; the plate does not move. "          \
+        "\"auto\": four for each element that the edge of the contact crosses, at least 20; in "   \
+        "3-D they are chosen as in c:move.")                                                       \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
-         "short waves (edges of contact, shear from node to node, slip between nodes), to show "   \
-         "their effect. Without effect in 3-D.")                                                   \
+         "short waves (edges of contact, shear from node to node, slip between nodes); use it "    \
+         "to see the effect of these terms. No effect in 3-D.")                                    \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
-        "The bodies. Default: a model is built.")                                                  \
+        "The two bodies. Default: model{} with contact zones that fit.")                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
-        "Shape of the surfaces: that of a wear run; or for each body a function f(x) that gives "  \
-        "the depth, or a measured profile { x={...}, h={...} }, in mm; in 3-D a function f(x, z) " \
-        "or a map of depths. Default: unworn.")
+        "Worn surfaces: a wear run, whose present surfaces are used, or for each body a "          \
+        "function f(x) for the depth in mm or a measured profile { x={...}, h={...} }; in 3-D a "  \
+        "function f(x, z) or a map of depths. Default: unworn.")
 
 typedef struct arc_contact_def {
   ARC_CONTACT_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_OTHER)
@@ -181,15 +184,15 @@ size_t arc_contact_bytes(const arc_contact *contact);
   NUMBER(z, "mm", 0, ANY, ARC_OPTIONAL,                                                            \
          "Final position of the lower body along z, in 3-D. Default: unchanged.")                  \
   NUMBER(tangential, "N", 0, ANY, ARC_OPTIONAL,                                                    \
-         "Final force that drives the plate along x, in place of x; less than friction times the " \
-         "load.")                                                                                  \
+         "Final force that drives the plate along x, instead of x; it must be less than "          \
+         "friction times the load.")                                                               \
   NUMBER(tangential_z, "N", 0, ANY, ARC_OPTIONAL,                                                  \
-         "Final force that drives the lower body along z, in 3-D, in place of z.")                 \
-  WHOLE(                                                                                           \
-      increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                         \
-      "Steps of equal size. \"auto\": one in the plane, where more are needed if load and motion " \
-      "change together or materials differ; in 3-D they are halved until motion and force change " \
-      "by less than 0.1 % of those of full slip and the energy by less than 1 %.")
+         "Final force that drives the lower body along z, in 3-D, instead of z.")                  \
+  WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
+        "Number of equal increments. \"auto\": one in 2-D; set more if load and motion change "    \
+        "together or the materials differ. In 3-D the increments are halved until motion and "     \
+        "force change by less than 0.1 % of their values in full slip, and the energy by less "    \
+        "than 1 %.")
 
 typedef struct arc_motion_def {
   ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)

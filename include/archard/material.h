@@ -13,9 +13,11 @@ extern "C" {
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
   NUMBER(k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                     \
-         "Wear coefficient of the body, for wear{} without k and alpha. If only one of the "       \
-         "bodies has one, the other does not wear.")                                               \
-  TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL, "Name of the material in print.")
+         "Wear coefficient of the body, used by wear{} if k and alpha are not given there. A "     \
+         "body without k does not wear if the other body has one.")                                \
+  TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL,                                        \
+       "Name of the material in printed "                                                          \
+       "output.")
 
 typedef struct arc_material {
   ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_TEXT)

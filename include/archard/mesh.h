@@ -41,21 +41,24 @@ extern const char *const arc_space_names[];
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
   NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
          "Width of the elements at the contact. \"auto\": the half width of the unworn contact / " \
-         "(5.4 fineness), 0.020 mm in the paper's case, under the load of the contact or wear "    \
-         "run that builds the model (100 N for model{} alone), with the effect of layers. Balls: " \
-         "half of this. Rounded edges or kinks: the width of the pressure rise replaces the half " \
-         "width. Rough profiles: at most an eighth of the wave length, except for waves that "     \
-         "change the pressure by less than a thousandth. Wear runs in partial slip: at most a "    \
-         "fifth of the slip zone at either edge. Contacts get at most 320 elements.")              \
+         "(5.4 fineness), which is 0.020 mm in the paper's case. The half width includes the "     \
+         "effect of layers and is computed for the load of the contact or wear run that builds "   \
+         "the model (100 N for model{} alone). Balls have half this size. At rounded edges and "   \
+         "kinks, the width over which the pressure rises replaces the half width. For rough "      \
+         "profiles the size is at most an eighth of the wave length, but waves that change the "   \
+         "pressure by less than a thousandth do not count. In wear runs with partial slip it is "  \
+         "at most a fifth of the slip zone at either edge. A contact has at most 320 elements.")   \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Divides the size of \"auto\": 2 halves it. Default: 1. Not for a given size.")           \
+         "Factor by which the automatic size is divided; 2 halves the elements. Default: 1. "      \
+         "Refused together with a size.")                                                          \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                 \
-         "Height of the elements at the contact. \"auto\": 1.25 size, or less to have two rows "   \
-         "in soft layers with nu above 0.4.")                                                      \
+         "Height of the elements at the contact. \"auto\": 1.25 times the size, or less if soft "  \
+         "layers with nu above 0.4 need two rows of elements.")                                    \
   NUMBER(far, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                    \
          "Largest size of the elements far from the contact. \"auto\": a tenth of the radius.")    \
   WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \
-        "Element rows of the wear box: its nodes move with the worn surface.")                     \
+        "Number of element rows in the wear box, the regular elements below the surface whose "    \
+        "nodes move as it wears.")                                                                 \
   CHOICE(                                                                                          \
       element, element, ARC_ELEMENT_AUTO, 0,                                                       \
       "Formulation: fully integrated bilinear (CPE4), or with incompatible modes (CPE4I), which "  \

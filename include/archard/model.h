@@ -18,22 +18,22 @@ extern "C" {
          "Radius R of the cylinder; the plate is 2 R wide and R high.")                            \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; forces act on the whole thickness.")                           \
-  CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
-         "\"plane strain\": long bodies; \"plane stress\": thin plates; \"axisymmetric\": bodies " \
-         "of revolution about a vertical axis, where a cylinder is a ball, a block a disc, and "   \
-         "loads and volumes are those of the whole circumference; \"springs\", for teaching and "  \
-         "tests: a ball on a flat, each a layer of springs of the given thickness (Winkler), for " \
-         "wear{} only; \"3-D\": half-spaces that touch in a spot and slide along x, worn as maps " \
-         "over x and z.")                                                                          \
+  CHOICE(                                                                                          \
+      geometry, space, ARC_PLANE_STRAIN, 0,                                                        \
+      "\"plane strain\": long bodies; \"plane stress\": thin plates; \"axisymmetric\": bodies of " \
+      "revolution about a vertical axis, where a cylinder is a ball, a block a disc, and "         \
+      "loads and volumes are those of the whole circumference; \"springs\": for teaching and "     \
+      "tests, a ball on a flat, each with a layer of springs (Winkler) whose depth is the "        \
+      "field thickness, for wear{} only; \"3-D\": half-spaces that touch in a small area and "     \
+      "slide along x, with wear depths as maps over x and z.")                                     \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
-         "Distance of the axis of an axisymmetric model from x = 0, to the left: the mean radius " \
-         "of a thrust ring. 0: the bodies touch on the axis.")                                     \
+         "For geometry \"axisymmetric\": distance from the axis of revolution, on the left, to x " \
+         "= 0. For a thrust ring it is the mean radius. 0: the bodies touch on the axis.")         \
   CHOICE(                                                                                          \
       periodic, switch, ARC_OFF, 0,                                                                \
-      "true: maps of geometry \"3-D\" are one period of rough surfaces that go on without end; "   \
-      "the load is that of one period, cells are the points of the map. In runs the lower body "   \
-      "is "                                                                                        \
-      "a body.block{}, which wears evenly along the motion.")
+      "true: each map of geometry \"3-D\" is one period of a rough surface that repeats without "  \
+      "end. The load acts on one period, and the cells are the points of the map. In runs the "    \
+      "lower body is a body.block{}, which wears evenly along the motion.")
 
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
@@ -112,7 +112,8 @@ typedef struct arc_hertz {
   NUMBER(thickness, "mm", 1, ABOVE(0), 0, "Thickness of both bodies; unused for a ball.")          \
   CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
          "\"plane strain\": a long cylinder; \"plane stress\": a thin one; \"axisymmetric\": a "   \
-         "ball; \"3-D\": two radii.")
+         "ball; "                                                                                  \
+         "\"3-D\": a body with two radii, such as a crowned roller.")
 
 typedef struct arc_hertz_def {
   ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)

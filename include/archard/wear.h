@@ -46,7 +46,10 @@ extern "C" {
     p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0, 1 + d->law_exponent)                    \
   X(LAW_THRESHOLD, "threshold", ARC_LAW_JUMPS, "1 where p > law_pressure, 0 elsewhere",            \
     p > d->law_pressure, 1)                                                                        \
-  X(LAW_ENERGY, "energy", ARC_LAW_OF_SHEAR, "q / p, so that k takes the energy q ds", 1, 1)
+  X(LAW_ENERGY, "energy", ARC_LAW_OF_SHEAR,                                                        \
+    "q / p, so that wear is k times the friction energy "                                          \
+    "q ds",                                                                                        \
+    1, 1)
 
 #define ARC_LAW_TEXT(name, word, properties, text, ...) " \"" word "\": " text "."
 
@@ -101,75 +104,81 @@ typedef struct arc_loading {
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
-  CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
-         "Which pressures an update uses: those at its start (explicit), or those at its end "     \
-         "(implicit, for longer steps).")                                                          \
+  CHOICE(                                                                                          \
+      scheme, scheme, ARC_EXPLICIT, 0,                                                             \
+      "Pressures that an update uses: \"explicit\", those at its start; \"implicit\", those at "   \
+      "its end, which allows longer steps.")                                                       \
   QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
-           "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). 1 mm3/(N m) is " \
-           "1e-3 mm2/N. A function of the state "                                                  \
-           "(help \"state\") is evaluated along each update; a table is interpolated over the "    \
-           "distance, and two values at one distance are a jump. Both are integrated, and an "     \
-           "update ends at a jump. Functions are evaluated 1.6 times a cycle or 3236 times a "     \
-           "run, whichever is less: shorter peaks may be missed.")                                 \
+           "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). 1 mm3/(N m) "    \
+           "is 1e-3 mm2/N. k can also be a function of the state (help \"state\"), or a table "    \
+           "that is interpolated linearly over the distance; two values at one distance are a "    \
+           "jump, where an update ends. Both are integrated over each update. A function is "      \
+           "evaluated 1.6 times a cycle or 3236 times a run, whichever is less, so shorter "       \
+           "peaks may be missed.")                                                                 \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder.")             \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
-        "Wear coefficient of the cylinder alone, k_c = alpha k. Give this and k_plate, or k and "  \
-        "alpha; or each body its own, as model = { cylinder = { k = ... }, plate = { k = ... } "   \
-        "}.")                                                                                      \
+        "Wear coefficient of the cylinder alone, k_c = alpha k. Give k_cylinder and k_plate "      \
+        "instead of k and alpha, or a k to each body: model = { cylinder = { k = ... }, plate = "  \
+        "{ k = ... } }.")                                                                          \
   OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
         "Wear coefficient of the plate alone, k_p = (1 - alpha) k.")                               \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
-         "Normal load L_N. To vary it use loading; this is then the load of reported pressures "   \
-         "and widths.")                                                                            \
+         "Normal load L_N. For a load that varies during a cycle use loading; load is then the "   \
+         "load at which pressures and widths are reported.")                                       \
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
-         "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
-         "positive towards +x. With loading, that of the reference configuration.")                \
+         "Direction of the load in a hole: its angle from the point of first contact, positive "   \
+         "towards +x. With loading, the angle at which pressures and widths are reported.")        \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
-         "Stroke s_t of the plate, from one end to the other. The reference cases are a, 2a, 4a "  \
-         "(0.11, 0.22, 0.44) and 2R (20); the last covers the whole plate in one direction (r = "  \
-         "1 instead of 2).")                                                                       \
+         "Stroke s_t of the plate, from one end to the other. The paper's cases are a, 2a, 4a "    \
+         "(0.11, 0.22, 0.44 mm) and 2R (20 mm); in the last one the whole plate passes the "       \
+         "cylinder in one direction (r = 1 stroke per cycle instead of 2).")                       \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
-         "Sliding distance d_t to simulate. Give this or cycles; with loading, the default is "    \
-         "the end of its blocks.")                                                                 \
+         "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
+         "is the end of its last block.")                                                          \
   OTHER(cycles, "a number > 0 cycles", NULL, 0,                                                    \
-        "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give this or distance.")          \
+        "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give cycles or distance.")        \
   QUANTITY(                                                                                        \
       jump, "cycles", 0, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                   \
-      "Cycles from one geometry update to the next (N-bar). \"auto\" follows an estimate of the "  \
-      "error, by updates of second order in several stages. With a number, pressures stay "        \
-      "constant between two updates, as in the paper; too large a value is unstable (sawtooth "    \
-      "ripples), see w:stability(). A function gets the state before the update.")                 \
+      "Number of cycles between two geometry updates (N-bar). \"auto\" chooses it by an estimate " \
+      "of the error, and computes updates of second order in several stages. With a number, "      \
+      "pressures stay constant between two updates, as in the paper; too large a number is "       \
+      "unstable and causes sawtooth ripples, see w:stability(). A function computes the number "   \
+      "from the state before each update.")                                                        \
   WHOLE(                                                                                           \
       increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                           \
-      "Increments n_c of a full cycle. Half of them are simulated, as both strokes are alike "     \
-      "(Eq. 22). \"auto\": 100, or more if the plate would move by more than an eighth of the "    \
-      "contact's half width in one increment; a loading gets more increments between its points.") \
+      "Number n_c of increments in a full cycle. Only half of them are simulated, since both "     \
+      "strokes are alike (Eq. 22). \"auto\": 100, or more so that the plate moves by at most an "  \
+      "eighth of the contact's half width in one increment; a loading is divided between its "     \
+      "points likewise.")                                                                          \
   NUMBER(refresh, "", 0.05, FROM(0), 0,                                                            \
-         "With moving geometry: the stiffness is recomputed once a node has moved by more than "   \
-         "this share of the height of its element, a fifth of this share of the remaining layer, " \
-         "or along the surface by a hundredth of this share of an element's width. In between it " \
-         "follows to first order (not with layers). 0: recomputed at every update.")               \
+         "Limit at which the stiffness of worn bodies is recomputed (with moving geometry): "      \
+         "once a node has moved inwards by this share of the height of its element or by a "       \
+         "fifth of this share of the remaining layer, or along the surface by a hundredth of "     \
+         "this share of the width of its element. Between two computations the stiffness is "      \
+         "corrected to first order (not with layers). 0: it is recomputed at every update.")       \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
          "short waves (edges of contact, shear from node to node, slip between nodes, stiffness "  \
-         "between two refreshes), to show their effect. Without effect in 3-D.")                   \
-  CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
-         "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, which is "    \
-         "correct if the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). "      \
-         "\"auto\" chooses.")                                                                      \
+         "between two refreshes); use it to see the effect of these terms. No effect in 3-D.")     \
+  CHOICE(                                                                                          \
+      procedure, procedure, ARC_AUTO, 0,                                                           \
+      "\"SP\" simulates the sliding plate (Eq. 22). \"NSP\" solves one contact per update, which " \
+      "is correct if the plate stays flat: for alpha = 1, or a stroke of 2 radius (Eqs. "          \
+      "24-27). \"auto\" chooses between them.")                                                    \
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
-         "Sliding distance of an increment: \"rigid\", the motion of the plate; \"total\", with "  \
-         "the elastic displacements of touching points added. With \"rigid\" the volume is k L_N " \
-         "d to rounding; with either, the volumes have the ratio k_c / k_p.")                      \
-  QUANTITY(friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                    \
-           "Coefficient of friction of the couple; 0: none. With friction, wear and energy use "   \
-           "the local slip: each cycle is solved with stick and slip, both strokes, starting "     \
-           "from freshly pressed bodies, until it is periodic; the last cycle is used. Updates "   \
-           "in stages and implicit updates follow a coefficient that changes, and their error "    \
-           "estimates include it; updates of a given jump use its mean. An update ends at a jump " \
-           "of the coefficient. Needs update = \"cycle\".")                                        \
+         "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
+         "is then k L_N d to rounding. \"total\": the motion plus the elastic displacements of "   \
+         "the touching points. In both cases the volumes of the bodies have the ratio k_c / k_p.") \
+  QUANTITY(                                                                                        \
+      friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                         \
+      "Coefficient of friction between the bodies; 0: no friction. With friction, wear and "       \
+      "energy use the local slip: both strokes are solved with stick and slip, from "              \
+      "freshly pressed bodies on, until the cycle is periodic; the last cycle is used. The "       \
+      "coefficient can be a function or a table, as k can. With jump = \"auto\" and implicit "     \
+      "updates the change within an update is integrated; updates of a fixed number of "           \
+      "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\".")        \
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
          "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \
@@ -178,69 +187,80 @@ typedef struct arc_loading {
   NUMBER(                                                                                          \
       tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
       "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "       \
-      "needs friction, and less than friction times load. A cycle counts as the distance 4 "       \
-      "force / (E* thickness), in 3-D 4 force / (2 a E*) with the half width a of the contact, "   \
-      "as slip is not known beforehand: give cycles.")                                             \
+      "needs friction, and must be less than friction times load. Since the slip is not known "    \
+      "beforehand, a cycle counts as the distance 4 force / (E* thickness), in 3-D as 4 force / "  \
+      "(2 a E*) with the half width a of the contact; give cycles rather than a distance.")        \
   CHOICE(slide, slide, ARC_SLIDE_X, 0,                                                             \
          "Direction of sliding: along x, or along z out of the plane. With \"z\" the contact "     \
          "stays at x = 0, stroke is the displacement along z, and alpha-tilde is alpha. Bodies "   \
-         "of revolution need \"z\" (all points move alike, as of a pin on a disc), unless they "   \
+         "of revolution need \"z\" (all points slide alike, as on a pin on a disc), unless they "  \
          "spin.")                                                                                  \
   NUMBER(spin, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
-         "Of bodies that spin about their axis of revolution: the radius to which stroke and "     \
-         "distance refer; slip is proportional to the radius. 1: distances are angles in "         \
+         "For bodies that rotate about their axis of revolution: the radius at which stroke and "  \
+         "distance are measured. Slip is proportional to the radius. 1: distances are angles in "  \
          "radians.")                                                                               \
   NUMBER(track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
-         "Of a pin on a disc: mean radius of its track, larger than that of the contact. A "       \
-         "cycle is then a revolution, and stroke is not used. The disc stays flat; its depth is "  \
-         "the mean over a track as wide as the present contact. In 3-D it wears to a track that "  \
-         "is the same all round.")                                                                 \
-  CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
+         "For a pin on a disc: mean radius of its track, larger than the radius of the contact. "  \
+         "A cycle is then a revolution, and stroke is not used. The disc stays flat; its depth "   \
+         "is the mean over a track as wide as the present contact. In 3-D a track is worn into "   \
+         "the disc, with the same section all round.")                                             \
+  CHOICE(rule, rule, ARC_TRAPEZOID, 0,                                                             \
+         "Integration over the increments: \"simple\", Eq. (4); "                                  \
+         "\"trapezoid\", Eq. (5).")                                                                \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
-         "\"moving\": wear changes the mesh and so the stiffness of the surface layer; "           \
-         "\"frozen\": it changes the gap only.")                                                   \
+         "\"moving\": wear changes the mesh and with it the stiffness near the surface; "          \
+         "\"frozen\": wear changes only the gap between the bodies.")                              \
   CHOICE(update, update, ARC_UPDATE_CYCLE, 0,                                                      \
-         "When the geometry is updated: after jump cycles together, or at every increment "        \
-         "(quasi-continuous).")                                                                    \
+         "When the geometry is updated: \"cycle\", after each `jump` cycles; \"increment\", at "   \
+         "every increment of a cycle (quasi-continuous).")                                         \
   CHOICE(law, law, ARC_LAW_ARCHARD, 0,                                                             \
          "Wear law: a factor on k that depends on the pressure p or, with friction, on the "       \
          "shear q." ARC_LAW_LIST(ARC_LAW_TEXT))                                                    \
-  NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure in the law.")                            \
+  NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0,                                                    \
+         "Pressure in the power law, or the threshold, "                                           \
+         "see law.")                                                                               \
   NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent of the power law.")                   \
   WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
         "Order of the implicit scheme: 1, pressures at the end of the update; 2, pressures at "    \
         "its start, at one stage and at its end (TR-BDF2).")                                       \
   WHOLE(workers, "", 1, WITHIN(1, 64), ARC_FIXED,                                                  \
-        "Threads for the positions of a stroke in 3-D; results do not depend on the number, to "   \
-        "the bit.")                                                                                \
+        "Number of threads that compute the positions of a stroke in 3-D. Results are the same "   \
+        "to the bit for any number.")                                                              \
   NUMBER(tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                            \
-         "Bound on the error of depths relative to the deepest, for implicit runs, at every node " \
-         "deeper than a twentieth of it; the run chooses its steps. Pressures have 10 times this " \
-         "error in the mean, and more at single nodes at the edge of the contact. Default: 1e-3 "  \
-         "for implicit runs without a jump; else steps of jump.")                                  \
+         "Accepted error of the depths of an implicit run, relative to the largest depth, at "     \
+         "every node deeper than a twentieth of it; the steps are chosen accordingly. Pressures "  \
+         "have 10 times this error on average, and more at single nodes at the edge of the "       \
+         "contact. Default: 1e-3 if no jump is given; with a jump, its steps are used without a "  \
+         "check.")                                                                                 \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
-        "The bodies. Default: a model whose contact zones fit the stroke, built on first use.")    \
+        "The two bodies. Default: model{} with contact zones that fit the stroke, built on "       \
+        "first use.")                                                                              \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \
-        "Initial shape of the surfaces: that of a wear run; or for each body a function "          \
-        "f(x) that gives the depth, or a measured profile { x={...}, h={...} }, in mm; in 3-D a "  \
-        "function f(x, z) or a map of depths, which is 0 outside the scar. Depths "                \
-        "and alpha-tilde count from the unworn shape, volumes from this one.")                     \
+        "Initial surfaces: a wear run, whose present surfaces are used, or for each body a "       \
+        "function f(x) for the depth in mm or a measured profile { x={...}, h={...} }; in 3-D a "  \
+        "function f(x, z) or a map of depths, which is 0 outside the scar. Depths and "            \
+        "alpha-tilde are measured from the unworn surfaces, volumes from the initial ones.")       \
   OTHER(loading, "a block { x=, load= } or a list of them", NULL, 0,                               \
-        "A loading cycle instead of stroke and load: x and load as functions of t from 0 to 1 "    \
-        "over the cycle, or as sampled lists; both strokes are simulated. Functions are called "   \
-        "once, when the run is made. Blocks in a list follow each other, each with its number of " \
-        "cycles. Without a distance the run ends with the last block; a last block without "       \
-        "cycles lasts to the end of the distance. Reported pressures and widths are those under "  \
-        "load, by default the largest of the loading. \n\nIn a hole, rotation (degrees) turns "    \
-        "the lower body in place of x, and load_angle (degrees) is the direction of the load. "    \
-        "Meshes reach 80 degrees to either side: a narrow contact may turn by about 70 degrees, "  \
-        "a wide one by less, and none by a full turn. \n\ncsv.read(path) reads measured lists.")   \
+        "A loading cycle instead of a stroke and a constant load. Its fields x and load are "      \
+        "functions of t, which runs from 0 to 1 over the cycle, or lists of sampled values. "      \
+        "Both strokes are simulated. Functions are called once, when the run is made. A list of "  \
+        "loadings defines blocks that follow each other, each with its number of cycles. "         \
+        "Without a distance the run ends with the last block; a last block without cycles lasts "  \
+        "to the end of the distance. Pressures and widths are reported at the field load of "      \
+        "wear{}, by default the largest load of the loading. \n\nIn a hole, rotation (degrees) "   \
+        "turns the lower body instead of x, and load_angle (degrees) is the direction of the "     \
+        "load. Meshes reach 80 degrees to either side: a narrow contact may turn by about 70 "     \
+        "degrees, a wide one by less, and none by a full turn. \n\ncsv.read(path) reads measured " \
+        "lists.")                                                                                  \
   FUNCTION(                                                                                        \
       local_factor, "a function(body, x, p, state, z) or { vector = function }", arc_local_fn, 0,  \
-      "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
-      "\"plate\", x the node's own position in mm, p its pressure in MPa, z its position across "  \
-      "the motion in mm, with geometry = \"3-D\" only; the result is 0 or above. Nodes without "   \
-      "pressure are left out: they do not wear. It is called at every increment.")
+      "Function for a factor on k at each node, for effects such as cross-shear. body is "         \
+      "\"cylinder\" or \"plate\", x the position of the node on its body in mm, p its pressure "   \
+      "in "                                                                                        \
+      "MPa, and z its position across the motion in mm (with geometry = \"3-D\" only). The "       \
+      "factor "                                                                                    \
+      "must be 0 or above. The function is called at every increment for nodes with pressure, "    \
+      "as others do not wear.")
 
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
@@ -316,32 +336,31 @@ typedef enum arc_column_rule {
   X(jump, "", FROM(0), ALWAYS, "cycles of this update")                                            \
   X(load, "N", FROM(0), LATER, "largest normal load of the update's cycle")                        \
   X(load_low, "N", FROM(0), LATER, "smallest normal load of the update's cycle")                   \
-  X(load_reference, "N", FROM(0), LATER, "normal load of the row's pressures and width")           \
-  X(travel, "mm", FROM(0), LATER, "stroke in that cycle")                                          \
+  X(load_reference, "N", FROM(0), LATER, "normal load of the reported pressures and width")        \
+  X(travel, "mm", FROM(0), LATER, "stroke in the update's cycle")                                  \
   X(k, "mm2/N", FROM(0), ALWAYS, "wear coefficient of this update")                                \
   X(alpha, "", FROM(0), ALWAYS, "wear partition factor of this update")                            \
   X(p_center, "MPa", FROM(0), ALWAYS, "pressure at the centre")                                    \
   X(p_max, "MPa", FROM(0), ALWAYS, "largest nodal pressure; mesh-dependent at scar edges")         \
   X(p_peak, "MPa", FROM(0), LATER, "largest nodal pressure of the update's cycle")                 \
   X(half_width, "mm", FROM(0), ALWAYS, "half the contact width")                                   \
-  X(half_width_z, "mm", FROM(0), LATER, "half the contact width across the motion; 3-D")           \
-  X(area, "mm2", FROM(0), LATER, "contact area; 3-D")                                              \
+  X(half_width_z, "mm", FROM(0), LATER, "half the contact width across the motion, in 3-D")        \
+  X(area, "mm2", FROM(0), LATER, "contact area, in 3-D")                                           \
   X(depth_cylinder, "mm", FROM(0), ALWAYS, "largest wear depth of the cylinder")                   \
   X(depth_plate, "mm", FROM(0), ALWAYS, "largest wear depth of the plate")                         \
   X(volume_cylinder, "mm3", FROM(0), ALWAYS, "wear volume of the cylinder")                        \
   X(volume_plate, "mm3", FROM(0), ALWAYS, "wear volume of the plate")                              \
-  X(load_distance, "N mm", FROM(0), LATER, "load (in holes: normal force) times sliding")          \
-  X(depth_partition, "", FROM(0), LATER,                                                           \
-    "depth partition factor alpha-tilde; NaN before any wear")                                     \
-  X(error, "", FROM(0), LATER, "estimated error of an adaptive step, over its tolerance")          \
+  X(load_distance, "N mm", FROM(0), LATER, "load (in holes: normal force) times sliding distance") \
+  X(depth_partition, "", FROM(0), LATER, "depth partition factor alpha-tilde; NaN if unworn")      \
+  X(error, "", FROM(0), LATER, "estimated error of an adaptive step / tolerance")                  \
   X(solutions, "", FROM(0), ALWAYS, "contact solutions so far")                                    \
-  X(box_rows, "", FROM(0), LATER, "element rows of the wear box")                                  \
-  X(elements, "", FROM(0), LATER, "elements of both meshes")                                       \
-  X(energy, "N mm", FROM(0), LATER, "dissipated by friction so far")                               \
-  X(cycle_energy, "N mm", FROM(0), LATER, "dissipated in a cycle of the update")                   \
+  X(box_rows, "", FROM(0), LATER, "number of element rows in the wear box")                        \
+  X(elements, "", FROM(0), LATER, "number of elements in both meshes")                             \
+  X(energy, "N mm", FROM(0), LATER, "energy dissipated by friction so far")                        \
+  X(cycle_energy, "N mm", FROM(0), LATER, "energy dissipated in the update's cycle")               \
   X(largest_shear, "N", FROM(0), LATER, "largest tangential force of the update's cycle")          \
-  X(stick_width, "mm", FROM(0), LATER, "width that sticks throughout that cycle")                  \
-  X(gross, "", FROM(0), LATER, "1 if the whole contact slips at some time of it, else 0")
+  X(stick_width, "mm", FROM(0), LATER, "width that sticks throughout the update's cycle")          \
+  X(gross, "", FROM(0), LATER, "1 if the whole contact slips at some time, else 0")
 
 struct arc_wear_record {
 #define ARC_WEAR_MEMBER(name, unit, range, rule, text) double name;

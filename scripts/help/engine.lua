@@ -3,7 +3,7 @@
 -- those of Mattei and Di Puccio, "Influence of the wear partition factor on wear evolution
 -- modelling of sliding surfaces".
 
-local of_all = '; E, nu, k or material, layers and name as in help "body".'
+local of_all = '. Further fields, see help "body": E, nu, k or material, layers, name.'
 
 return {
   -- --- material -------------------------------------------------------------------------------
@@ -20,13 +20,14 @@ return {
     text = "Half width of the contact: a = sqrt(4 R L_N / (pi t E*)) of a cylinder, cbrt(3 R L_N / (4 E*)) of a "
       .. "ball." },
   { "hertz.half_width_z", kind = "field", unit = "mm",
-    text = 'Half width across the motion, with geometry = "3-D"; NaN of a cylinder.' },
+    text = 'Half width of the contact across the motion (along z), with geometry = "3-D"; NaN for a cylinder.' },
   { "hertz.p_max", kind = "field", unit = "MPa",
     text = "Pressure at the centre: p_H = 2 L_N / (pi a t) of a cylinder, 3 L_N / (2 pi a^2) of a ball." },
   { "hertz.E_star", kind = "field", unit = "MPa",
     text = "Contact modulus 1 / (1/E*_c + 1/E*_p), where E*_b = E / (1 - nu^2), or E in plane stress." },
   { "hertz.approach", kind = "field", unit = "mm",
-    text = "Rigid approach of a ball and its plate, a^2 / R; NaN of a cylinder, for which it is infinite." },
+    text = "Rigid approach of a ball and its plate, a^2 / R; NaN for a cylinder, whose approach is not "
+      .. "defined on a half-space." },
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
@@ -34,8 +35,8 @@ return {
       .. "its flat top, on a plate of width 2 radius and height radius, in plane strain. A model does not change; "
       .. 'several contacts and runs can share one. Other geometries: help "axisymmetric". mesh = "pair.msh" reads '
       .. 'both bodies from a Gmsh file: help "gmsh".' },
-  { "model.upper", kind = "field", text = "The upper body as given; nil: a cylinder." },
-  { "model.lower", kind = "field", text = "The lower body as given; nil: a block." },
+  { "model.upper", kind = "field", text = "The upper body of the definition; nil for the default, a cylinder." },
+  { "model.lower", kind = "field", text = "The lower body of the definition; nil for the default, a block." },
   { "model.bodies", kind = "field",
     text = 'Names of the bodies: m.bodies.upper, m.bodies.lower. Each is the name given in body.disc{ name="pin" }, '
       .. 'else the kind of body ("ring"), else "upper" or "lower"; the default pair is "cylinder" and "plate". All '
@@ -46,44 +47,50 @@ return {
       .. "moves. Each accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from the surface "
       .. "inwards; the k of a layer applies down to its depth. On a mesh from Gmsh use materials = { NAME = } instead "
       .. "of layers." },
+  { "body{layers}", type = "list of tables { thickness=, material= }",
+    text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. A "
+      .. "material with k gives the layer its own wear coefficient, down to its depth." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
-    text = 'A half cylinder, fixed at its flat. For a pin in a bush, hold = "free" lets the flat move sideways and '
-      .. 'hold = "hub" makes it a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
+    text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
+      .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
     text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, with the surface x^2 / (2 radius) + z^2 '
       .. "/ (2 radius_z); z is across the motion. Fields: radius, radius_z" .. of_all },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
-    text = 'A block, fixed at its base (an upper block: at its top). With geometry="3-D" a half-space, or with a '
-      .. "height a layer on a rigid base. Fields: width, height" .. of_all },
+    text = 'A block, fixed at its base (an upper block: at its top). With geometry="3-D" it is a half-space '
+      .. "or, if a height is given, a layer on a rigid base. Fields: width, height" .. of_all },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
     text = "A block with a flat of full width `flat` and edges rounded by `radius`. Fields: flat, radius, "
       .. "height" .. of_all },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
     result = "table",
-    text = "A block with a given or measured surface: heights y(x) out of the body in mm, lists x and y, or a trace "
-      .. "with heights, body.profile(profile.read(path)). Fields: width, height, y, x" .. of_all },
+    text = "A block whose surface has a profile: heights in mm, positive out of the body, as a function "
+      .. "y(x), as lists x and y, or as a measured trace, body.profile(profile.read(path)). Fields: width, "
+      .. "height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
-    text = 'A given or measured topography for model{ geometry="3-D" }, as upper or lower body: heights out of the '
-      .. "body on an even grid, as a map or as the fields of map{ x=, z=, y= }. With a radius (and radius_z) they "
-      .. "are added to a ball. Heights between the points are cubic. The contact must stay within the map, which is "
-      .. "centred at x = z = 0. Fields: x, z, y, radius, radius_z" .. of_all },
+    text = 'A measured or computed topography for model{ geometry="3-D" }, as upper or lower body. The '
+      .. "heights, positive out of the body, are on an even grid; give a map or the fields of map{ x=, z=, "
+      .. "y= }. If radius (and radius_z) are given, the heights are added to a ball. Between the points "
+      .. "they are interpolated by cubics. The contact must stay within the map, which is centred at x = z "
+      .. "= 0. Fields: x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A whole disc, fixed at a hub of 0.15 radius in its middle. Fields: radius" .. of_all },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
-    text = 'A ring. With fixed="outer" its hole is in contact with a disc, cylinder or inner ring; the contact is '
-      .. "then solved along the arc, x is the length along the hole, and there is no friction. Fields: "
-      .. "inner, outer, fixed" .. of_all },
+    text = 'A ring. With fixed="outer" its hole is in contact with a disc, cylinder or inner ring; the '
+      .. "contact is then solved along the surface of the hole: x is the arc length, and friction is not "
+      .. "available. Fields: inner, outer, fixed" .. of_all },
   { "body.gmsh", kind = "function", use = "body.gmsh{ name=, E=, materials={ coating={ E=400e3 } } }",
     result = "table",
-    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }; materials by the names of "
-      .. 'its physical groups: help "gmsh".' },
-  { "model.seconds", kind = "field", unit = "s", text = "Time of building the model." },
+    text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. materials "
+      .. 'assigns a material to each physical group by its name, see help "gmsh".' },
+  { "model.seconds", kind = "field", unit = "s", text = "Computing time for building the model." },
   { "model.bytes", kind = "field", unit = "bytes", text = "Memory of the model." },
   { "model.close", kind = "method", use = "m:close()",
-    text = "Frees the model now instead of at the next garbage collection. Runs and contacts on it stay valid." },
+    text = "Frees the model now instead of at the next garbage collection. Runs and contacts that use it "
+      .. "stay valid." },
   { "model.mesh", kind = "field",
-    text = 'The meshes m.mesh.cylinder and m.mesh.plate, and the definition with the values chosen for "auto": size, '
-      .. "height, fineness, far, zone, rows, element." },
+    text = "The meshes m.mesh.cylinder and m.mesh.plate, and the fields of model{ mesh= } with the values "
+      .. 'chosen for "auto": size, height, fineness, far, zone, rows, element.' },
   { "model.mesh.cylinder", kind = "field", class = "mesh", text = "Mesh of the half cylinder." },
   { "model.mesh.plate", kind = "field", class = "mesh", text = "Mesh of the plate." },
 
@@ -99,21 +106,21 @@ return {
   { "mesh.element", kind = "field",
     text = 'Type of the elements: "CPE4" or "CPE4I" in plane strain, "CPS4" in plane stress, "CAX4" in bodies of '
       .. "revolution." },
-  { "mesh.rows", kind = "field", text = "Element rows of the wear box." },
-  { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
+  { "mesh.rows", kind = "field", text = "Number of element rows in the wear box." },
+  { "mesh.body", kind = "field", text = 'Body of the mesh, "cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
-    text = "Measures of the worst elements, as a table: smallest_angle, largest_angle (degrees), aspect (longest "
-      .. "edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), smallest_jacobian (mm2, "
-      .. "positive). The table box has the same for the wear box alone." },
+    text = "Quality of the worst elements, a table with smallest_angle, largest_angle (degrees), aspect "
+      .. "(longest edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
+      .. "smallest_jacobian (mm2, positive). Its field box is such a table for the wear box alone." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
     text = "Writes the mesh to a file. The ending chooses the format: .vtk, .vtu, .inp (Abaqus, CalculiX), .msh "
       .. "(Gmsh) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",
-    text = "Node numbers (from 1) of the corners of all elements in one list, four per element; the fourth of a "
-      .. "triangle is 0." },
+    text = "Node numbers (from 1) of the element corners in one list, four per element; the fourth number "
+      .. "of a triangle is 0." },
   { "mesh.coordinates", kind = "method", use = "m.mesh.plate:coordinates()",
     text = "Positions of all nodes, { x=, y= } in mm." },
   { "mesh.surface", kind = "method", use = "m.mesh.plate:surface()",
@@ -129,18 +136,18 @@ return {
 
   -- --- contact --------------------------------------------------------------------------------
   { "contact", kind = "constructor", use = "c = contact{ load=100, x=0 }",
-    text = "One contact solution: both bodies pressed together by the load, with the plate at x. c:move continues "
-      .. "from it. Without a model, one with suitable contact zones is built. With friction, shear, slip and "
-      .. "tangential force are positive when the plate is pushed along +x." },
+    text = "One solved contact: the load presses both bodies together, with the plate at position x. c:move "
+      .. "continues from this contact. If no model is given, one with suitable contact zones is built. With "
+      .. "friction, shear, slip and tangential force are positive when the plate is pushed along +x." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the cylinder against x. A function is evaluated at the nodes; points are interpolated by "
-      .. "splines, smooth inside a scar, that keep the area." },
+    text = "Wear depth of the cylinder against x. A function is evaluated at the nodes; points are "
+      .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the plate against x. A function is evaluated at the nodes; points are interpolated by "
-      .. "splines, smooth inside a scar, that keep the area." },
+    text = "Wear depth of the plate against x. A function is evaluated at the nodes; points are "
+      .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact. Error: 0.03 of an element if unworn, 0.07 if worn surfaces meet smoothly, 0.2 "
-      .. "on average and at most 0.6 at edges of scars." },
+    text = "Half width of the contact. Its error is 0.03 of an element for unworn surfaces and 0.07 for "
+      .. "worn ones that meet smoothly; at edges of scars it is 0.2 on average and at most 0.6." },
   { "contact.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, in 3-D; 0 in 2-D." },
   { "contact.area", kind = "field", unit = "mm2", text = "Contact area in 3-D; 0 in 2-D." },
@@ -153,12 +160,13 @@ return {
     text = "Pressure at x = 0 of the upper body, the lowest point of a cylinder. The largest pressure of a profile "
       .. "may lie elsewhere: see p_max." },
   { "contact.normal_force", kind = "field", unit = "N",
-    text = "Integral of the pressure over the surface: the load, or in holes up to 4/pi times the load." },
+    text = "Integral of the pressure over the surface. It equals the load; in holes, where the pressure has "
+      .. "different directions, it is up to 4/pi times the load." },
   { "contact.approach", kind = "field", unit = "mm",
-    text = "Rigid approach of the fixed parts of both bodies." },
-  { "contact.iterations", kind = "field", text = "Iterations of the active set." },
+    text = "Distance by which the fixed parts of both bodies approach each other." },
+  { "contact.iterations", kind = "field", text = "Number of iterations of the active set." },
   { "contact.edges", kind = "field", unit = "mm",
-    text = "Edges of the contact { left=, right= }, measured from the cylinder's axis." },
+    text = "Positions of both edges of the contact, { left=, right= }, measured from the cylinder's axis." },
   { "contact.model", kind = "field", class = "model", text = "The model of the contact." },
   { "contact.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'c:pressure("cylinder" | "plate")', default = '"cylinder"',
@@ -166,12 +174,13 @@ return {
       .. "axis." },
   { "contact.move", kind = "method", class = "contact",
     use = "c:move{ x= | tangential=, z= | tangential_z=, load=, increments= }",
-    text = "The contact after the plate's base has moved to x, or is driven by a tangential force, and after the "
-      .. "load has changed, all linearly; c itself is not changed. Friction (Coulomb) depends on the history: each "
-      .. "node keeps its slip. The base keeps its position if neither x nor tangential is given. x may exceed the "
-      .. "contact width: the bodies then slide. In 3-D z and tangential_z likewise, and increments are chosen: "
-      .. "c.energy_error estimates their error. Given ones are of first order where the direction of slip turns: a "
-      .. "force that rotates once in 64 increments loses 8 % of its work." },
+    text = "Returns the contact after a motion: the plate's base moves to x, or a tangential force drives "
+      .. "it, and the load changes, all linearly. c itself is not changed. Coulomb friction depends on the "
+      .. "history, so each node keeps its slip. If neither x nor tangential is given, the base keeps its "
+      .. "position. x may exceed the contact width; the bodies then slide. In 3-D z and tangential_z are "
+      .. "available too, and the increments are chosen automatically: c.energy_error estimates their error. "
+      .. "If you set the number of increments in 3-D, the error is of first order where the direction of "
+      .. "slip turns: a force that rotates once in 64 increments loses 8 % of its work." },
   { "contact.z", kind = "field", unit = "mm",
     text = "Position of the lower body along z, in 3-D with friction; 0 in 2-D." },
   { "contact.tangential_z", kind = "field", unit = "N",
@@ -179,28 +188,34 @@ return {
   { "contact.tangential", kind = "field", unit = "N",
     text = "Tangential force on the plate along x. Without friction, the part that inclined surfaces carry." },
   { "contact.energy", kind = "field", unit = "N mm",
-    text = "Energy dissipated by friction since the bodies came together: shear force times slip. In partial slip of "
-      .. "similar bodies (Dundurs' beta up to 0.01, such as steels) under constant load the error is 1.6 % if one "
-      .. "element slips on each side, 0.3 % if three do; for beta up to 0.1, 12 % and 1.5 %. For larger beta, "
-      .. "changing loads and edges of scars it is a sum over nodes, with errors of 45, 15 and 6 % if one, one and a "
-      .. "half and two elements slip. Meshes chosen for a contact with friction have 27 elements in the half width: "
-      .. "cycles of similar bodies are then within 0.5 %, of others 1.5 % from 0.3 of full slip on, 6 % at 0.2." },
+    text = "Energy dissipated by friction since the bodies came together: shear traction times slip, "
+      .. "integrated over the contact. On the automatic mesh of a contact with friction, 27 elements in the "
+      .. "half width, the energy of a cycle has an error of 0.5 % for similar bodies; for others it is 1.5 "
+      .. "% if the force is at least 0.3 of that of full slip, and 6 % at 0.2. On coarser meshes of similar "
+      .. "bodies (Dundurs' beta up to 0.01, such as steels) in partial slip under constant load, the error "
+      .. "is 1.6 % if one element slips at each edge and 0.3 % if three do; for beta up to 0.1 it is 12 % "
+      .. "and 1.5 %. For larger beta, changing loads and edges of scars it is 45, 15 and 6 % if one, one "
+      .. "and a half and two elements slip. For the energy of wear runs see wear.energy and "
+      .. "wear.cycle_energy." },
   { "contact.energy_error", kind = "field", unit = "N mm",
-    text = "In 3-D: estimated error of contact.energy due to the length of the increments, the difference to the energy "
-      .. "with half as many. It is close to the error where the direction of slip rotates and three times the error "
-      .. "elsewhere. Motions with given increments are not included." },
+    text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the "
+      .. "difference from the energy with half as many increments, which is close to the true error where "
+      .. "the direction of slip rotates, and three times the true error elsewhere. Motions whose number of "
+      .. "increments you set are not included." },
   { "contact.stick", kind = "field", unit = "mm",
-    text = "Stick zones of the last increment, a list of { left=, right= }; empty in gross slip. Error: 0.15 of an "
-      .. "element, 0.3 if fewer than six elements stick. In 3-D: the share of the contact area that sticks." },
+    text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; empty in gross slip. "
+      .. "The error of an edge is 0.15 of an element, or 0.3 if fewer than six elements stick. In 3-D: the "
+      .. "share of the contact area that sticks." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
     text = "Shear traction at the surface nodes of a body, { x=, q= } in mm and MPa: on the cylinder along +x, on "
       .. "the plate along -x; |q| is at most friction times p. In 3-D c:shear() is the map of |q| on the upper body, "
       .. 'c:shear("x") and c:shear("z") are maps of its components, c:shear{ z=0 } is a section { x=, q=, qz= }.' },
   { "contact.slip", kind = "method", use = "c:slip()",
-    text = "Slip of the plate's surface along +x over the cylinder's nodes since the bodies came together, { x=, s= "
-      .. '} in mm. Nodes out of contact are included. In 3-D a map of its magnitude; c:slip("x") and c:slip("z") are '
-      .. "maps of its components, c:slip{ z=0 } is a section { x=, s=, sz= }." },
+    text = "Slip since the bodies came together, { x=, s= } in mm: displacement of the plate's surface "
+      .. "along +x relative to the cylinder's nodes. Nodes out of contact are included. In 3-D a map of its "
+      .. 'magnitude; c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { '
+      .. "x=, s=, sz= }." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D a "
       .. "plane below the surface, c:stress{ y=-0.05 }, or a section down to three half widths, c:stress{ z=0 } or { "
@@ -209,13 +224,13 @@ return {
   { "contact.close", kind = "method", use = "c:close()",
     text = "Frees the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
-    text = "Fields of both bodies, f.cylinder and f.plate: lists x, y (nodes, mm), ux, uy (displacements, mm), "
-      .. "mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four corners each). The error "
-      .. "is of second order in the element size. At smooth edges of the contact the pressure follows the "
-      .. "square-root law (error 2 % of the largest pressure at elements of 20 um, 9 % with friction 0.6); at kinks "
-      .. "of scars nodal values are used." },
-  { "stress.cylinder", kind = "field", text = "Lists of values of the cylinder." },
-  { "stress.plate", kind = "field", text = "Lists of values of the plate." },
+    text = "Fields of both bodies, f.cylinder and f.plate: lists x, y (nodes, mm), ux, uy (displacements, "
+      .. "mm), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four node numbers "
+      .. "each). The error is of second order in the element size. At smooth edges of the contact the "
+      .. "pressure follows the square-root law (error 2 % of the largest pressure at elements of 20 um, 9 % "
+      .. "with friction 0.6); at kinks of scars nodal values are used." },
+  { "stress.cylinder", kind = "field", text = "Values in the cylinder, lists by name." },
+  { "stress.plate", kind = "field", text = "Values in the plate, lists by name." },
   { "stress.contact", kind = "field", class = "contact", text = "The contact of these stresses." },
 
   -- --- wear -----------------------------------------------------------------------------------
@@ -229,34 +244,38 @@ return {
   { "wear{loading.load}", type = "function(t), list or number", unit = "N",
     default = "that of the run", text = "Normal load during the cycle; 0: no contact, no wear." },
   { "wear{loading.t}", type = "list",
-    text = "Increasing times of the lists, in any unit; the first is the start of the cycle (t = 0), the last its "
-      .. "end (t = 1). Default: equal intervals." },
+    text = "Increasing times of the values in the lists, in any unit; the first is the start of the cycle "
+      .. "(t = 0), the last its end (t = 1). Default: equal intervals." },
   { "wear{loading.increments}", type = "whole number >= 1", default = 100,
-    text = "Equal increments of the cycle at which functions are evaluated and lists interpolated. If omitted, lists "
-      .. 'are used point by point, and functions at their times; increments = "auto" of the run may merge them.' },
+    text = "Number of equal increments of the cycle, at which functions are evaluated and lists "
+      .. "interpolated. If it is omitted, lists are used point by point, and functions beside them at the "
+      .. 'times of the lists; increments = "auto" of the run may merge them.' },
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
     text = "Number of repetitions of the cycle. Omit it in the last block, which continues to the end of the run." },
   { "wear{loading.periodic}", type = "boolean", default = true,
-    text = "false: a single history that does not repeat, with a geometry update at every increment (Eqs. 4-8)." },
+    text = "true: the cycle repeats. false: a single history that does not repeat, with a geometry update "
+      .. "at every increment (Eqs. 4-8)." },
   { "wear{local_factor.vector}", type = "function(body, xs, ps, state, zs)",
-    text = "The same for all nodes in contact in one call, for factors that depend on neighbours: xs and ps are "
-      .. "lists (in 3-D zs too), the result is the list of factors and may be ps itself." },
+    text = "Function that computes the factors of all nodes in contact in one call, for factors that depend "
+      .. "on neighbours. xs and ps are lists (in 3-D zs too); the result is the list of factors and may be "
+      .. "ps itself." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Initial wear depth of the cylinder." },
+    text = "Initial wear depth of the cylinder against x, as in contact{worn.cylinder}." },
   { "wear{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Initial wear depth of the plate." },
+    text = "Initial wear depth of the plate against x, as in contact{worn.plate}." },
 
   { "wear.step", kind = "method", use = "w:step(n)",
-    text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the distance "
-      .. "ends. Returns the record of the last update. If a step fails, the run is unchanged." },
+    text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the "
+      .. "distance of the run ends. Returns the record of the last update. If a step fails, the run is "
+      .. "unchanged." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",
-    text = "Makes updates up to the given distance (default: that of the definition). Ctrl-C stops after the running "
-      .. "step; another w:run() continues with the same results." },
+    text = "Makes updates up to a distance (default: the distance of the definition). Ctrl-C stops after "
+      .. "the running step; another w:run() continues with the same results." },
   { "wear.run{distance}", type = "number > 0", unit = "mm",
-    text = "Travelled distance, counted from the start of the run, at which to stop; default: that of the "
-      .. "definition." },
+    text = "Travelled distance, counted from the start of the run, at which the run stops; default: the "
+      .. "distance of the definition." },
   { "wear.run{cycles}", type = "number > 0", unit = "cycles",
-    text = "Number of cycles, counted from the start of the run, at which to stop." },
+    text = "Number of cycles, counted from the start of the run, at which the run stops." },
   { "wear.run{progress}", type = "boolean or function(w)",
     text = "true (default on a terminal): shows a progress bar; false: shows nothing; a function is called after "
       .. "every step and ends the run if it returns true." },
@@ -264,18 +283,24 @@ return {
     text = "Stops exactly at this wear depth of a body, or at the distance if that comes first. With this or another "
       .. 'criterion, run returns a second value with the reason: "depth.cylinder", "distance", ...' },
   { "wear.run{volume}", type = "table { cylinder=, plate=, total= }", unit = "mm3",
-    text = "Stops at this wear volume, as with depth." },
-  { "wear.run{depth.cylinder}", type = "number > 0", unit = "mm", text = "Depth of the cylinder." },
-  { "wear.run{depth.plate}", type = "number > 0", unit = "mm", text = "Depth of the plate." },
-  { "wear.run{volume.cylinder}", type = "number > 0", unit = "mm3", text = "Volume of the cylinder." },
-  { "wear.run{volume.plate}", type = "number > 0", unit = "mm3", text = "Volume of the plate." },
-  { "wear.run{volume.total}", type = "number > 0", unit = "mm3", text = "Volume of both." },
+    text = "Stops exactly at this wear volume of a body or of both (total)." },
+  { "wear.run{depth.cylinder}", type = "number > 0", unit = "mm", text = "Wear depth of the cylinder at "
+    .. "which the run stops." },
+  { "wear.run{depth.plate}", type = "number > 0", unit = "mm", text = "Wear depth of the plate at which the "
+    .. "run stops." },
+  { "wear.run{volume.cylinder}", type = "number > 0", unit = "mm3", text = "Wear volume of the cylinder at "
+    .. "which the run stops." },
+  { "wear.run{volume.plate}", type = "number > 0", unit = "mm3", text = "Wear volume of the plate at which "
+    .. "the run stops." },
+  { "wear.run{volume.total}", type = "number > 0", unit = "mm3", text = "Wear volume of both bodies "
+    .. "together at which the run stops." },
   { "wear.run{p_center}", type = "number > 0", unit = "MPa",
-    text = "Stops when the pressure at the centre passes this value, as with depth." },
+    text = "Stops exactly where the pressure at the centre (p_center) reaches this value, from above or "
+      .. "from below." },
   { "wear.run{p_max}", type = "number > 0", unit = "MPa",
-    text = "Stops when the largest pressure passes this value, as with depth." },
+    text = "Stops exactly where the largest pressure (p_max) reaches this value, from above or from below." },
   { "wear.run{half_width}", type = "number > 0", unit = "mm",
-    text = "Stops when the half width of the contact passes this value, as with depth." },
+    text = "Stops exactly where the half width of the contact reaches this value, from above or from below." },
   { "wear.run{stop_when}", type = "function(w)",
     text = "Called with the run after every step; the run stops if it returns true." },
   { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
@@ -284,15 +309,16 @@ return {
       .. "are kept. A new loading begins at its start; loading=false or stroke= return to the plain stroke. distance "
       .. "and cycles count from the start of the run. Returns the run." },
   { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
-    text = "New meshes of both bodies: fields of model{ mesh= }; others are kept. With a new size and without rows, "
-      .. "the depth of the wear box is kept." },
+    text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields keep their values. "
+      .. "With a new size and without rows, the depth of the wear box is kept." },
   { "wear.clone", kind = "method", class = "wear", use = "w:clone()",
     text = "An independent copy of the run, for example to continue it with two different loads." },
   { "wear.close", kind = "method", use = "w:close()",
     text = "Frees the run now instead of at the next garbage collection." },
   { "wear.contact", kind = "method", class = "contact", use = "w:contact()",
-    text = "The contact of the present shapes under the nominal load, plate at x = 0, without friction. contact{ "
-      .. "model=w.model, worn=w, friction=w.friction } solves it with friction." },
+    text = "The contact of the present surfaces under the field load, with the plate in its middle position "
+      .. "(x = 0), without friction. contact{ model=w.model, worn=w, friction=w.friction } solves it with "
+      .. "friction." },
   { "wear.save", kind = "method", use = "w:save(path)",
     text = "Writes the run to a run file; wear.open continues it. A run already saved in the file is replaced; other "
       .. "files are refused. A run that is killed is lost if it was not saved: w:run{ progress = function(w) if "
@@ -314,41 +340,46 @@ return {
     text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30)." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
-    text = "Sawtooth part of a profile relative to its depth [-], root mean square over the middle of the contact: 1 "
-      .. "for a sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values are a sign of too "
-      .. "large a jump." },
+    text = "Amplitude of the sawtooth part of a profile over its depth [-], root mean square over the "
+      .. "middle of the contact: 1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. "
+      .. "Larger values are a sign of too large a jump." },
   { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
     text = "A map of a body over x and z, of a run in 3-D: wear depth [mm] (default), worn height [mm], or pressure "
       .. "[MPa] under the load at x = 0. w:profile(body, { z = 0 }) and { x = 0 } are sections." },
   { "wear.stability", kind = "method", use = "w:stability()",
-    text = "{ eigenvalue=, jump_limit= }: largest growth rate of ripples [1/cycle], linearised at the present state, "
-      .. "and the limit 2 / eigenvalue. Explicit updates with a larger jump make the surfaces rough." },
+    text = "Returns { eigenvalue=, jump_limit= }: the largest growth rate of ripples [1/cycle], linearised "
+      .. "at the present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with "
+      .. "a larger jump make the surfaces rough." },
   { "wear.loop", kind = "method", use = "w:loop()",
-    text = "The fretting loop of a periodic cycle on the present surfaces, of runs with friction: { cycle=, x=, "
-      .. "tangential=, energy=, stick_width=, gross= } with the cycles of the run so far, the position of the plate's "
-      .. "base [mm], the tangential force [N], the energy of a cycle [N mm], the width that never slips [mm], and "
-      .. "true for gross slip. The energy is more accurate than the loop's area, which omits slip between nodes in partial slip, and in gross slip contains "
-      .. "the surface strain under pressure (0.12 % at 591 MPa on steel). plot.loop(w) draws the loop." },
+    text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { "
+      .. "cycle=, x=, tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the "
+      .. "run so far, x the list of positions of the plate's base [mm], tangential the list of tangential "
+      .. "forces [N], energy that of the cycle [N mm], stick_width the width that never slips [mm], and "
+      .. "gross is true in gross slip. The energy is more accurate than the loop's area, which omits slip "
+      .. "between nodes in partial slip, and in gross slip contains the surface strain under pressure (0.12 "
+      .. "% at 591 MPa on steel). plot.loop(w) draws the loop." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by a periodic cycle on the present surfaces; 0 before the first update." },
   { "wear.largest_shear", kind = "field", unit = "N",
-    text = "Largest tangential force of that cycle. On curved or worn surfaces it may exceed friction times the "
-      .. "load." },
+    text = "Largest tangential force in a periodic cycle on the present surfaces. On curved or worn "
+      .. "surfaces it may exceed friction times the load." },
   { "wear.stick_width", kind = "field", unit = "mm",
-    text = "Width of the contact that never slips in that cycle; 0 in gross slip." },
+    text = "Width of the contact that never slips in a periodic cycle on the present surfaces; 0 in gross slip." },
   { "wear.gross", kind = "field",
-    text = "1: the whole contact slips at some time of that cycle; 0: a part always sticks, or friction is 0." },
+    text = "1: the whole contact slips at some time of a periodic cycle; 0: a part always sticks, or "
+      .. "friction is 0." },
   { "wear.model", kind = "field", class = "model", text = "The model of the run." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
-    text = "The worn meshes of cylinder and plate, for quality, plot.mesh(w) and files. Even wear of the plate does "
-      .. "not move its nodes; with moving geometry, layers are shifted toward the surface." },
+    text = "The worn meshes of cylinder and plate, for w.mesh.plate:quality(), plot.mesh(w) and export. "
+      .. "Even wear of the plate does not move its nodes; with moving geometry, layers are shifted toward "
+      .. "the surface." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },
   { "wear.solutions", kind = "field",
     text = "Number of contact problems solved; mirrored halves of symmetric strokes are included." },
-  { "wear.done", kind = "field", text = "True at the end of the distance." },
+  { "wear.done", kind = "field", text = "True once the run has reached the end of its distance." },
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, with the plate at x = 0 under the nominal load." },
   { "wear.p_max", kind = "field", unit = "MPa",
@@ -362,18 +393,21 @@ return {
       .. "scar presses on the other body near the ends of the stroke, and does not converge with the mesh. NaN in "
       .. "runs of files older than format 3, until they continue." },
   { "wear.travel", kind = "field", unit = "mm",
-    text = "Distance between the extreme positions of the plate in the last update's cycle, or in its increment of a "
-      .. "single history. NaN in runs of files older than format 4, until they continue." },
+    text = "Distance between the extreme positions of the plate in the last update's cycle; in a single "
+      .. "history (periodic = false), in its last increment. NaN in runs of files older than format 4, "
+      .. "until they continue." },
   { "wear.load_distance", kind = "field", unit = "N mm",
-    text = "Integral of the load over the sliding distance, F d of Archard's law. With rigid slip, wear volume = k "
-      .. "of that body times it (Eq. 15); wear laws, local factors and elastic slip cause differences. NaN in runs "
-      .. "of files older than format 4." },
+    text = "Integral of the load over the sliding distance, F d of Archard's law. With rigid slip, the wear "
+      .. "volume of a body is its k times this integral (Eq. 15); wear laws, local factors and elastic slip "
+      .. "cause differences. NaN in runs of files older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Error: 0.03 of an element if "
-      .. "unworn, 0.07 if worn surfaces meet smoothly, 0.2 on average and at most 0.6 at edges of scars." },
+    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is 0.03 of "
+      .. "an element for unworn surfaces and 0.07 for worn ones that meet smoothly; at edges of scars it is "
+      .. "0.2 on average and at most 0.6." },
   { "wear.half_width_z", kind = "field", unit = "mm",
-    text = "Half width of the same contact across the motion, in 3-D; 0 in 2-D." },
-  { "wear.area", kind = "field", unit = "mm2", text = "Area of the same contact in 3-D; 0 in 2-D." },
+    text = "Half width of the contact across the motion, with the plate at x = 0, in 3-D; 0 in 2-D." },
+  { "wear.area", kind = "field", unit = "mm2", text = "Area of the contact, with the plate at x = 0, in "
+    .. "3-D; 0 in 2-D." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },
@@ -391,29 +425,32 @@ return {
 
   -- --- the definition, read back --------------------------------------------------------------
   { "wear.stroke", kind = "field", unit = "mm",
-    text = "Stroke: distance between the extreme positions of the plate, of the present block of loading. "
-      .. "history.travel has it for each update." },
-  { "wear.strokes", kind = "field", text = "Strokes per cycle, r of Eq. (21): 2, or 1 at a stroke of 2 radius." },
+    text = "Stroke: distance between the extreme positions of the plate, in the present block of loading. "
+      .. "The column travel of the history has the stroke of each update." },
+  { "wear.strokes", kind = "field", text = "Number of strokes per cycle, r of Eq. (21): 2, or 1 for a "
+    .. "stroke of 2 radius, where the plate passes in one direction only." },
   { "wear.k_cylinder", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the cylinder, alpha k, in the last update." },
   { "wear.k_plate", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the plate, (1 - alpha) k, in the last update." },
-  { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
+  { "wear.cycles", kind = "field", unit = "cycles", text = "Number of cycles in the whole distance (Eq. 21)." },
   { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },
   { "wear.procedure", kind = "field", text = 'The procedure in use, "SP" or "NSP".' },
-  { "wear.update_at", kind = "field", text = '"cycle" or "increment", see wear{update}.' },
+  { "wear.update_at", kind = "field", text = 'When the geometry is updated, "cycle" or "increment": see '
+    .. "wear{update}." },
   { "wear.loading", kind = "field",
     text = "The blocks of loading as sampled, each { x=, load=, cycles=, periodic= }; false for the plain stroke." },
-  { "wear.local_factor", kind = "field", text = "The function, or false." },
+  { "wear.local_factor", kind = "field", text = "The function local_factor of the definition, or false." },
   { "wear.functions", kind = "field",
-    text = 'Names of the fields given as functions, "k", "alpha", "jump", "local_factor", which are not stored in '
-      .. "files." },
+    text = 'Names of the fields that are functions, such as "k" or "local_factor". Functions are not stored '
+      .. "in files." },
 
   -- --- state ----------------------------------------------------------------------------------
   { "state", kind = "object", use = "wear{ k = function(state) ... end }",
-    text = "The state passed to functions of the user, readable during the call only. k, alpha and friction are "
-      .. "evaluated several times in an update, with predicted distance, cycle, depths and volumes; jump and "
-      .. "local_factor get the last record." },
+    text = "The state of the run, the argument of functions of the user. It can be read only during the "
+      .. "call. Functions k, alpha and friction are called several times in an update, with predicted "
+      .. "distance, cycle, depths and volumes; for jump and local_factor the state is the last record of "
+      .. "the history." },
   { "state.depth", kind = "field", unit = "mm", text = "Largest wear depths, { cylinder=, plate= }." },
   { "state.volume", kind = "field", unit = "mm3", text = "Wear volumes, { cylinder=, plate=, total= }." },
 }

@@ -2,30 +2,34 @@
 
 return {
   { "joint", kind = "function", use = "joint{ head={ radius=14 }, cup={ clearance=0.06 } }",
-    text = "A ball in a socket, such as an artificial hip: elastic contact of complete concentric layered spheres "
-      .. "and shells, frictionless, first order in displacement over radius. Default: a metal-on-metal hip of 28 mm. "
-      .. "The wear depths of head and cup are maps on each body. Not modelled: edge loading, microseparation, "
-      .. "lubrication and plastic flow, which cause many clinical failures. contact{ model=j, load= } and wear{ "
-      .. "model=j, loading= } are the same as j:contact{} and j:wear{}." },
+    text = "A ball in a socket, such as an artificial hip: elastic contact of complete concentric layered "
+      .. "spheres and shells, frictionless, first order in displacement over radius. Default: a "
+      .. "metal-on-metal hip of 28 mm. The wear depths of head and cup are maps on each body. Not "
+      .. "simulated: edge loading, microseparation, lubrication and plastic flow, which cause many clinical "
+      .. "failures. contact{ model=j, load= } and wear{ model=j, loading= } are the same as j:contact{} and "
+      .. "j:wear{}." },
   { "joint{head}", type = "table { radius=, material=, layers= }", unit = "mm",
-    text = "The head: layers {{ thickness=, material= }, ...} from the surface inwards, on a core of the material. "
-      .. "Use E = 1e15 for a rigid head." },
+    text = "The head: its radius, its material and its layers {{ thickness=, material= }, ...} from the "
+      .. "surface inwards. Use E = 1e15 for a rigid head." },
   { "joint{cup}", type = "table { clearance=, inclination=, cover=, layers= }", unit = "mm, degree",
-    text = "The cup, fixed outside: radial clearance (0.06); angle between its axis and the nominal load (0); angle "
-      .. "from the axis to the rim (90); layers from the inside outwards." },
+    text = "The cup, fixed on its outside: radial clearance (default 0.06 mm), inclination of its axis to "
+      .. "the nominal load (0 degrees), angle from the axis to the rim (90 degrees), and layers from the "
+      .. "inside outwards." },
   { "joint{foundation}", values = { "elastic", "winkler", "column" }, default = '"elastic"',
-    text = "winkler: springs of the cup's first layer, exact for uniform pressure, with an error of 4 % for "
-      .. "polyethylene with nu up to 0.4; not for metal on metal. column: springs of a confined column." },
+    text = "\"elastic\": layered spheres. \"winkler\": the cup's first layer as springs that are exact for "
+      .. "uniform pressure; the error is 4 % for polyethylene with nu up to 0.4; not for metal on metal. "
+      .. '"column": springs with the stiffness of a confined column.' },
   { "joint{order}", type = "number", values = { 1, 2 }, default = "1",
     text = "2: gaps to second order in the head's displacement over the radius. This adds 0.6 % to the pressure of a "
       .. "polyethylene liner with a clearance of 0.1 mm." },
   { "joint{mesh}", type = "table { size= }", unit = "degree", default = "{ size=2 }",
     text = "Cell size in longitude and latitude: 2 for metal, 4 for polyethylene." },
   { "joint.contact", kind = "method", use = "j:contact{ load=3000, direction={ 0, 0, 1 } }", result = "contact of a joint",
-    text = "One contact of the unworn joint: p_max, p_center, area, half_angle (of a cap of that area), approach { "
-      .. "x, y, z }, normal_force (the integral of p, larger than the load), rim_margin in degrees, pressure as { "
-      .. "theta=, phi=, values= }; c:flat() and plot.map(c) are its map. direction is the direction of the load in the cup's frame: x medial-lateral, y "
-      .. "anterior, z into the cup." },
+    text = "One contact of the unworn joint: p_max, p_center, area, half_angle (of a spherical cap of this "
+      .. "area), approach { x, y, z }, normal_force (the integral of p, larger than the load), rim_margin "
+      .. "in degrees, pressure as { theta=, phi=, values= }; c:flat() and plot.map(c) are its map. "
+      .. "direction is the direction of the load in the cup's frame: x medial-lateral, y anterior, z into "
+      .. "the cup." },
   { "joint.wear", kind = "method", use = 'j:wear{ loading=gait "iso", k=3e-11, alpha=0.5, cycles=1e6 }',
     text = "A wear run of a joint. w:run{ cycles= } computes it; results are w.depth.head, w.volume.cup, "
       .. 'w.depth_partition, w.p_peak, w.history, w.cycle and w.distance. Maps over theta and phi: w:map "cup", '
@@ -35,41 +39,42 @@ return {
       .. 'vary={ clearance= }, unknown={ k=, alpha= }, data={ { of="volume_cup", cycle=, value= }, { map=w:map '
       .. '"cup", body="cup", cycle= } }.' },
   { "joint.wear{loading}", type = "gait, its fields, or blocks {{ gait=, cycles= }, ...}", default = 'gait "iso"',
-    text = "Rotations and load of the cycles; the last block continues to the end." },
+    text = "Rotations and load of a cycle: a gait, or a list of blocks of which the last continues to the end." },
   { "joint.wear{k}", type = "number >= 0, or function", unit = "mm2/N", default = "3e-11",
     text = "Wear coefficient of the couple, or a function of { cross_shear=, p_mean=, cycle= } of a cell of the cup." },
   { "joint.wear{alpha}", type = "number in [0, 1], or function", default = "0.5",
     text = "The head's share of the wear, or a function of { cycle= }." },
   { "joint.wear{cycles}", type = "number > 0", unit = "cycles", default = "1e6", text = "Number of cycles." },
   { "joint.wear{creep}", type = "function",
-    text = "Depth in mm that the cup creeps, without loss of volume, a function of { thickness=, p_mean=, cycle= }, "
-      .. "where p_mean is the mean pressure since the start. Default: no creep." },
+    text = "Creep depth of the cup in mm, which removes no volume: a function of { thickness=, p_mean=, "
+      .. "cycle= }, where p_mean is the mean pressure since the start. Default: no creep." },
   { "joint.wear{tolerance}", type = "number in (0, 1)", default = "0.02",
-    text = "Accepted difference between a step and two half steps, relative to the present depth. Errors of depths "
-      .. "are a tenth of it or less." },
+    text = "Accepted difference between the results of one step and of two half steps, relative to the "
+      .. "present depth. Errors of depths are a tenth of it or less." },
   { "joint.wear{updates}", type = "whole number",
     text = "Number of updates, instead of the tolerance; their lengths increase as N^1.5." },
   { "joint.wear{jump}", type = "number > 0, or function", unit = "cycles",
-    text = "Cycles of an update, or a function of { cycle=, distance=, update= }, instead of tolerance and updates." },
+    text = "Number of cycles of an update, or a function of { cycle=, distance=, update= } that computes "
+      .. "it; instead of tolerance and updates." },
   { "joint.wear{distance}", type = "number > 0", unit = "mm",
-    text = "Sliding distance of the load over the head, instead of cycles." },
+    text = "Sliding distance at the point of the load, instead of cycles." },
   { "joint.wear{scheme}", values = { "sweep", "explicit" }, default = '"sweep"',
     text = '"sweep" includes the wear of each instant in its contact and is stable for any step; "explicit" limits '
       .. "the steps to the stability limit in print(w)." },
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
     text = "Initial wear depths, a function of theta and phi in degrees or a w:map of a run." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
-    text = "A joint run written by w:save(path), which continues with the same bits, as with wear.open. Functions k, "
-      .. "alpha and creep must be given again." },
+    text = "Reads a joint run written by w:save(path) and continues it with the same results. The functions "
+      .. "k, alpha and creep must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
-    text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking cycle "
-      .. 'with approximate curves in between; "prosim" is a simplified walking cycle of simulators. Own cycles: '
-      .. "flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, "
-      .. '1], a number, or a list over t (period=100: t in percent); increments without load do not wear. '
-      .. 'Order of the rotations ("xyz"), increments (20), also of named gaits: '
-      .. 'gait("iso", { increments=40 }). A gait must be closed. '
-      .. ".track [mm] and .work [N mm] are those of one cycle with a head of 28 mm; .instants has fifteen numbers "
-      .. "for each increment: rotation by rows, rotation vector, load." },
+    text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking "
+      .. 'cycle with approximate curves in between; "prosim" is a simplified walking cycle of simulators. '
+      .. "To define a cycle give flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= "
+      .. "}, each a function of t in [0, 1], a number, or a list over t (period=100: t in percent); "
+      .. 'increments without load do not wear. Order of the rotations ("xyz"), increments (20), also of '
+      .. 'named gaits: gait("iso", { increments=40 }). A gait must be closed. .track [mm] and .work [N mm] '
+      .. "are those of one cycle with a head of 28 mm; .instants has fifteen numbers for each increment: "
+      .. "rotation by rows, rotation vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },
   { "gait.flexion", kind = "function", use = "gait.flexion{ angle=21.5, load=2000 }", result = "gait",

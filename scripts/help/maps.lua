@@ -7,10 +7,11 @@ return {
       .. "interpolate the second at the points of the first; t - number subtracts it." },
   { "map{x}", type = "list of numbers", unit = "mm",
     text = "Points along the motion, increasing, with a constant step (within a twentieth of it)." },
-  { "map{z}", type = "list of numbers", unit = "mm", text = "Points across the motion, likewise." },
+  { "map{z}", type = "list of numbers", unit = "mm", text = "Points across the motion, increasing, with a "
+    .. "constant step." },
   { "map{y}", type = "list or function (x, z)", text = "#x times #z values, or a function that computes them." },
   { "map{unit}", type = "string", default = '"mm"', text = 'Unit of y, for example "MPa".' },
-  { "map{name}", type = "string", default = '"height"', text = "Name of y in print, pictures and files." },
+  { "map{name}", type = "string", default = '"height"', text = "Name of y in printed output, pictures and files." },
   { "map.read", kind = "function", class = "map", use = 'map.read("scar.sdf", { level="plane" })',
     text = "A measured map from a file: text of points x y z (.xyz) or a matrix of heights, Surfer .grd (DSAA, DSBB, "
       .. "DSRB), ISO 25178-71 .sdf (text and binary), Gwyddion .gsf, Digital Surf .sur, Alicona .al3d, recognised by "
@@ -23,16 +24,16 @@ return {
   { "map.read{step}", type = "number > 0 or table { along x, along z }", unit = "mm",
     text = "Step of a text matrix, whose rows run along x, the first at the smallest z." },
   { "map.read{crop}", type = "table { x={ from, to }, z={ from, to } }", unit = "mm",
-    text = "The range to keep, as t:crop." },
+    text = "Ranges of the points to keep, see t:crop." },
   { "map.read{outliers}", type = "number > 0",
     text = "Replaces points that differ from the median of their eight neighbours by more than this factor times the "
       .. "scatter (1.48 times the median deviation). 20 removes spikes." },
   { "map.read{fill}", type = "true or number in mm",
-    text = "Value of missing points: true: the mean of their neighbours; a number: this height. By default missing "
-      .. "points are refused." },
-  { "map.read{level}", values = { "plane", "sphere" }, text = "Subtracts the best plane or sphere, as t:level." },
+    text = "Height of missing points: true for the mean of their neighbours, or a number. By default "
+      .. "missing points are refused." },
+  { "map.read{level}", values = { "plane", "sphere" }, text = "Subtracts the best plane or sphere, see t:level." },
   { "map.read{scar}", type = "table { x0, x1, z0, z1 }", unit = "mm",
-    text = "With level: this part is excluded from the fit." },
+    text = "With level: range of the scar, which is excluded from the fit." },
   { "map.x", kind = "field", type = "list", unit = "mm", text = "Points along the motion." },
   { "map.z", kind = "field", type = "list", unit = "mm", text = "Points across the motion." },
   { "map.y", kind = "field", type = "list", text = "Values, x-major: y[(i - 1)*#z + j] at x[i], z[j]." },
@@ -61,8 +62,8 @@ return {
     text = "The same points with x = z = 0, where bodies touch, at their middle: body.map{ y=map.read(path):center() "
       .. "}." },
   { "map.resample", kind = "method", class = "map", use = "t:resample(0.01)",
-    text = "A map with another step [mm] and the same centre: linear between points for a smaller step, means over "
-      .. "cells for a larger one." },
+    text = "A map with another step [mm] and the same centre. For a smaller step values are interpolated "
+      .. "linearly; for a larger one they are means over cells." },
   { "map.volume", kind = "method", use = "t:volume()  t:volume(-1e-4)",
     text = "Volumes above and below a level (default 0), and net, their difference, in mm3 (of pressures: N); area "
       .. "above it in mm2. Each point represents a cell of one step by one step." },

@@ -4,30 +4,31 @@ return {
   { "help.search", kind = "function", use = 'help.search "units"',
     text = "Lists the topics and entries that contain all words of the text, names first." },
   { "session", kind = "object", use = 'session.save "s.archard"',
-    text = "All objects of a session by their global names: runs, models, contacts, studies, fits and other results, "
-      .. "profiles, maps, materials, numbers, texts and tables of these." },
+    text = "Saves and restores all objects that have a global name: runs, models, contacts, studies, fits "
+      .. "and other results, profiles, maps, materials, numbers, texts and tables of these." },
   { "session.save", kind = "function", use = "session.save(path)",
     text = "Writes all objects into one run file. A saved session is replaced; other files are refused. Without a "
       .. "path: the file of the last save or open. Not saved: functions, stresses, and contacts on surfaces that no "
       .. "longer exist; a study that has run stays in its own file. Returns a text that lists what was saved and "
       .. "what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
-    text = "Restores all objects of the file as globals; runs continue with the same results. Functions of "
-      .. "definitions are not stored: give them again by the names of the runs. If any object cannot be restored "
-      .. "nothing changes, and an unsaved run of the same name is not overwritten. Returns a text that lists the "
-      .. "objects." },
+    text = "Restores all objects of the file as globals; runs continue with the same results. Functions are "
+      .. "not stored: give those of a run again under its name, as k of the run w above. If an object "
+      .. "cannot be restored, nothing changes. An unsaved run with the name of a stored object is not "
+      .. "overwritten. Returns a text that lists the objects." },
   { "wear.saved", kind = "field",
     text = "True if a file has the present state of the run (w:save, session.save, wear.open)." },
   { "who", kind = "function", use = "who()",
     text = "Lists the objects of the session: name, class, and a short description." },
   { "examples", kind = "function", use = 'examples "wear"',
-    text = 'examples() lists the numbered course of examples; examples "wear" shows one, by name or number.' },
+    text = 'examples() lists the examples, a numbered course. examples "wear" or examples(3) shows one by '
+      .. "its name or number." },
   { "examples.names", kind = "function", use = "examples.names()",
     text = "Names of the examples in the order of the course." },
   { "examples.run", kind = "function", use = 'examples.run "wear"',
-    text = "Runs an example as a script with the further arguments. Its files are written to the present folder; its "
-      .. "globals remain." },
+    text = "Runs an example as a script. Arguments after the name are passed to the script. Its files are "
+      .. "written to the current folder, and its globals remain." },
   { "time", kind = "function", use = "time(function() w:step() end)",
-    text = "Calls the function with the further arguments, prints elapsed and processor time, and returns the "
-      .. "results of the function." },
+    text = "Calls the function, prints elapsed and processor time, and returns the results of the function. "
+      .. "Arguments after the function are passed to it." },
 }

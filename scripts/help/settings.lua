@@ -19,8 +19,8 @@ local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {
     { address .. "distance}", type = "list", unit = "mm",
-      text = ("Increasing distances of a table of %s; linear between them."):format(setting.name) },
-    { address .. "value}", type = "list", unit = setting.unit, text = "Its values there." },
+      text = ("Increasing distances of a table of %s, which is linear between them."):format(setting.name) },
+    { address .. "value}", type = "list", unit = setting.unit, text = "Values at these distances." },
   }
 end
 
@@ -35,14 +35,16 @@ local function options_of(class)
   return list
 end
 
--- Settings read back from an object; a method's cannot be.
+-- Settings that can be read back from an object. A method and body.cylinder{} and so on have none.
 local function fields_of(class)
   local list = {}
-  if class:find(".", 1, true) then return list end
+  if class == "body" or class:find(".", 1, true) then return list end
   for _, setting in ipairs(settings[class]) do
     if setting.plain and setting.path == setting.name then
+      local sentence = setting.text:match("^(.-%.)%s%u")
       list[#list + 1] = { class .. "." .. setting.name, kind = "field", unit = setting.unit,
-        class = setting.class, text = setting.text }
+        class = setting.class,
+        text = sentence and ("%s See %s{%s}."):format(sentence, class, setting.name) or setting.text }
     end
   end
   return list
@@ -53,7 +55,7 @@ local function unit_of(column) return column.unit ~= "" and column.unit or nil e
 local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) .. "." end
 
 local function history()
-  local keys, lines = {}, { "Columns by name, one value for each update from 0 on. Each holds:", "" }
+  local keys, lines = {}, { "Columns by name, with one value for each update, from update 0 (unworn) on:", "" }
   for _, column in ipairs(settings.columns) do
     keys[#keys + 1] = column.name
     lines[#lines + 1] = ("  %-16s %s%s"):format(column.name,

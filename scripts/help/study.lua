@@ -22,7 +22,8 @@ return {
     text = "Number of intermediate surfaces stored for each case, at equal distances, including the unworn ones. The "
       .. "final surfaces are always stored." },
   { "study{task}", values = { "wear", "converge" }, default = '"wear"',
-    text = '"wear" runs each case; "converge" searches the settings that it needs, as study.converge.' },
+    text = '"wear" runs each case; "converge" searches for the mesh size, jump and increments that each '
+      .. "case needs, as study.converge does." },
   { "study.name", kind = "field", text = "Name of the study." },
   { "study.file", kind = "field", text = "The run file; nil before the first run." },
   { "study.paper", kind = "function", class = "study", use = "study.paper(base)",
@@ -58,36 +59,40 @@ return {
     text = "Share of the contact's width that slips, on both sides together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
-    text = "Searches the settings that cases need. Element size: the unworn pressure agrees with Hertz' at that size "
-      .. "and at half of it, with at least eight elements across the contact. Jump: the largest one below the "
-      .. "stability limit for which the surfaces stay smooth and symmetric. Increments: the fewest that give the "
-      .. "same profiles. Accepts the fields of study{} and those below, or a study and a table of them; cases are "
-      .. "distributed to workers. For study.paper() it prints the paper's Table 1 beside its own." },
-  { "study.converge{base}", type = "table", text = "As in study{}." },
-  { "study.converge{vary}", type = "table of lists", text = "As in study{}." },
-  { "study.converge{cases}", type = "list of tables", text = "As in study{}." },
-  { "study.converge{name}", type = "string", text = "As in study{}." },
+    text = "Searches for the settings that cases need. Element size: the unworn pressure agrees with Hertz' "
+      .. "at that size and at half of it, with at least eight elements across the contact. Jump: the "
+      .. "largest one below the stability limit for which the surfaces stay smooth and symmetric. "
+      .. "Increments: the fewest that give the same profiles. Accepts the fields of study{} and those "
+      .. "below, or a study and a table of them; cases are distributed to workers. For study.paper() it "
+      .. "prints the paper's Table 1 beside its own." },
+  { "study.converge{base}", type = "table", text = "Fields of wear{} in common to all cases, see study{base}." },
+  { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
+  { "study.converge{cases}", type = "list of tables", text = "A list of cases instead of vary, see study{cases}." },
+  { "study.converge{name}", type = "string", text = "Name of the search in titles and in the run file." },
   { "study.converge{mesh}", type = "boolean", default = true,
-    text = "true: searches the element size for the first case, and uses it for all." },
+    text = "true: searches for the element size with the first case, and uses it for all." },
   { "study.converge{pressure}", type = "number", default = 0.01,
-    text = "Mesh: accepted relative error of the largest unworn pressure against Hertz." },
+    text = "For the mesh: accepted relative error of the largest unworn pressure against Hertz." },
   { "study.converge{smooth}", type = "number", default = 0.005,
-    text = "Jump: accepted sawtooth in the pressure over the middle of the contact, root mean square relative to the "
-      .. "pressure at the centre, in addition to that of a run in small steps (kinks and coarse meshes cause "
-      .. "roughness too). If a quarter of that roughness is larger, it is accepted instead, with a note in the "
-      .. "result." },
+    text = "For the jump: accepted sawtooth in the pressure over the middle of the contact, root mean "
+      .. "square relative to the pressure at the centre, in addition to that of a run in small steps (kinks "
+      .. "and coarse meshes cause roughness too). If a quarter of that roughness is larger, it is accepted "
+      .. "instead, with a note in the result." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
-    text = "Increments: accepted change of a profile against 400 increments, relative to its depth." },
+    text = "For the increments: accepted difference of a profile from that with 400 increments, relative to "
+      .. "its depth." },
   { "study.converge{updates}", type = "whole number from 4 to 1000", default = 100,
     text = "Largest number of updates that a trial makes." },
   { "study.converge{first_depth}", type = "number", unit = "mm", default = 1e-4,
-    text = "Twice the depth of the first update, Eq. (28), of the run in small steps used for comparison." },
+    text = "The run in small steps used for comparison begins with an update of half this depth, Eq. (28)." },
   { "study.converge{file}", type = "string", default = '"converge.archard"',
-    text = "Run file of the search, if there are several cases." },
-  { "study.converge{workers}", type = "whole number", text = "As in study.run." },
-  { "study.converge{progress}", type = 'function, false or "lines"', text = "As in study.run." },
+    text = "Run file of the search, used if there are several cases." },
+  { "study.converge{workers}", type = "whole number",
+    text = "Number of cases at the same time, see study.run{workers}." },
+  { "study.converge{progress}", type = 'function, false or "lines"',
+    text = "Display of the progress, see study.run{progress}." },
 
   { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
     text = "Computes the cases not yet in the file, each in its own process, and returns the study. Cases that "
@@ -122,7 +127,7 @@ return {
     text = "Number of shares; default: the number of processors of this machine." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
     text = "Number of cases that a share computes at the same time: the processors it requests." },
-  { "study.submit{file}", type = "string", text = "As in study.run." },
+  { "study.submit{file}", type = "string", text = "Run file of the study, see study.run{file}." },
   { "study.submit{options}", type = "list of strings",
     text = 'Further options of sbatch or parallel, such as { "--time=02:00:00", "--mem-per-cpu=500M" } or { '
       .. '"--sshlogin", "one,two" }.' },
@@ -166,20 +171,22 @@ return {
   { "fretting_map.load", kind = "field", type = "list of numbers", unit = "N", text = "The loads." },
   { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm", text = "The amplitudes." },
   { "fretting_map.friction", kind = "field", text = "Coefficient of friction." },
-  { "fretting_map.annulus", kind = "field", text = "Share of the width that slips at the transition to partial slip." },
+  { "fretting_map.annulus", kind = "field",
+    text = "Share of the width that slips at the transition to partial slip." },
 
   -- --- convergence ----------------------------------------------------------------------------
   { "convergence", kind = "object", use = "c = study.converge{...}",
     text = "Result of study.converge; print shows it." },
   { "convergence.mesh", kind = "field",
-    text = "The element size found, and the trials: { size=, steps=, limit= }." },
+    text = "The element size that was found, and a list of the trials." },
   { "convergence.cases", kind = "field",
-    text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged (number of "
-      .. "updates), increments, roughness, asymmetry, smooth (if the tolerance was increased), change, first_depth, "
-      .. "and the lists jumps and roughnesses of the trials; capped if no larger jump was tried, with the reason in "
-      .. 'bound: "stability" or "cycles" (a tenth of them).' },
+    text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged "
+      .. "(number of updates), increments, roughness, asymmetry, smooth (if the tolerance was increased), "
+      .. "change, first_depth, and the lists jumps and roughnesses of the trials; capped is true if no "
+      .. 'larger jump was tried; bound then is the reason, "stability", or "cycles" for a tenth of all '
+      .. "cycles." },
   { "convergence.notes", kind = "method", use = "c:notes()",
-    text = "A list of texts: limits at which the search ended." },
+    text = "A list of texts on the limits at which the search ended." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
     text = "The paper's Table 1 beside the values found, as rows of texts." },
 
@@ -197,7 +204,7 @@ return {
       .. "0: too small to measure. With a list of distances: the total volume at each distance, a list, or a list of "
       .. "lists for several tests." },
   { "calibrate{depth}", type = "table { cylinder=, plate= }", unit = "mm",
-    text = "Largest wear depths, in the same form." },
+    text = "Largest wear depths of both bodies: numbers, or lists with an item per test." },
   { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },
   { "calibrate{distance}", type = "number or list of numbers", unit = "mm",
     text = "Travelled distance of the test; a list if volumes were measured at several distances." },
@@ -206,7 +213,7 @@ return {
   { "calibrate{error}", type = "number", unit = "mm3",
     text = "Standard deviation of a volume measurement, for the intervals of a single test." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,
-    text = "Accuracy of the simulated depths: of alpha-tilde, and of the sum, relative." },
+    text = "Accuracy of the simulated depths: absolute for alpha-tilde, relative for the sum of both depths." },
   { "calibration", kind = "object", use = "calibrate{...}",
     text = "The coefficients or, for a list of distances, tables { distance=, value= } for wear{}: constant between "
       .. "two measurements, with jumps at them, and constant beyond the last. print shows them with spread, low and "
@@ -220,10 +227,10 @@ return {
   { "calibration.high", kind = "field", text = "Upper ends of the confidence intervals." },
   { "calibration.confidence", kind = "field", text = "Confidence level of the intervals." },
   { "calibration.band", kind = "field",
-    text = "For a list of distances, by name: { distance=, value=, low=, high= }, means between two measurements, at "
-      .. "the middle distance." },
+    text = "For a list of distances: tables { distance=, value=, low=, high= } by name, with the mean "
+      .. "coefficient between two measurements at the middle distance." },
   { "calibration.mean", kind = "field",
-    text = "For a list of distances: coefficients over the whole distance, with spread, low and high." },
+    text = "For a list of distances: mean coefficients over the whole distance, with spread, low and high." },
   { "calibration.points", kind = "field", text = "Number of distances." },
   { "calibration.depth_partition", kind = "field", text = "Measured alpha-tilde." },
   { "calibration.simulated_depth", kind = "field", unit = "mm",
@@ -232,7 +239,8 @@ return {
   { "calibration.runs", kind = "field", text = "Number of simulations." },
   { "calibration.measurements", kind = "field", text = "Number of repeated tests." },
   { "calibration.spread", kind = "field",
-    text = "Standard deviations of the fields over the tests (of alpha to first order); nil for a single test." },
+    text = "Standard deviations of the coefficients over the tests (that of alpha to first order); nil for "
+      .. "a single test." },
 
   -- --- case -----------------------------------------------------------------------------------
   { "case", kind = "object", use = "s:cases()[1]",
@@ -245,17 +253,17 @@ return {
   { "case.message", kind = "field", text = "The error message of a failed case." },
   { "case.warning", kind = "field", text = "The warning of the run; nil: none." },
   { "case.seconds", kind = "field", unit = "s", text = "Computing time of the case." },
-  { "case.settings", kind = "field", text = "The fields of wear{} as given." },
+  { "case.settings", kind = "field", text = "The fields of wear{} that the study sets for the case." },
   { "case.definition", kind = "field",
     text = "All fields of the run and its model, with defaults." },
-  { "case.results", kind = "field", text = 'Results of another task than "wear".' },
+  { "case.results", kind = "field", text = 'Results of a task other than "wear", such as "converge".' },
   { "case.study", kind = "field", class = "study", text = "The study of the case." },
-  { "case.history", kind = "field", text = "Columns of the history by name, as of a wear object." },
+  { "case.history", kind = "field", text = "Columns of the history by name, see wear.history." },
   { "case.last", kind = "field", text = "The last record of the history, by name." },
   { "case.surfaces", kind = "field",
     text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }." },
-  { "case.model", kind = "field", text = "The definition of the model." },
-  { "case.hertz", kind = "field", class = "hertz", text = "The unworn contact." },
+  { "case.model", kind = "field", text = "Definition of the model." },
+  { "case.hertz", kind = "field", class = "hertz", text = "Hertz' solution of the unworn contact." },
   { "case.depth", kind = "field", unit = "mm", text = "Final depths: { cylinder=, plate= }." },
   { "case.volume", kind = "field", unit = "mm3",
     text = "Final volumes: { cylinder=, plate=, total= }." },
@@ -267,7 +275,7 @@ return {
   { "case.p_peak", kind = "field", unit = "MPa",
     text = "Largest pressure over the last update's cycle, see wear.p_peak." },
   { "case.half_width", kind = "field", unit = "mm", text = "Final half width of the contact." },
-  { "case.depth_partition", kind = "field", text = "Final alpha-tilde." },
+  { "case.depth_partition", kind = "field", text = "Final depth partition factor alpha-tilde." },
   { "case.solutions", kind = "field", text = "Number of contact problems solved." },
   { "case.profile", kind = "method", use = 'case:profile("cylinder" | "plate", distance)',
     text = "Wear profile { x=, h=, y= } of the last stored surface up to that distance [mm]; default: the final one." },

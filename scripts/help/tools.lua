@@ -17,10 +17,11 @@ return {
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface (the computed one is w:profile): positions x and heights z (out of the body) or depths h, in mm, with "
-      .. "the standard deviation of its noise. Use it as a start, worn = { plate = p }, for comparison, "
-      .. 'plot.profile(w, "plate", { measured = p }), and for evaluation. Methods return new profiles. Points '
-      .. "without a value (NaN) are removed; decreasing positions are reversed." },
+    text = "A measured trace across a surface (the computed one is w:profile): positions x and heights z "
+      .. "(out of the body) or depths h, in mm, with the standard deviation of its noise. Use it as the "
+      .. 'initial surface, worn = { plate = p }, for comparison, plot.profile(w, "plate", { measured = p '
+      .. "}), and for evaluation. Methods return new profiles. Points without a value (NaN) are removed; "
+      .. "decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights, instead of h." },
   { "profile{y}", type = "list", unit = "mm", text = "Heights, by the name used in sections of maps." },
@@ -28,11 +29,11 @@ return {
   { "profile{level}", values = { "line", "circle" },
     text = "Subtracts the best line or circle, by least squares of heights; see p:level." },
   { "profile{scar}", type = "table { from, to } in mm", values = { "auto" },
-    text = 'With level: the worn part, which is excluded from the fit; "auto" searches it.' },
+    text = 'With level: range of the worn part, which is excluded from the fit; "auto" searches for it.' },
   { "profile{filter}", type = "number > 0", unit = "mm",
     text = "Cut-off of a Gaussian low-pass filter, applied after levelling; see p:filter." },
   { "profile{error}", type = "number >= 0", unit = "mm",
-    text = "Standard deviation of the instrument's noise; default: estimated." },
+    text = "Standard deviation of the instrument's noise. Default: an estimate from neighbouring points." },
   { "profile.read", kind = "function", takes = "profile", class = "profile",
     use = 'profile.read("trace.csv", { unit="um", level="line" })',
     text = "A profile from a file read by csv.read: x from the column x, s, position or distance, heights from z, "
@@ -43,28 +44,31 @@ return {
   { "profile.read{unit}", type = 'string or table { x="mm", z="um" }', default = '"mm"',
     text = "Unit of columns without a unit in their names: mm, um, nm, cm, m or in." },
   { "profile.mean", kind = "function", class = "profile", use = "profile.mean{ p1, p2, ... }",
-    text = "Mean of several traces over their common range, at the positions of the first, weighted by their noise. "
-      .. "Its error is the larger of that from the noise and that from the scatter of the traces." },
+    text = "Mean of several traces over their common range, at the positions of the first, weighted by "
+      .. "their noise. Its error is the larger of two estimates, from the noise and from the scatter of the "
+      .. "traces." },
   { "profile.x", kind = "field", type = "list", unit = "mm", text = "Positions." },
-  { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil of a profile of depths." },
+  { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
-    text = "Depths, negative above the reference; nil of a profile of heights. With worn = { plate = p } negative "
-      .. "depths within 5 standard deviations count as 0, larger ones are refused; heights are measured from the "
-      .. "highest point." },
+    text = "Depths, negative above the reference; nil in a profile of heights. With worn = { plate = p } "
+      .. "negative depths within 5 standard deviations count as 0, larger ones are refused; heights are "
+      .. "measured from the highest point." },
   { "profile.error", kind = "field", type = "number", unit = "mm",
-    text = "Standard deviation of the noise of a point: given, or estimated from deviations from the line between "
-      .. "neighbours (includes roughness at the sampling step), and reduced by filter, average and mean." },
+    text = "Standard deviation of the noise of a point. It is set by the user or estimated from the "
+      .. "deviation of each point from the line between its neighbours (which includes roughness at the "
+      .. "sampling step); filter, average and mean reduce it." },
   { "profile.correlation", kind = "field", type = "number", unit = "mm",
     text = "Correlation length of the noise: the step of a raw trace, larger after filtering." },
   { "profile.form", kind = "field", values = { "line", "circle" }, text = "Form that was subtracted; nil: none." },
   { "profile.radius", kind = "field", type = "number", unit = "mm", text = "Radius of the subtracted circle." },
-  { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "The worn part, if known." },
+  { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "Range of the worn "
+    .. "part, if it is known." },
   { "profile.scatter", kind = "field", type = "table { deviation=, length= }", unit = "mm",
     text = "Deviation of the unworn part from the line or circle: standard deviation (roughness and noise) and "
       .. "correlation length." },
   { "profile.cutoff", kind = "field", type = "number", unit = "mm", text = "Cut-off of the filter; nil: none." },
   { "profile.missing", kind = "field", type = "number", text = "Number of points removed." },
-  { "profile.path", kind = "field", type = "string", text = "File of the profile." },
+  { "profile.path", kind = "field", type = "string", text = "File from which the profile was read." },
   { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
     text = "Subtracts a line or circle, by least squares of heights, instead of the one subtracted before. With a "
       .. 'scar { from, to } or "auto", only points farther from the scar than 20 % of its width are used, so that '
@@ -76,22 +80,25 @@ return {
       .. "are preserved (ISO 16610-28, moments to order 1); within half a cut-off of an end the filter smooths less. "
       .. "Needs a constant step." },
   { "profile.average", kind = "method", class = "profile", use = "p:average(0.01)",
-    text = "Means over cells of this length [mm], at a constant step, to reduce the number of points and the noise." },
+    text = "Replaces the points by means over cells of this length [mm], which have a constant step. This "
+      .. "reduces the number of points and the noise." },
   { "profile.cut", kind = "method", class = "profile", use = "p:cut(from, to)",
-    text = "The part between two positions [mm]." },
+    text = "The part of a profile between two positions [mm]." },
   { "profile.depth", kind = "method", class = "profile", use = "p:depth()  p:depth(before)",
     text = "Depths h below the line or circle through the unworn part, found as by p:level, or below a trace of the "
       .. "same line before wear. Negative depths (above it) are kept." },
   { "profile.depth{reference}", type = "profile", text = "The same trace before wear, in heights." },
-  { "profile.depth{level}", values = { "line", "circle" }, text = "Form to subtract; default: as before, or a line." },
+  { "profile.depth{level}", values = { "line", "circle" }, text = "Form to subtract. Default: the form that "
+    .. "was subtracted before, or a line." },
   { "profile.depth{scar}", type = "table { from, to } in mm", values = { "auto" }, default = '"auto"',
-    text = "The worn part." },
+    text = "Range of the worn part." },
   { "profile.volume", kind = "method", use = "p:volume()  p:volume{ length = 2 * math.pi * 5 }",
     text = "Evaluates the scar: area [mm2] of its section with its standard deviation error, from scatter (noise and "
       .. "roughness) and level (of the subtracted line or circle); volume and volume_error [mm3]; from, to, width; "
       .. "depth (largest mean over 1/50 of the width), mean_depth; piled [mm2], the area above the reference within "
       .. "20 % of the width on both sides. Heights are first converted by p:depth()." },
-  { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "The worn part." },
+  { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "Range of the "
+    .. "worn part." },
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
     text = "Length of the scar across the trace; 2 pi r of a wear track on a disc." },
   { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
@@ -100,7 +107,7 @@ return {
       .. "elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is that of the "
       .. "Gaussian filter; half a cut-off at both ends is excluded. noise is p.error; Rq^2 includes its square." },
   { "profile.roughness{cutoff}", type = "number > 0, or false", unit = "mm", default = 0.8,
-    text = "Cut-off of long waves; false: none, for Pa, Pq, ... about a straight line." },
+    text = "Cut-off of long waves. false: no cut-off; the results are then Pa, Pq, ... about a straight line." },
   { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Cut-off of short waves; default: none." },
   { "profile.roughness{sections}", type = "whole number >= 1",
     text = "Number of sections; default: 5, or as many as the trace has (1 for a P-profile)." },
@@ -110,20 +117,22 @@ return {
     text = "Draws curves with gnuplot: in the terminal, a window or a file. The list part has the curves; NaN and "
       .. "infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and p_H and mm^2 have a "
       .. "subscript and a superscript (in files and windows). More than eight curves are labelled at their ends." },
-  { "plot{x}", type = "list", text = "In a curve: abscissae; default: 1, 2, 3, ..." },
-  { "plot{y}", type = "list", text = "In a curve: its ordinates." },
+  { "plot{x}", type = "list", text = "For a curve: its abscissae; default: 1, 2, 3, ..." },
+  { "plot{y}", type = "list", text = "For a curve: its ordinates." },
   { "plot{value}", type = "list",
-    text = "In the list part: a field of polygons, with four corners each in x, y and value; a triangle repeats its "
-      .. "last corner. In a curve: its value on the colour scale." },
-  { "plot{error}", type = "list", text = "In a curve: half lengths of error bars in y." },
+    text = "For a coloured field, an item of the list part: values at the corners of polygons, whose x, y "
+      .. "and value have four numbers each; a triangle repeats its last corner. For a curve: its value on "
+      .. "the colour scale." },
+  { "plot{error}", type = "list", text = "For a curve: half lengths of its error bars in y." },
   { "plot{points}", type = "table { x=, y=, error=, title= }",
-    text = "Measured points over the curves, as plot.points takes them." },
+    text = "Measured points to draw over the curves, with the fields of plot.points{}." },
   { "plot{title}", type = "string or false",
-    text = "Title of the plot; false: none. In a curve: its name in the key." },
+    text = "Title of the plot; false: no title. For a curve: its name in the key." },
   { "plot{term}", values = require "archard.plot.draw".terms,
-    text = "Where to draw. Default: pictures if the terminal supports kitty's graphics or sixel; else Braille dots "
-      .. 'if it has colours and UTF-8 (not in xterm, whose fonts lack them); else characters. "dots" and "dumb" '
-      .. 'choose these two; "window" is the first of qt, wxt and x11 that gnuplot has.' },
+    text = "Output device. Default: pictures if the terminal supports kitty's graphics or sixel; else "
+      .. "Braille dots if it has colours and UTF-8 (not in xterm, whose fonts lack them); else characters. "
+      .. '"dots" selects Braille dots and "dumb" characters; "window" is the first of qt, wxt and x11 that '
+      .. "gnuplot has." },
   { "plot{file}", type = "string",
     text = "File to draw to, by its ending: png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands. It is "
       .. "written atomically." },
@@ -131,42 +140,47 @@ return {
   { "plot{ylabel}", type = "string", text = "Label of the y axis." },
   { "plot{vlabel}", type = "string", text = "Label of the colour scale of a field." },
   { "plot{xrange}", type = "table { low, high }",
-    text = "Range of the x axis; high before low reverses it, an omitted end is automatic." },
+    text = "Range of the x axis; a high end before a low one reverses the axis, and an omitted end is automatic." },
   { "plot{yrange}", type = "table { low, high }", text = "Range of the y axis." },
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colour scale of a field." },
-  { "plot{logx}", type = "boolean", default = false, text = "Logarithmic x axis." },
-  { "plot{logy}", type = "boolean", default = false, text = "Logarithmic y axis." },
-  { "plot{xdown}", type = "boolean", default = false, text = "x increases to the left, for any order of xrange." },
-  { "plot{ydown}", type = "boolean", default = false, text = "y increases downwards, for any order of yrange." },
+  { "plot{logx}", type = "boolean", default = false, text = "true: logarithmic x axis." },
+  { "plot{logy}", type = "boolean", default = false, text = "true: logarithmic y axis." },
+  { "plot{xdown}", type = "boolean", default = false, text = "true: x increases to the left, for any order "
+    .. "of xrange." },
+  { "plot{ydown}", type = "boolean", default = false, text = "true: y increases downwards, for any order of "
+    .. "yrange." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
-    text = "Position of the key; false: none. Panels share one below by default." },
+    text = "Position of the key; false: no key. By default panels share one key below them." },
   { "plot{style}", values = require "archard.gnuplot".styles,
     default = '"lines"',
     text = "Style of the curves, or of one curve. Default: lines, with marks in windows and files if they have 4 to "
       .. "30 points." },
   { "plot{colour}", type = "string or boolean",
-    text = 'In a curve: "#rrggbb" or the name of a colour. Of the plot: "grey" or false for greys in files and no '
-      .. "colours in the terminal." },
+    text = 'For a curve: "#rrggbb" or the name of a colour. For the plot: "grey" or false draws greys in '
+      .. "files and no colours in the terminal." },
   { "plot{series}", type = "whole number >= 1",
-    text = "In a curve: number of its colour and mark, of eight; default: the next one." },
+    text = "For a curve: number of its colour and mark, 1 to 8; default: the next one." },
   { "plot{dash}", type = "whole number >= 1",
-    text = "In a curve: 1 solid, 2 to 5 dashed, in windows and files." },
-  { "plot{width}", type = "number > 0", default = 1, text = "In a curve: relative width of the line." },
+    text = "For a curve: line type, 1 solid, 2 to 5 dashed, in windows and files." },
+  { "plot{width}", type = "number > 0", default = 1, text = "For a curve: relative width of the line." },
   { "plot{on}", values = { "pixels", "characters" },
-    text = "In a curve: draws it only in pictures of pixels, or only of characters; default: in both." },
-  { "plot{equal}", type = "boolean", default = false, text = "The same scale on both axes." },
+    text = "For a curve: output in which it is drawn, pictures of pixels or of characters; default: both." },
+  { "plot{equal}", type = "boolean", default = false, text = "true: the same scale on both axes." },
   { "plot{levels}", type = "whole number >= 1", text = "Number of contour lines of a field." },
   { "plot{size}", type = "table { width, height }",
     text = "Size of the picture: characters in the terminal, pixels in a file. With a plot.style in mm the pixels "
       .. "cover its width, with letters and lines in proportion." },
   { "plot{panels}", type = "list of tables",
-    text = "Several plots in one picture, each a table as for plot{}; omitted options are those of the whole." },
-  { "plot{layout}", type = "table { rows, columns }", text = "Grid of the panels." },
+    text = "Several plots in one picture, a list of tables with the fields of plot{}; omitted options are "
+      .. "those of the whole picture." },
+  { "plot{layout}", type = "table { rows, columns }", text = "Number of rows and columns of the panels." },
   { "plot{letters}", type = "boolean", default = true,
     text = "Writes (a), (b), ... before the titles of panels." },
-  { "plot{xplaces}", type = "table { at=, words= }", text = "Words instead of numbers at positions of the x axis." },
-  { "plot{yplaces}", type = "table { at=, words= }", text = "Words instead of numbers at positions of the y axis." },
+  { "plot{xplaces}", type = "table { at=, words= }", text = "Labels instead of numbers at positions of the "
+    .. "x axis." },
+  { "plot{yplaces}", type = "table { at=, words= }", text = "Labels instead of numbers at positions of the "
+    .. "y axis." },
   { "plot.default", kind = "field", type = "table",
     text = "Default options: term, size (in the terminal and in windows), file_size (in pixels), colour, key." },
   { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
@@ -175,12 +189,13 @@ return {
       .. "png of 600 dpi; journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in "
       .. "pixels, the default. Returns the present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
-    text = "Width of the figure: of a column (single), of the page (double), or in mm." },
+    text = 'Width of the figure: that of a column ("single"), of the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
   { "plot.style{font}", type = "string", text = 'Font: "serif", "sans", or a name such as Helvetica.' },
-  { "plot.style{title}", type = "boolean", text = "Automatic titles; title= of a call is always shown." },
+  { "plot.style{title}", type = "boolean", text = "false: no automatic titles. A title= in a call is always "
+    .. "shown." },
   { "plot.style{colour}", type = "string or boolean",
-    text = '"grey" or false: greys, with dashes and marks to distinguish the lines.' },
+    text = '"grey" or false: draws in greys, with dashes and marks to distinguish the lines.' },
   { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },
   { "plot.style{lines}", type = "number in [0.1, 10]",
     text = "Width of lines and size of marks, relative to the screen's." },
@@ -193,131 +208,138 @@ return {
   { "plot.again", kind = "function", use = "plot.again()",
     text = "Draws the last picture again at the present size of the terminal or window." },
   { "plot.fit", kind = "function", takes = "plot", use = "plot.fit(f, { curves=true })",
-    text = "Draws a fit: data with error bars, the model with its band, residuals below; or the expected errors of "
-      .. "fit.design. Accepts the options of plot{}." },
+    text = "Draws a fit: data with error bars, the model with its confidence band, and residuals below. Of "
+      .. "a result of fit.design it draws the expected errors. Accepts the options of plot{}." },
   { "plot.fit{curves}", type = "boolean", default = false,
-    text = "Draws the identified curves over the distance instead, with their bands." },
+    text = "true: draws the identified curves over the distance instead, with their confidence bands." },
   { "plot.response", kind = "function", takes = "plot",
     use = 'plot.response(s, { x="alpha", y="depth_cylinder", by="stroke" })',
-    text = "Final results of a study against a varied setting. Accepts the options of plot{}." },
-  { "plot.response{x}", type = "string", text = "The varied setting on the abscissa." },
+    text = "Draws final results of a study against a varied field. Accepts the options of plot{}." },
+  { "plot.response{x}", type = "string", text = "Varied field on the abscissa." },
   { "plot.response{y}", type = "string",
-    text = "The result: a column of the history, at the end of each case." },
-  { "plot.response{by}", type = "string", text = "Another varied setting, with a curve for each value." },
+    text = "Result on the ordinate: a column of the history, at the end of each case." },
+  { "plot.response{by}", type = "string", text = "Another varied field; each of its values has a curve." },
   { "plot.response{map}", type = "boolean", default = false,
-    text = "Draws a map of x and by with a coloured field for each case." },
+    text = "true: draws a map over x and by, with a coloured field for each case." },
   { "plot.response{where}", type = "table",
-    text = "Settings of the cases to draw, such as { k=1e-8 }, if more than x and by were varied." },
+    text = "Values of other varied fields that select the cases to draw, such as { k=1e-8 }." },
   { "plot.pressure", kind = "function", takes = "plot", use = "plot.pressure(w1, w2, ..., { scaled=true })",
-    text = "Contact pressure against x, of runs and contacts. The key lists the settings in which they differ. "
-      .. "Accepts the options of plot{}." },
+    text = "Draws the contact pressure of runs and contacts against x. The key lists the fields in which "
+      .. "they differ. Accepts the options of plot{}." },
   { "plot.pressure{scaled}", type = "boolean", default = false,
-    text = "Draws p / p_H against x / a, with Hertz' pressure and half width." },
+    text = "true: draws p / p_H against x / a, with Hertz' pressure and half width." },
   { "plot.pressure{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
-    text = "Body of the nodes." },
+    text = "Body whose nodes are drawn." },
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.shear", kind = "function", takes = "plot", use = "plot.shear(c, { body= })",
-    text = "Shear traction of a contact with friction against x, with the bounds +- friction times pressure; stick "
-      .. "zones are shaded. In 3-D a map of its magnitude or a component. Accepts the options of plot{}." },
-  { "plot.shear{axis}", values = { "x", "z" }, text = "Component in 3-D; default: the magnitude." },
+    text = "Draws the shear traction of a contact with friction against x, with the bounds +- friction "
+      .. "times pressure; stick zones are shaded. In 3-D it draws a map of the magnitude or of a component. "
+      .. "Accepts the options of plot{}." },
+  { "plot.shear{axis}", values = { "x", "z" }, text = "In 3-D: component to draw; default: the magnitude." },
   { "plot.shear{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
-    text = "Body of the nodes." },
+    text = "Body whose nodes are drawn." },
   { "plot.slip", kind = "function", takes = "plot", use = "plot.slip(c1, c2, ...)",
-    text = "Slip of the plate's surface over the cylinder's in um against x, in the contact. In 3-D, for one "
-      .. "contact, a map of its magnitude or a component. Accepts the options of plot{}." },
-  { "plot.slip{axis}", values = { "x", "z" }, text = "Component in 3-D; default: the magnitude." },
+    text = "Draws the slip of the plate's surface relative to the cylinder's, in um, against x in the "
+      .. "contact. In 3-D it draws a map of the magnitude or of a component, for one contact. Accepts the "
+      .. "options of plot{}." },
+  { "plot.slip{axis}", values = { "x", "z" }, text = "In 3-D: component to draw; default: the magnitude." },
   { "plot.slip{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.loop", kind = "function", takes = "plot", use = "plot.loop(w, before, ...)",
-    text = "Fretting loops: tangential force [N] over the position of the plate [um] in a periodic cycle, of runs "
-      .. "with friction or of results of w:loop(). The key has the energy of each and the settings in which runs "
-      .. "differ. Long strokes are in mm. Accepts the options of plot{}." },
+    text = "Draws fretting loops of runs with friction or of results of w:loop(): tangential force [N] over "
+      .. "the position of the plate [um] in a periodic cycle. The key has the energy of each loop and the "
+      .. "fields in which the runs differ. Long strokes are in mm. Accepts the options of plot{}." },
   { "plot.loop{titles}", type = "list of strings",
-    text = "Names of the loops in the key; default: those of their runs." },
+    text = "Names of the loops in the key; default: the names of their runs." },
   { "plot.fretting_map", kind = "function", takes = "plot", use = "plot.fretting_map(f)",
-    text = "Running condition fretting map, load [N] over amplitude of motion [um]: areas of stick, partial slip and "
-      .. "gross slip, their borders, and a mark for each condition; characters have no areas. Accepts the options of "
-      .. "plot{}, such as logx=true." },
+    text = "Draws a running condition fretting map, load [N] over amplitude of motion [um], with areas of "
+      .. "stick, partial slip and gross slip, their borders, and a mark for each computed condition. "
+      .. "Terminals without pictures have no areas. Accepts the options of plot{}, such as logx=true." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
-    text = "Wear depth in um against x; default: of both bodies. plot.profile(p1, p2, ...) draws measured profiles: "
-      .. "heights, or depths after p:depth(). Accepts the options of plot{}." },
-  { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Body of the profiles." },
+    text = "Draws wear depths in um against x; default: of both bodies. plot.profile(p1, p2, ...) draws "
+      .. "measured profiles: heights, or depths after p:depth(). Accepts the options of plot{}." },
+  { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Body whose profiles are drawn." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.profile{measured}", type = "profile, or table { x=, h= }",
-    text = "A measured trace drawn as points over the curves of one body: at most 160 means of neighbouring points; "
-      .. "heights are converted to depths. A trace whose scar is not at x = 0 is shifted there, and the key has the "
-      .. "shift." },
+    text = "A measured trace to draw as points over the curves of one body. Long traces are reduced to 160 "
+      .. "means of neighbouring points; heights are converted to depths. A trace whose scar is not at x = 0 "
+      .. "is shifted there, and the key states the shift." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = columns,
-    text = "Columns of w.history against the travelled distance, a panel for each quantity. Units follow the values: "
-      .. "distances in mm, m or km, depths in nm, um or mm. Accepts the options of plot{}." },
+    text = "Draws columns of w.history against the travelled distance, with a panel for each quantity. "
+      .. "Units follow the values: distances in mm, m or km, depths in nm, um or mm. Accepts the options of "
+      .. "plot{}." },
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance", "cycle" of joints',
-    text = "The abscissa." },
+    text = "Quantity on the abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
   { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(w, "height")  plot.map(t, { levels=12, file="t.png" })',
-    text = "A map seen from above in equal scales, x to the right, z upwards: a map{}, a map of a run, or the "
-      .. "pressures of a 3-D contact, in colours with contours. Zero is white if there are values of both signs. "
-      .. "Maps of more than 240 points along a side are averaged." },
+    text = "Draws a map seen from above in equal scales, x to the right and z upwards, in colours with "
+      .. "contours: a map{}, a map of a run, or the pressures of a 3-D contact. Zero is white if there are "
+      .. "values of both signs. Maps of more than 240 points along a side are averaged." },
   { "plot.map{body}", type = "string", text = "Body of a 3-D run; default: the upper body." },
   { "plot.map{what}", values = { "depth", "height", "pressure" }, default = '"depth"',
-    text = 'Map of a run; of a joint "cup", "head", "cross shear" or "pressure".' },
+    text = 'Quantity of a run to draw; for a joint "cup", "head", "cross shear" or "pressure".' },
   { "plot.track", kind = "function", takes = "plot", use = 'plot.track(w)   plot.track(gait "iso", { radius=18 })',
-    text = "Paths of the head's pole and of six points at 30 degrees from it over the cup of a joint in one cycle, "
-      .. "in mm, azimuthal equal-area about the nominal load. They are straight between increments; increase the "
-      .. "gait's increments for smooth curves." },
-  { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head; of a run, that of its joint." },
+    text = "Draws the paths of seven points of the head (its pole and six points at 30 degrees from it) "
+      .. "over the cup of a joint in one cycle, in mm, in azimuthal equal-area projection about the nominal "
+      .. "load. They are straight between increments; increase the gait's increments for smooth curves." },
+  { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head; for "
+    .. "a run the radius of its joint is used." },
   { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
-    text = "A map seen obliquely from the front, coloured by its values, with lines along every fifth of 50 rows. "
-      .. "Lengths along x and heights have the same scale, heights times the exaggeration in the title; lengths "
-      .. "along z are halved." },
+    text = "Draws a map seen obliquely from the front, coloured by its values, with lines along every fifth "
+      .. "of 50 rows. Lengths along x and heights have the same scale, heights times the exaggeration in "
+      .. "the title; lengths along z are halved." },
   { "plot.surface{exaggeration}", type = "number > 0",
     text = "Factor on the heights; default: heights of about a fifth of the longer side." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
-    text = "The elements of a model, or of a run w as worn, whole or near the contact. Accepts the options of "
-      .. "plot{}." },
+    text = "Draws the elements of a model, or the worn elements of a run, all of them or those near the "
+      .. "contact. Accepts the options of plot{}." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "Part of the mesh to draw." },
-  { "plot.mesh{unrolled}", type = "boolean", text = "In a hole: draws positions along its surface and across it." },
-  { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "Draws one body only." },
+  { "plot.mesh{unrolled}", type = "boolean", text = "true: for a hole, draws positions along its surface "
+    .. "and across it instead of x and y." },
+  { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "A stress inside both bodies as colours with contours, of a contact, a run as worn, or a field f = "
-      .. "c:stress(). If the stress in one body is more than three times that in the other, the colour scale is that "
-      .. "of the other, with a note; vrange= overrides it. In 3-D: a section of one body= (default: the lower one). "
-      .. "Accepts the options of plot{}." },
+    text = "Draws a stress inside both bodies in colours with contours, for a contact, a worn run, or a "
+      .. "field f = c:stress(). If the stress in one body is more than three times that in the other, the "
+      .. "colour scale is that of the body with less stress, with a note; vrange= overrides it. In "
+      .. "3-D it draws a section of the body given by body= (default: the lower one). Accepts the options "
+      .. "of plot{}." },
   { "plot.stress{section}", type = "table { z= }, { x= } or { y= }", default = "{ z = 0 }",
     text = "In 3-D: a section along (z=) or across (x=) the motion, or the plane at y <= 0 below the surface." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
     default = '"mises"', text = "Stress component; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
-    text = "Part to draw; default: three half widths of the contact." },
-  { "plot.stress{unrolled}", type = "boolean", text = "In a hole: draws positions along its surface and across it." },
-  { "plot.stress{body}", values = { "cylinder", "plate" }, text = "Draws one body only." },
+    text = "Part of the bodies to draw; default: three half widths of the contact." },
+  { "plot.stress{unrolled}", type = "boolean", text = "true: for a hole, draws positions along its surface "
+    .. "and across it instead of x and y." },
+  { "plot.stress{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress{deformed}", type = "number",
-    text = "Factor on the displacements with which the nodes are drawn. Default: 1, with the upper body lowered by "
-      .. "the approach, so that worn bodies touch." },
+    text = "Factor on the displacements of the drawn nodes. By default it is 1, and the upper body is "
+      .. "lowered by the approach, so that worn bodies touch." },
   { "plot.animate", kind = "function", use = "plot.animate(w, { file=\"run.gif\" })",
     text = "Makes steps of a run and draws its profiles repeatedly: one over the other in the terminal, or as an "
       .. "animation in a file." },
   { "plot.animate{what}", values = { "profile", "pressure", "both", "stroke" }, default = '"profile"',
     text = 'Quantity to draw; "stroke": in 3-D, the pressures over a stroke on the present surfaces.' },
   { "plot.animate{frames}", type = "whole number >= 1", default = 30,
-    text = "Approximate number of pictures; with every, the largest number." },
+    text = "Approximate number of pictures; if every is given, the largest number." },
   { "plot.animate{every}", type = "whole number >= 1",
-    text = "Updates between two pictures; default: by frames." },
+    text = "Number of updates between two pictures; default: computed from frames." },
   { "plot.animate{delay}", type = "number > 0", unit = "s", default = 0.1,
     text = "Time between two pictures." },
   { "plot.animate{file}", type = "string", text = "A file with the ending gif." },
-  { "plot.animate{term}", type = "string", text = "As in plot{term}." },
-  { "plot.animate{size}", type = "table { width, height }", text = "As in plot{size}." },
-  { "plot.animate{colour}", type = "boolean", text = "As in plot{colour}." },
+  { "plot.animate{term}", type = "string", text = "Output device, see plot{term}." },
+  { "plot.animate{size}", type = "table { width, height }", text = "Size of the pictures, see plot{size}." },
+  { "plot.animate{colour}", type = "boolean", text = "Colours or greys, see plot{colour}." },
   { "plot.save", kind = "function", use = 'plot.save("p.png")',
-    text = "Writes the last picture to a file, and its data beside it as CSV (p.csv). plot.save{ ..., file= } draws "
-      .. "as plot{}. A second table sets the size." },
+    text = "Writes the last picture to a file, and its data beside it as CSV (p.csv). plot.save{ ..., file= "
+      .. "} draws as plot{}. A second table sets the size, { size = { width, height } }." },
 
   -- --- export ---------------------------------------------------------------------------------
   { "export", kind = "object", use = "export.csv  .vtk  .pvd  .vti  .gsf  .inp  .msh  .json",
-    text = "Writes files for other programs. Files are written atomically; a wrong ending is refused, a missing one "
-      .. "appended." },
+    text = "Writes files for other programs. Files are written atomically; a wrong ending is refused, and a "
+      .. "missing one is appended." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Columns of numbers with a line of names and units: the history of a run (its worn surface: "
       .. 'export.csv(w:profile("plate"), path)), the pressures of a contact (with friction also shear and slip), or a '

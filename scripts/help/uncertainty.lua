@@ -30,7 +30,7 @@ return {
   { "normal", kind = "function", class = "distribution", use = "normal{ mean=100, deviation=5 }",
     text = "Normal distribution; short form normal{ 100, 5 }." },
   { "normal{mean}", type = "number", text = "Mean, in the unit of the field (before truncation)." },
-  { "normal{deviation}", type = "number > 0", text = "Standard deviation, in the same unit." },
+  { "normal{deviation}", type = "number > 0", text = "Standard deviation, in the unit of the field." },
   { "normal{variation}", type = "number > 0",
     text = "Coefficient of variation, deviation / mean, instead of deviation." },
   { "normal{low}", type = "number", text = "Lower limit of a truncated distribution." },
@@ -39,7 +39,8 @@ return {
     use = "lognormal{ mean=1e-8, variation=0.4 }",
     text = "Lognormal distribution, of a positive number such as a wear coefficient." },
   { "lognormal{mean}", type = "number > 0", text = "Mean of the number itself, in the unit of the field." },
-  { "lognormal{deviation}", type = "number > 0", text = "Standard deviation of the number itself, in the same unit." },
+  { "lognormal{deviation}", type = "number > 0", text = "Standard deviation of the number itself, in the "
+    .. "unit of the field." },
   { "lognormal{variation}", type = "number > 0",
     text = "Coefficient of variation, deviation / mean, instead of deviation." },
   { "lognormal{low}", type = "number", text = "Lower limit of a truncated distribution." },
@@ -81,7 +82,7 @@ return {
   { "failure.n", kind = "field", text = "Number of samples." },
   { "failure.failed", kind = "field", text = "Number of failed cases, which are excluded." },
   { "failure.course", kind = "field",
-    text = "{ n=, probability= } for half of the samples and for all, as a check of convergence." },
+    text = "A list of { n=, probability= } for half of the samples and for all, to check convergence." },
   { "uncertainty", kind = "object", use = "u = s:uncertainty{...}",
     text = "Statistics by the name of the result: u.depth_cylinder.mean[i] at the distance u.distance[i]. Each has "
       .. "mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, high= }), rank (Spearman's "
@@ -114,8 +115,8 @@ return {
     text = 'Numbers of wear{} or model{}, by the names of study{ vary= }: "cylinder.E", "lower.layer1.k"; "E" and '
       .. '"nu" of both bodies. If bodies have their own coefficients, these replace k and alpha by default.' },
   { "wear.sensitivity{over}", type = "a share of the number from 0 to 0.5", default = "0.24",
-    text = "Half the wider range as a share of the number, less at the limits of the number. 0: local derivatives, "
-      .. "also of results that jump." },
+    text = "For results that jump: half the range of the slope as a share of the number (smaller near the "
+      .. "limits of the number). 0: local derivatives, also for results that jump." },
   { "sensitivity", kind = "object", use = "s = w:sensitivity{...}",
     text = "s.depth_cylinder.k has derivative, error (in the units of both), elasticity, elasticity_error, and over "
       .. "(half the range of a slope as a share of the number; 0: a local derivative), each a list over s.distance. "

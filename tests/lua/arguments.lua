@@ -31,6 +31,9 @@ fails(function() wear{ alpha = -0.1 } end, "got -0.1", "below the range")
 fails(function() wear{ alpha = 0 / 0 } end, { "field 'alpha'", "nan" }, "not a number")
 fails(function() wear{ k = math.huge } end, "field 'k': expected a number >= 0 mm2/N, got inf", "infinite")
 fails(function() wear{ load = 0 } end, "field 'load': expected a number > 0 N, got 0", "open end")
+fails(function() wear{ load = function() return 1 end } end,
+  "field 'load': expected a number > 0 N, or loading = { load = f } for a load that varies in a cycle, got a function",
+  "a load over the cycle")
 fails(function() wear{ load = "100" } end, [[field 'load': expected a number > 0 N, got "100"]],
   "text is no number")
 fails(function() wear{ stroke = true } end, "got true", "boolean")

@@ -50,7 +50,7 @@ const arc_setting arc_model_settings[] = {
      .kind = ARC_GROUP,
      .group = arc_mesh_settings,
      .offset = offsetof(arc_model_def, mesh),
-     .text = "How fine the meshes are.",
+     .text = "Element sizes and contact zones of the meshes.",
      .type = "a table { size=, height=, far=, zone=, rows=, element= }"},
     {.name = NULL},
 };

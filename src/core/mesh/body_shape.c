@@ -46,7 +46,8 @@ const arc_setting arc_body_settings[] = {
                                         .offset = offsetof(arc_body_def, y),
                                         .series = offsetof(arc_body_def, y_series),
                                         ARC_RANGE_ANY,
-                                        .text = "Heights of a profile over x, out of the body."},
+                                        .text = "Heights of a profile at the positions x, "
+                                                "positive out of the body."},
     AXIS(x),
     AXIS(z),
     LAYER(1),

@@ -33,15 +33,15 @@ static const arc_setting zone_settings[] = {
      .kind = ARC_NUMBER,
      .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
-     .text = "Full width of the fine contact zone of the cylinder."},
+     .text = "Full width of the contact zone of the cylinder."},
     {.name = "plate",
      .unit = "mm",
      .kind = ARC_NUMBER,
      .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
      .offset = sizeof(double),
-     .text = "Full width of the fine contact zone of the plate; it holds the contact at both ends "
-             "of the stroke."},
+     .text = "Full width of the contact zone of the plate, which must include the contact at both "
+             "ends of the stroke."},
     {.name = NULL},
 };
 
@@ -54,9 +54,11 @@ const arc_setting arc_mesh_settings[] = {
         .offset = offsetof(arc_mesh_def, zone),
         .group = zone_settings,
         .type = "a table { cylinder=, plate= }",
-        .text = "Full width of the fine contact zone of each body. Depth and margins of the finer "
-                "parts scale with the cylinder's. Contact cannot be found outside. \"auto\": what "
-                "the contact or run needs."},
+        .text =
+            "Full width of the contact zone of each body, the part of the surface with small "
+            "elements. The bodies cannot touch outside it. The depth of the fine mesh is "
+            "proportional to the width of the cylinder's zone. \"auto\": as wide as the contact "
+            "or run needs."},
     {.name = NULL},
 };
 #undef ARC_SETTING_OF

@@ -221,6 +221,13 @@ static void refuse_space(lua_State *L, int index, args_location location) {
   lua_pop(L, 1);
 }
 
+/* Loads and strokes that vary in a cycle are given in loading. */
+static void refuse_function(lua_State *L, int index, args_location location, const char *name,
+                            const char *expected) {
+  if (args_get(L, index, name) == LUA_TFUNCTION) args_refuse(L, location, name, expected);
+  lua_pop(L, 1);
+}
+
 wear_request wear_request_read(lua_State *L, int index, int changed) {
   args_location location = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
@@ -232,6 +239,10 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   request.own_steps =
       request.own_steps || args_given(L, index, "scheme") || args_given(L, index, "jump");
   refuse_space(L, index, location);
+  refuse_function(L, index, location, "load",
+                  "a number > 0 N, or loading = { load = f } for a load that varies in a cycle");
+  refuse_function(L, index, location, "stroke",
+                  "a number > 0 mm, or loading = { x = f } for a motion that varies in a cycle");
   args_read(L, index, location, settings, &request.def);
   read_cycles(L, index, location, &request);
   settle_scheme(L, index, &request.def);
