@@ -1,6 +1,6 @@
-/* archard/array.h - named arrays over the sites of a surface, in runs and run files: profiles, maps
- * and states. The kind of the pair of bodies defines the names; code that stores or compares arrays
- * does not depend on them. */
+/* archard/array.h - named arrays over the sites of a surface (profiles, maps, states) in runs and
+ * run files. The kind of the pair of bodies defines the names. Code that stores or compares arrays
+ * does not depend on the names. */
 #ifndef ARCHARD_ARRAY_H
 #define ARCHARD_ARRAY_H
 
@@ -12,23 +12,25 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* One array of one body at one moment. size is { sites, 1 } for values along a line, { sites, 2 }
- * for pairs of values, { sites along z, sites along x } for a map, { 1, 1 } for a single number. */
+ * for pairs of values, { sites along z, sites along x } for a map, and { 1, 1 } for a single
+ * number. */
 typedef struct arc_array {
-  const char *name; /* "h": a word of letters, digits and _ */
+  const char *name; /* such as "h"; a word of letters, digits and _ */
   arc_body body;
-  double update, distance; /* updates and sliding distance [mm] at this moment */
-  size_t size[2];          /* rows, numbers in a row */
-  const double *values;    /* [size[0] * size[1]], row by row; no NaN */
+  double update, distance; /* number of updates and sliding distance [mm] at this moment */
+  size_t size[2];          /* number of rows, numbers per row */
+  const double *values;    /* [size[0] * size[1]] values row by row, without NaN */
 } arc_array;
 
-/* Number of values. */
+/* Returns the number of values of an array. */
 size_t arc_array_count(const arc_array *array);
 
-/* The first of `count` arrays with this body and name, or NULL. */
+/* Returns the first of `count` arrays with this body and name, or NULL if there is none. */
 const arc_array *arc_array_find(const arc_array *arrays, size_t count, arc_body body,
                                 const char *name);
 
-/* Copies arrays, names and values to one block, released by free(). NULL: out of memory. */
+/* Copies arrays with their names and values to one block, which is released by free(). Returns NULL
+ * if out of memory. */
 arc_array *arc_arrays_copy(const arc_array *arrays, size_t count);
 
 #pragma GCC visibility pop

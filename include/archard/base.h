@@ -44,34 +44,35 @@ typedef struct arc_error {
   char message[512];
 } arc_error;
 
-/* The fixed text of a status, e.g. "out of memory". Never NULL. */
+/* Returns the fixed text of a status, such as "out of memory". Never NULL. */
 const char *arc_status_text(arc_status status);
 
-/* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
+/* Returns the name of a status without its prefix, such as "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Use of a file. */
+/* What a file is opened for. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
-/* Writes the absolute path without links of a file name to path [PATH_MAX]; the file or at least
- * its folder must exist. Descriptors of this process ("/dev/stdout") are kept. All functions that
- * open, create or replace files start with it. ARC_ARGUMENT: an empty name, a control character in
- * that of a file to write; ARC_IO: no such folder, or not allowed (arc_file_allowed). */
+/* Writes the absolute path of a file name, without links, to path [PATH_MAX]. The file or at least
+ * its folder must exist. Descriptors of this process ("/dev/stdout") are kept as they are. All
+ * functions that open, create or replace files call this one first. ARC_ARGUMENT: the name is
+ * empty, or the name of a file to write has a control character. ARC_IO: no such folder, or the
+ * file is not allowed (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
-/* Called by arc_file_find: `name` is for messages, `path` is absolute and has no links. This
- * version allows all files; a program restricted to some folders links its own function of this
- * name. ARC_IO: not allowed. */
+/* Decides whether a file may be used; called by arc_file_find. `name` is for messages, `path` is
+ * absolute and has no links. This version allows all files; a program that is restricted to some
+ * folders links its own function of this name. ARC_IO: the file is not allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 
-/* Opens a file for reading. ARC_IO: it does not exist, or is a folder, pipe or device; errors of
- * arc_file_find. */
+/* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Also
+ * errors of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
-/* Reads a whole file and appends a zero; *text [*length] is released by free(). ARC_IO, ARC_MEMORY,
- * ARC_FORMAT (above 1 GiB). */
+/* Reads a whole file and appends a zero byte; *text [*length] is released by free(). ARC_IO,
+ * ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
 arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
 
-/* Copies text to shown [size] for display, truncated if too long: control characters and invalid
+/* Copies text to shown [size] for display and truncates it to fit. Control characters and invalid
  * UTF-8 become \xNN; line ends and tabs are kept. */
 void arc_show_text(const char *text, char *shown, size_t size);
 
@@ -87,27 +88,28 @@ typedef int (*arc_stop_fn)(void *context);
  * must return, and must not change the objects of the computation. */
 struct arc_wear;
 typedef struct arc_callbacks {
-  /* Called between contact solutions and while a model is built; non-zero stops with ARC_STOPPED. A
-   * stopped model build continues on its own thread to the end of a stage; a process that ends
-   * before must use _exit, as BLAS does not survive exit during a computation. */
+  /* Called between contact solutions and while a model is built; non-zero stops the computation
+   * with ARC_STOPPED. The thread that builds a model then continues to the end of its stage. A
+   * process that ends earlier must use _exit, as BLAS does not survive exit during a
+   * computation. */
   arc_stop_fn stop;
   /* Receives a warning of one line about the accuracy of results; the computation continues. */
   void (*warn)(void *context, const char *text);
-  /* Called after each step of a run; non-zero stops it with ARC_STOPPED (the step stays). */
+  /* Called after each step of a run; non-zero stops the run with ARC_STOPPED and keeps the step. */
   int (*progress)(void *context, const struct arc_wear *wear);
-  /* Called about twenty times a second during the construction of `what`, such as "model", with the
-   * estimated share done and the time so far [s]. */
+  /* Called about twenty times a second during the construction of an object, with its name `what`
+   * (such as "model"), the estimated share done and the time so far [s]. */
   void (*working)(void *context, const char *what, double share, double seconds);
   void *context; /* argument of each callback */
 } arc_callbacks;
 
-/* Sets BLAS and OpenMP of this process to one thread: more threads are slower at these sizes, and a
- * child of fork() would hang. To be called once at start; returns the description of the BLAS, or
- * NULL. */
+/* Sets BLAS and OpenMP of this process to one thread, as more threads are slower at these sizes and
+ * a child of fork() would hang. Call it once at the start. Returns a description of the BLAS, or
+ * NULL if it is unknown. */
 const char *arc_single_threaded(void);
 
-/* Makes BLAS allocate its workspace now. To be called before a memory limit of the process
- * (RLIMIT_AS) is set: OpenBLAS loops forever if this allocation fails. */
+/* Makes BLAS allocate its workspace now. Call it before a memory limit of the process (RLIMIT_AS)
+ * is set, because OpenBLAS loops forever if this allocation fails. */
 void arc_reserve_blas(void);
 
 #pragma GCC visibility pop

@@ -13,8 +13,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Roles. The upper body carries the load by its support, the lower one moves. In the paper they are
- * the cylinder and the plate. */
+/* Roles of the two bodies. The upper body carries the load at its support, and the lower one moves.
+ * In the paper they are the cylinder and the plate. */
 typedef enum arc_body {
   ARC_CYLINDER = 0,
   ARC_PLATE = 1,
@@ -23,10 +23,10 @@ typedef enum arc_body {
 } arc_body;
 #define ARC_BODIES 2
 
-/* "cylinder" or "plate". */
+/* Names of the roles in the paper: "cylinder", "plate". */
 const char *arc_body_name(arc_body body);
 
-/* X(name, "name", object with its functions, see src/core/mesh/body_shape.h). */
+/* Kinds of bodies: X(name, "name", object with its functions, see src/core/mesh/body_shape.h). */
 #define ARC_SOLID_LIST(X)                                                                          \
   X(SOLID_USUAL, "usual", usual)                                                                   \
   X(SOLID_CYLINDER, "cylinder", cylinder)                                                          \
@@ -47,7 +47,8 @@ extern const char *const arc_solid_names[];
 typedef enum arc_rim { ARC_RIM_LIST(ARC_CHOICE_ENUM) } arc_rim;
 extern const char *const arc_rim_names[];
 
-/* Support of a cylinder: its flat is fixed, or held along y only (free); or it is a disc (hub). */
+/* Support of a cylinder. Fixed: its flat side is fixed. Free: this side is held along y only. Hub:
+ * the body is a whole disc around a hub. */
 #define ARC_HOLD_LIST(X)                                                                           \
   X(HOLD_FIXED, "fixed")                                                                           \
   X(HOLD_HUB, "hub")                                                                               \
@@ -55,23 +56,24 @@ extern const char *const arc_rim_names[];
 typedef enum arc_hold { ARC_HOLD_LIST(ARC_CHOICE_ENUM) } arc_hold;
 extern const char *const arc_hold_names[];
 
-/* A layer on the surface of a body, with its own material: of uniform thickness, or the part of an
- * imported mesh with this name. */
+/* A layer on the surface of a body, with a material of its own. It has a uniform thickness, or it
+ * is the part of an imported mesh with this name. */
 #define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
   TEXT(name, "a name of a material in the imported mesh", ARC_OPTIONAL,                            \
        "Name of the layer's physical group in an imported mesh, instead of a thickness.")          \
   NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer.")
 
 typedef struct arc_layer {
-  ARC_LAYER_SETTINGS(ARC_MEMBER_NUMBER,
-                     ARC_MEMBER_TEXT) /* exactly one is set, else there is no layer */
+  ARC_LAYER_SETTINGS(
+      ARC_MEMBER_NUMBER,
+      ARC_MEMBER_TEXT) /* exactly one of the two is set; without either there is no layer */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
 
-extern const arc_setting arc_layer_settings[]; /* with the material as a group */
+extern const arc_setting arc_layer_settings[]; /* the material is a group of settings */
 
-/* Required form of a body's name, for messages. */
+/* Description of a valid name of a body, for messages. */
 #define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
 
 #define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \
@@ -107,69 +109,72 @@ extern const arc_setting arc_layer_settings[]; /* with the material as a group *
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
-  double y;            /* unused (0): the series has the values */
-  arc_series y_series; /* heights [mm], positive out of the body: of a profile over x [mm], linear
-                          between points, constant beyond them; of a map over the index of the
-                          point, z fastest. Owned by the caller; a model keeps a copy */
+  double y;            /* unused (0), as the series has the values */
+  arc_series y_series; /* heights [mm], positive out of the body. Profile: over x [mm], linear
+                          between points, constant beyond them. Map: over the index of the point, z
+                          fastest. Owned by the caller; a model keeps a copy */
   double x, z;         /* unused (0) */
-  arc_series x_series, z_series;    /* of a map: positions of its points over their index [mm] */
-  arc_layer layer[ARC_MOST_LAYERS]; /* from the surface inwards */
+  arc_series x_series, z_series;    /* for a map: positions of its points over their index [mm] */
+  arc_layer layer[ARC_MOST_LAYERS]; /* layers from the surface inwards */
 } arc_body_def;
 
 extern const arc_setting arc_body_settings[];
 
-/* Returns the body with all dimensions set, defaults by the model's radius [mm] and the role. */
+/* Returns the body with all dimensions set. Defaults follow from the model's radius [mm] and the
+ * role of the body. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
 /* Checks a resolved body. ARC_ARGUMENT: the message has the field after `path` ("upper." or
- * "lower."), the expected and the given value. */
+ * "lower."), the expected and the actual value. */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
-/* Names of the settings of a kind, ended by NULL. */
+/* Returns the names of the settings that a kind of body has, ended by NULL. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* True if the surface is the hollow side of an arc; an arc at all; a line. */
+/* Return true if the surface is the hollow side of an arc, any arc, or a line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
 
-/* Radius of the surface [mm]; negative if hollow, INFINITY if flat. */
+/* Returns the radius of the surface [mm]: negative for a hollow surface, INFINITY for a flat
+ * one. */
 double arc_body_radius(const arc_body_def *def);
 
-/* True if it has a radius across the motion, for 3-D. */
+/* Returns true if the body has a radius across the motion, for 3-D. */
 int arc_body_is_spatial(const arc_body_def *def);
 
-/* Half the length along the surface [mm]; the depth below the surface [mm]. */
+/* Return half the length of the body along its surface [mm], and its depth below the surface
+ * [mm]. */
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
-/* The smallest dimension that limits the mesh [mm]: radius of a cylinder or disc, half width or
- * height of a block, wall of a ring. */
+/* Returns the smallest dimension that limits the mesh [mm]: the radius of a cylinder or disc, the
+ * half width or height of a block, the wall of a ring. */
 double arc_body_measure(const arc_body_def *def);
 
-/* The widest possible contact zone [mm]. */
+/* Returns the width of the widest possible contact zone [mm]. */
 double arc_body_widest_zone(const arc_body_def *def);
 
-/* Height of a profile's outermost point [mm]; 0 for others. */
+/* Returns the height of a profile's outermost point [mm]; 0 for other bodies. */
 double arc_body_crest(const arc_body_def *def);
-/* Distance [mm] of the surface at x [mm] below the crest, its outermost point; 0 for arcs. */
+/* Returns the distance [mm] of the surface at x [mm] below its outermost point; 0 for arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
-/* True if the surface is a map over x and z. */
+/* Returns true if the surface is a map over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Height of a map at (x, z) [mm], out of the body: cubic between points, constant beyond them;
- * distances from x = z = 0 to the nearest ends and the longest step [mm]; curvatures of the best
- * parabola [1/mm], positive for a ball. */
+/* Return data of a map: its height [mm] at (x, z), positive out of the body, cubic between the
+ * points and constant beyond them; the distances from x = z = 0 to the nearest ends and the longest
+ * step [mm]; and the curvatures of the best parabola [1/mm], positive for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Replaces the series of a body by copies in one block, *block (NULL without series), released by
- * free(). ARC_MEMORY: the body has no series then. */
+/* Replaces the series of a body by copies in one block, *block, which is released by free() (NULL
+ * if the body has no series). On ARC_MEMORY the body has no series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* Number of layers; depth of the lower side of a layer given by thickness [mm], 0 for layer -1;
- * material of a layer, `own` from the number of layers on. */
+/* Return the number of layers; the depth of the lower side of a layer that has a thickness [mm], 0
+ * for layer -1; and the material of a layer, or `own` for an index that is not a layer. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

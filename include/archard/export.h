@@ -11,55 +11,57 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Writes columns of `rows` doubles after a header line of names with units, "distance [mm]".
- * `units`, or any of them, may be NULL or "". */
+/* Writes columns of `rows` numbers below a header line of names with units, such as "distance
+ * [mm]". `units`, or any of its items, may be NULL or "". */
 arc_status arc_export_csv(const char *path, size_t columns, const char *const names[],
                           const char *const units[], const double *const data[], size_t rows,
                           arc_error *error);
 
-/* Writes one body's mesh, with a field if not NULL, as legacy VTK text. */
+/* Writes the mesh of one body as legacy VTK text, with a field unless it is NULL. */
 arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
                           arc_error *error);
 
-/* Surface values at the nodes in a .vtu file; 0 outside the candidate surface. X(name, unit, text).
- */
+/* Surface values at the nodes in a .vtu file; they are 0 outside the candidate surface. X(name,
+ * unit, text). */
 #define ARC_SURFACE_COLUMNS(X)                                                                     \
   X(wear_depth, "mm", "wear depth, scalar sum along the normals")                                  \
   X(pressure, "MPa", "contact pressure")
 
-/* Writes a VTK unstructured grid (.vtu, XML with appended binary data) of one body; with a contact
- * on this mesh also displacements, ARC_FIELD_STRESSES, ARC_SURFACE_COLUMNS on the worn nodes, and
- * `time` as TimeValue. Elements of bodies with layers have the number of the layer, from 1. Arrays
- * have units. Also errors of arc_contact_field. */
+/* Writes a VTK unstructured grid (.vtu, XML with appended binary data) of one body. With a contact
+ * on this mesh the file also has displacements, ARC_FIELD_STRESSES, ARC_SURFACE_COLUMNS on the worn
+ * nodes, and `time` as TimeValue. Elements of bodies with layers have the number of the layer, from
+ * 1. Arrays have units. Also errors of arc_contact_field. */
 arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_contact *contact,
                           double time, arc_error *error);
 
-/* Writes an input deck of a contact on the worn surfaces, for Abaqus and CalculiX: slabs one
- * element thick (C3D8, C3D8I for CPE4I, C3D6 for triangles), supports, contact pair (linear
- * penalty), a step with the approach as displacement, a step with the load on the plate's base,
- * output requests. CalculiX runs it unchanged. Numbers have at most 20 characters, accurate to
- * 5e-13. Each triangle has its own dilatation there: near nu = 1/2 the deck is stiffer than the
- * model. */
+/* Writes an input deck of a contact on the worn surfaces, for Abaqus and CalculiX, which CalculiX
+ * runs unchanged. The bodies are slabs one element thick (C3D8, C3D8I for CPE4I, C3D6 for
+ * triangles), with supports, a contact pair (linear penalty), a step with the approach as
+ * displacement, a step with the load on the plate's base, and output requests. Numbers have at most
+ * 20 characters and are accurate to 5e-13. In the deck each triangle has its own dilatation, so
+ * near nu = 1/2 the deck is stiffer than the model. */
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error);
 
-/* Writes the mesh of one body in plane elements: nodes, elements, surface, boundary sets. */
+/* Writes the mesh of one body in plane elements, with sets of nodes, elements, surface and
+ * boundary. */
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
 
-/* Writes a Gmsh file (4.1, text, mm) of both bodies, or of one (the other NULL), with the physical
- * groups of arc_mesh_read_msh: "upper", "lower", "upper.NAME" for a named material, "upper.layer1"
- * for the first layer. Coordinates are exact to the bit; the order of nodes and elements is kept.
- */
+/* Writes a Gmsh file (4.1, text, mm) of both bodies, or of one if the other pointer is NULL, with
+ * the physical groups that arc_mesh_read_msh reads: "upper", "lower", "upper.NAME" for a named
+ * material, "upper.layer1" for the first layer. Coordinates are exact to the bit, and the order of
+ * nodes and elements is kept. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
-/* The same as a text, released by free(); NULL on failure. ARC_MEMORY. */
+/* Returns the content of this Gmsh file as text, released by free(), or NULL on failure.
+ * ARC_MEMORY. */
 arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
                                arc_error *error);
 
-/* Writes a text of `length` bytes. */
+/* Writes a text of `length` bytes to a file. */
 arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);
 
-/* The shortest text that reads back to the same bits: 0.3, not 0.29999999999999999. NaN and zero
- * have no sign. Used in all files. */
+/* Writes the shortest text that reads back to the same bits, such as 0.3 instead of
+ * 0.29999999999999999. NaN and zero have no sign. All files use it. */
 typedef struct arc_number_text {
   char text[32];
 } arc_number_text;
