@@ -36,7 +36,8 @@ const char *arc_atomic_file_name(const arc_atomic_file *file);
  * pointer to NULL. On ARC_IO (with the reason) the old file is unchanged. */
 arc_status arc_atomic_file_publish(arc_atomic_file **file, arc_error *error);
 
-/* The same, but a file of this name created meanwhile is kept, without an error. */
+/* Publishes the file unless a file of this name was created meanwhile, which is then kept, without
+ * an error. */
 arc_status arc_atomic_file_publish_first(arc_atomic_file **file, arc_error *error);
 
 /* Removes the temporary file and frees the object. NULL and a pointer to NULL are allowed. */

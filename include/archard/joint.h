@@ -1,21 +1,22 @@
-/* archard/joint.h - a ball in a socket, as in artificial hips: contact and wear of both.
+/* archard/joint.h - contact and wear of a ball in a socket, as in artificial hips.
  *
  * Frame of the cup: x medial-lateral, the axis of flexion; y anterior; z along the nominal load
- * into the cup. n(theta, phi) = (cos theta, sin theta sin phi, sin theta cos phi). R(t) maps
- * coordinates of the head to those of the cup. Contact is frictionless, displacements are small:
+ * into the cup. Directions are n(theta, phi) = (cos theta, sin theta sin phi, sin theta cos phi).
+ * R(t) maps coordinates of the head to those of the cup. Contact is frictionless and displacements
+ * are small:
  *
  *   g(n) = clearance + h_cup(n) + creep(n) + h_head(R' n) - u . n + (C p)(n) >= 0,  p >= 0,
  *   p g = 0,
  *   integral p n dA = F
  *
  * with the head's displacement u and the radial compliance C of complete concentric spheres and
- * shells, exact for each degree of spherical harmonics. `second_order` adds (|u|^2 - (u . n)^2) /
- * (2 radius). Shear, the cup's rim, edge loading, microseparation and lubrication are outside this
- * model.
+ * shells, which is exact for each degree of spherical harmonics. `second_order` adds (|u|^2 - (u .
+ * n)^2) / (2 radius). The model does not include shear, the cup's rim, edge loading,
+ * microseparation and lubrication.
  *
  * Maps are on a lattice of cells over the complete sphere, [rows][2 rows], phi fastest: theta = (i
- * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. Each body's map is in its own frame.
- */
+ * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. The map of each body is in the frame of this
+ * body. */
 #ifndef ARCHARD_JOINT_H
 #define ARCHARD_JOINT_H
 
@@ -26,8 +27,9 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Elastic: full compliance. Winkler: independent springs of the cup's first layer, exact for a
- * uniform pressure on a shell, or of a column. */
+/* Compliance of the bodies. Elastic: full compliance of layered spheres. Winkler: independent
+ * springs for the cup's first layer, exact for a uniform pressure on a shell. Column: springs of a
+ * confined column. */
 #define ARC_FOUNDATION_LIST(X)                                                                     \
   X(FOUNDATION_ELASTIC, "elastic")                                                                 \
   X(FOUNDATION_WINKLER, "winkler")                                                                 \
@@ -36,57 +38,60 @@ typedef enum arc_foundation { ARC_FOUNDATION_LIST(ARC_CHOICE_ENUM) } arc_foundat
 extern const char *const arc_foundation_names[];
 
 typedef struct arc_joint_def {
-  double radius;             /* [mm] of the head */
-  double clearance;          /* [mm] radial */
+  double radius;             /* [mm] radius of the head */
+  double clearance;          /* [mm] radial clearance */
   double inclination, cover; /* [degree] angle of the cup's axis from the load; angle of the rim
                                 from the axis (90: half a sphere) */
-  arc_material core;         /* of the head, below its layers */
-  arc_layer head[ARC_MOST_LAYERS]; /* from the surface inwards; thickness 0 ends them */
-  arc_layer cup[ARC_MOST_LAYERS];  /* from the inside outwards, at least one; fixed outside */
+  arc_material core;         /* material of the head below its layers */
+  arc_layer
+      head[ARC_MOST_LAYERS]; /* layers from the surface inwards; a thickness of 0 ends the list */
+  arc_layer cup[ARC_MOST_LAYERS]; /* at least one layer, from the inside outwards, fixed outside */
   arc_foundation foundation;
-  double size;      /* [degree] of a cell; rounded down to 180 over an even number */
+  double size;      /* [degree] width of a cell; rounded down to 180 over an even number */
   int second_order; /* 1: gaps to second order in displacement / radius */
 } arc_joint_def;
 
-/* Metal on metal: 28 mm across, clearance 0.06 mm, CoCr on CoCr, 6 mm of polyethylene, 2 mm of
- * titanium, cells of 2 degrees. */
+/* Returns a metal-on-metal joint: 28 mm across, clearance 0.06 mm, CoCr on CoCr, behind it 6 mm of
+ * polyethylene and 2 mm of titanium, cells of 2 degrees. */
 arc_joint_def arc_joint_default(void);
 
-/* Checks a definition. ARC_ARGUMENT: the message has the field, the expected and the given value.
- */
+/* Checks a definition. ARC_ARGUMENT: the message has the field, the expected and the actual
+ * value. */
 arc_status arc_joint_check(const arc_joint_def *def, arc_error *error);
 
-/* Radial displacement [mm/MPa] under a unit pressure of one degree of spherical harmonics; 0 for
- * degree 1 of the head, a rigid motion. NaN if the layers give no solution. */
+/* Returns the radial displacement [mm/MPa] of a body under a unit pressure with the shape of one
+ * degree of spherical harmonics; 0 for degree 1 of the head, which is a rigid motion. NaN if the
+ * layers give no solution. */
 double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree);
 
 /* --- gaits ------------------------------------------------------------------------------------ */
 
 /* One of n equal time intervals of a cycle. */
 typedef struct arc_gait_instant {
-  double rotation[9]; /* R in its middle, row by row */
-  double omega[3];    /* rotation vector from its start to its end [rad] */
-  double load[3];     /* on the cup, in its frame [N] */
+  double rotation[9]; /* rotation R in the middle of the interval, row by row */
+  double omega[3];    /* [rad] rotation vector from the start to the end of the interval */
+  double load[3];     /* [N] force on the cup, in the frame of the cup */
 } arc_gait_instant;
 
-/* Computes instants [n] from rotations at the times 0, 1/2n, 2/2n, ... 1, [2n + 1][9], and loads in
- * the middle of each interval, [n][3]. ARC_ARGUMENT if the gait is not periodic; the message has
- * the difference in degrees. */
+/* Computes instants [n] from rotations at the times 0, 1/2n, 2/2n, ... 1, [2n + 1][9], and from
+ * loads in the middle of each interval, [n][3]. ARC_ARGUMENT if the gait is not periodic; the
+ * message has the difference in degrees. */
 arc_status arc_gait_from_rotations(int n, const double *rotation, const double *load,
                                    arc_gait_instant *instant, arc_error *error);
-/* The same from angles [2n + 1][3]: flexion, adduction, internal rotation [degree], applied in an
- * order given by three letters of x, y, z; "xyz": R = Rx(flexion) Ry(adduction) Rz(rotation). */
+/* Computes instants from angles [2n + 1][3] instead of rotations: flexion, adduction, internal
+ * rotation [degree], applied in an order given by three letters of x, y, z. "xyz" means R =
+ * Rx(flexion) Ry(adduction) Rz(rotation). */
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
-/* Built-in gaits: "iso", walking with the ranges of the standard (curves between them are
- * approximate), "prosim", "flexion" and "rocking". `angle` [degree] and `load` [N] apply to the
- * last two. */
+/* Makes a built-in gait: "iso", walking with the ranges of the standard and approximate curves in
+ * between; "prosim"; "flexion"; or "rocking". `angle` [degree] and `load` [N] apply to the last
+ * two. */
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
-/* Length of the force's track over the head [mm], and friction work / coefficient of friction [N
- * mm], of a cycle. */
+/* Returns the length of the force's track over the head in a cycle [mm], and the friction work of a
+ * cycle divided by the coefficient of friction [N mm]. */
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
@@ -96,19 +101,20 @@ double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 typedef struct arc_joint arc_joint;
 
 /* Creates an unworn joint. ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance), ARC_MEMORY;
- * *made is NULL then. */
+ * *made is NULL on failure. */
 arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_error *error);
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
-int arc_joint_rows(const arc_joint *joint); /* rows of the lattice */
-/* Wear depths [mm] in the body's own frame, [rows][2 rows] (borrowed). */
+int arc_joint_rows(const arc_joint *joint); /* number of rows of the lattice */
+/* Returns the wear depths [mm] of a body in its own frame, [rows][2 rows] (borrowed). */
 const double *arc_joint_depth(const arc_joint *joint, arc_body body);
-/* Sets the wear depths of a body, as initial shape. ARC_ARGUMENT: a depth is not finite. */
+/* Sets the wear depths of a body, for an initial shape. ARC_ARGUMENT: a depth is not finite. */
 arc_status arc_joint_set_depth(arc_joint *joint, arc_body body, const double *depth,
                                arc_error *error);
-/* Creep [mm] of the cup, by cell; 0 without creep. */
+/* Returns the creep [mm] of each cell of the cup; 0 without creep. */
 const double *arc_joint_creep(const arc_joint *joint);
-/* Pressures [MPa] of the last contact, in the cup's frame; 0 before the first. */
+/* Returns the pressures [MPa] of the last contact, in the frame of the cup; 0 before the first
+ * contact. */
 const double *arc_joint_pressure(const arc_joint *joint);
 /* Writes share [rows][2 rows]: for each cell of the cup, the share of friction work across the
  * principal direction of sliding in the last cycle, 0 to 0.5; 0 without sliding. */
@@ -116,40 +122,40 @@ void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* [mm2] */
 
 typedef struct arc_joint_contact {
-  double p_max, p_center;  /* [MPa] largest; in the direction of the load */
-  double area, half_angle; /* [mm2]; [degree] of a cap of that area */
-  double normal_force;     /* [N] integral of p: more than the load */
-  double approach[3];      /* [mm] the head's displacement u */
-  double rim_margin;       /* [degree] from the contact to the rim; negative: they overlap */
-  int iterations;          /* of conjugate gradients */
+  double p_max, p_center;  /* [MPa] largest pressure; pressure in the direction of the load */
+  double area, half_angle; /* [mm2] contact area; [degree] half angle of a cap of that area */
+  double normal_force;     /* [N] integral of p, which is more than the load */
+  double approach[3];      /* [mm] displacement u of the head */
+  double rim_margin;       /* [degree] from the contact to the rim; negative if they overlap */
+  int iterations;          /* number of iterations of conjugate gradients */
 } arc_joint_contact;
 
-/* Solves one contact with the head at rotation R (row by row; NULL: none) under a load [N] in the
- * frame of the cup. ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the contact extends
- * around the head), ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
+/* Solves one contact under a load [N] in the frame of the cup, with the head at rotation R (row by
+ * row; NULL: not rotated). ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the contact
+ * extends around the head), ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
 arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const double load[3],
                            const arc_callbacks *callbacks, arc_joint_contact *contact,
                            arc_error *error);
 
-/* Wear coefficient [mm2/N] of a cell of the cup at the middle of an update, at `cycles`; p_mean
- * [MPa] is the mean pressure of a cycle. */
+/* Returns the wear coefficient [mm2/N] of a cell of the cup at the middle of an update, after
+ * `cycles`; p_mean [MPa] is the mean pressure of a cycle. */
 typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean, double cycles);
-/* The head's share of wear at the middle of an update. */
+/* Returns the head's share of the wear at the middle of an update. */
 typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
-/* Creep [mm] of a cell of the cup at `cycles`; p_mean [MPa] > 0 is the mean pressure since the
- * first cycle. Creep opens the gap and is not wear volume. */
+/* Returns the creep [mm] of a cell of the cup after `cycles`; p_mean [MPa] > 0 is the mean pressure
+ * since the first cycle. Creep opens the gap and is not wear volume. */
 typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles);
 
 typedef struct arc_joint_wear_def {
   int instants;
   const arc_gait_instant *instant;   /* [instants] */
-  double k, alpha;                   /* [mm2/N]; the head's share of wear */
-  arc_joint_k_fn k_function;         /* in place of k; NULL: none */
-  arc_joint_alpha_fn alpha_function; /* in place of alpha; NULL: none */
-  arc_joint_creep_fn creep;          /* NULL: none */
+  double k, alpha;                   /* [mm2/N] wear coefficient; the head's share of the wear */
+  arc_joint_k_fn k_function;         /* used instead of k unless NULL */
+  arc_joint_alpha_fn alpha_function; /* used instead of alpha unless NULL */
+  arc_joint_creep_fn creep;          /* NULL: no creep */
   void *context;
-  int explicit_scheme; /* 1: all instants on one geometry; 0: the wear of each instant is implicit
-                          in its contact */
+  int explicit_scheme; /* 1: all instants use one geometry; 0: the contact of each instant includes
+                          its wear */
 } arc_joint_wear_def;
 
 /* Sums over all updates. */
@@ -157,37 +163,39 @@ typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
   double volume[ARC_BODIES]; /* [mm3] */
-  double p_peak;             /* [MPa] of the last cycle */
-  double area;               /* [mm2] largest of the last cycle */
-  double rim_margin;         /* [degrees] smallest of the last cycle, as of arc_joint_press */
-  double penetration[3];     /* [mm] of the head, under the largest load of the last cycle */
-  double work;               /* [N mm] sum of p |s| dA over a cycle, the last one's */
-  double loss;               /* [mm3] sum over updates of cycles k p |s| dA: both volumes */
+  double p_peak;             /* [MPa] largest pressure of the last cycle */
+  double area;               /* [mm2] largest contact area of the last cycle */
+  double rim_margin; /* [degree] smallest margin of the last cycle, as in arc_joint_contact */
+  double
+      penetration[3]; /* [mm] displacement of the head under the largest load of the last cycle */
+  double work;        /* [N mm] sum of p |s| dA over the last cycle */
+  double loss;        /* [mm3] sum over updates of cycles k p |s| dA, the volume of both bodies */
 } arc_joint_record;
 
-/* Makes one update of `cycles` cycles, explicit or by a sweep over the instants, backwards in every
- * second update. On failure joint and record are unchanged. */
+/* Makes one update of `cycles` cycles, either explicit or by a sweep over the instants, which runs
+ * backwards in every second update. On failure joint and record are unchanged. */
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
-/* Makes a step of at most `most` cycles with error control: the depths of two updates of half the
- * length differ from those of one update by at most `tolerance` of the wear of all cycles so far at
- * the rate of this step. *step [cycles]: length to try, then length of the next step.
- * ARC_NOT_CONVERGED if no length meets the tolerance. On failure nothing changes. */
+/* Makes a step of at most `most` cycles with error control. The depths of two updates of half the
+ * length must differ from those of one update by at most `tolerance` times the wear that all cycles
+ * so far would cause at the rate of this step. *step [cycles] is the length to try, and on return
+ * the length for the next step. ARC_NOT_CONVERGED if no length meets the tolerance. On failure
+ * nothing changes. */
 arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
 
 /* The state of a joint, [count] numbers, from which a joint of the same definition continues with
- * the same bits. arc_joint_set_state checks them: ARC_FORMAT, ARC_MEMORY (initial pressures may be
- * lost). */
+ * the same bits. arc_joint_set_state checks the numbers: ARC_FORMAT, ARC_MEMORY (initial pressures
+ * may be lost). */
 size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,
                                arc_error *error);
-size_t arc_joint_bytes(const arc_joint *joint); /* memory, approximately [bytes] */
+size_t arc_joint_bytes(const arc_joint *joint); /* approximate memory [bytes] */
 
-/* Largest number of cycles of a stable explicit update. */
+/* Returns the largest number of cycles of a stable explicit update. */
 double arc_joint_explicit_limit(const arc_joint *joint, const arc_joint_wear_def *def);
 
 #pragma GCC visibility pop

@@ -12,18 +12,18 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 typedef enum arc_lock_kind {
-  ARC_LOCK_SYSTEM,  /* locks of the system */
-  ARC_LOCK_BY_NAME, /* the disk has none (NFS without lock daemon, Lustre by default): by FILE.lock
-                     */
-  ARC_LOCK_NONE     /* and the folder is read-only: no lock */
+  ARC_LOCK_SYSTEM,  /* locks of the operating system */
+  ARC_LOCK_BY_NAME, /* a file FILE.lock, as the disk has no locks (NFS without lock daemon, Lustre
+                       by default) */
+  ARC_LOCK_NONE     /* no lock, as the disk has no locks and the folder is read-only */
 } arc_lock_kind;
 
-/* Finds the kind of lock of a file at an absolute path; `name` is for messages. ARC_IO: the disk
- * does not respond. */
+/* Determines the kind of lock of a file at an absolute path; `name` is for messages. ARC_IO: the
+ * disk does not respond. */
 arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind, arc_error *error);
 
-/* Takes and releases a lock file: a symbolic link whose text is the owner. A lock of a killed
- * program of this system is taken over. Like mkdir and rmdir: 0, or -1 with errno. */
+/* Create and remove a lock file, a symbolic link whose text is the owner. The lock of a killed
+ * program of this system is replaced. Like mkdir and rmdir they return 0, or -1 with errno. */
 int arc_lock_take(const char *lock, mode_t ignored);
 int arc_lock_leave(const char *lock);
 

@@ -25,7 +25,8 @@ typedef struct arc_material {
 
 extern const arc_setting arc_material_settings[];
 
-/* Row for a material in the list of another definition: setting `name_`, member at `offset_`. */
+/* Row for a material in the settings of another definition: setting `name_`, member at
+ * `offset_`. */
 #define ARC_MATERIAL_TABLE "{ E=, nu=, k=, name= }"
 #define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
@@ -34,13 +35,13 @@ extern const arc_setting arc_material_settings[];
     .type = "a material object or a table " ARC_MATERIAL_TABLE, .text = text_                      \
   }
 
-/* Steel of the reference case: 200e3 MPa, 0.3. */
+/* Returns the steel of the paper's case: E = 200e3 MPa, nu = 0.3. */
 arc_material arc_material_default(void);
 
-/* Plane-strain modulus E / (1 - nu^2) [MPa]. */
+/* Returns the plane-strain modulus E / (1 - nu^2) [MPa]. */
 double arc_material_E_star(arc_material material);
 
-/* Checks ranges. ARC_ARGUMENT: the message has the field, the expected and the given value. */
+/* Checks the ranges. ARC_ARGUMENT: the message has the field, the expected and the actual value. */
 arc_status arc_material_check(arc_material material, arc_error *error);
 
 #pragma GCC visibility pop

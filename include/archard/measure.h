@@ -1,5 +1,5 @@
-/* archard/measure.h - measures of profiles and depths, for arrays of runs or files. The functions
- * do not fail or allocate. */
+/* archard/measure.h - measures of profiles and depths, computed from arrays of runs or files. The
+ * functions neither fail nor allocate. */
 #ifndef ARCHARD_MEASURE_H
 #define ARCHARD_MEASURE_H
 
@@ -10,31 +10,33 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Value at `at` of the broken line through (x, y) [n], x increasing; `outside` beyond its ends. */
+/* Returns the value at `at` of the polyline through (x, y) [n], x increasing, and `outside` beyond
+ * its ends. */
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
 
-/* Sawtooth part of y [n]: fourth differences over 16 (a pure sawtooth of amplitude 1 gives 1), root
- * mean square over the points with from <= x <= to, in the units of y; 0 without points. */
+/* Returns the sawtooth part of y [n] in the units of y: root mean square of fourth differences over
+ * 16 (a pure sawtooth of amplitude 1 gives 1) at the points with from <= x <= to. 0 if there are no
+ * such points. */
 double arc_measure_sawtooth(const double *x, const double *y, size_t n, double from, double to);
 
-/* Wear depth partition factor alpha-tilde (Eq. 29) [-], the cylinder's share of both depths; NaN
- * before any wear. */
+/* Returns the wear depth partition factor alpha-tilde (Eq. 29) [-], the cylinder's share of the sum
+ * of both depths. NaN if nothing is worn. */
 double arc_depth_partition(double cylinder, double plate);
 
 /* A measured or simulated depth profile, borrowed. */
 typedef struct arc_depths {
   size_t count;
-  const double *x; /* [count] [mm], increasing */
-  const double *h; /* [count] [mm] */
+  const double *x; /* [count] positions [mm], increasing */
+  const double *h; /* [count] depths [mm] */
 } arc_depths;
 
 /* Writes the sum of both depths (Eq. 31) at the points of the plate, with the plate at x = 0, to
- * sum [plate.count] [mm]; the cylinder is unworn beyond its points. */
+ * sum [plate.count] [mm]. The cylinder counts as unworn beyond its points. */
 void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
 
-/* Writes the cylinder's share of that sum (Eq. 30) at the worn points of the plate to x and share
- * [plate.count]. Returns their number. */
+/* Writes the cylinder's share of the sum of both depths (Eq. 30) at the worn points of the plate to
+ * x and share [plate.count]. Returns the number of these points. */
 size_t arc_measure_local_partition(arc_depths cylinder, arc_depths plate, double *x, double *share);
 
 #pragma GCC visibility pop
