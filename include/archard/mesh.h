@@ -1,9 +1,9 @@
 /* archard/mesh.h - finite element meshes of the two bodies.
  *
- * Frame (both bodies, plate at x = 0, just touching, no load): the origin is the first point of
- * contact, x along the plate's surface, y up. The cylinder (a half cylinder, flat top built in)
- * lies above, the plate below. Every mesh is an exact mirror image about x = 0.
- */
+ * The frame is that of both bodies as they just touch without load, with the plate at x = 0. The
+ * origin is the first point of contact, x is along the plate's surface, y upwards. The cylinder (a
+ * half cylinder with a fixed flat top) lies above the plate. Every mesh is an exact mirror image
+ * about x = 0. */
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 
@@ -14,9 +14,9 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends freely, does
- * not lock where nu nears 1/2), triangles of one cell then share one dilatation; auto: by the nu of
- * each body, see arc_element_for. */
+/* Formulation of the elements. CPE4: fully integrated bilinear. CPE4I: with incompatible modes,
+ * which bend freely and do not lock where nu is near 1/2; triangles of one cell then share one
+ * dilatation. Auto: chosen by the nu of each body, see arc_element_for. */
 #define ARC_ELEMENT_LIST(X)                                                                        \
   X(ELEMENT_AUTO, "auto")                                                                          \
   X(CPE4, "CPE4")                                                                                  \
@@ -25,8 +25,8 @@ typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
 extern const char *const arc_element_names[];
 
 /* Meaning of the section in x and y. Axisymmetric: bodies of revolution about the vertical axis at
- * x = -axis, with forces on the whole circumference; if the axis is x = 0, both halves of the
- * section are the same ring and each counts half. Springs: no section, see core/springs. */
+ * x = -axis, with forces on the whole circumference. If the axis is at x = 0, the two halves of the
+ * section are the same ring, and each counts half. Springs: no section, see core/springs. */
 #define ARC_SPACE_LIST(X)                                                                          \
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
@@ -36,8 +36,8 @@ extern const char *const arc_element_names[];
 typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
 extern const char *const arc_space_names[];
 
-/* Sizes of a mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct;
- * arc_model_fit replaces it by a number. */
+/* Sizes of a mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct, which
+ * arc_model_fit replaces by a number. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
   NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
          "Width of the elements at the contact. \"auto\": the half width of the unworn contact / " \
@@ -67,98 +67,106 @@ extern const char *const arc_space_names[];
 
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
-  double zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone;
-                              depths and margins of the two nested partitions scale with the
-                              cylinder's; the plate's is wider by the stroke */
+  double zone[ARC_BODIES]; /* [mm] full width of the candidate contact zone with fine elements. The
+                              depth and the margins of both nested partitions are proportional to
+                              the cylinder's zone; the plate's zone is wider by the stroke */
 } arc_mesh_def;
 
 extern const arc_setting arc_mesh_settings[];
 
-/* The mesh of the paper's case: 0.020 x 0.025 mm, far 1 mm, zones 1.0 and 1.2 mm. */
+/* Returns the mesh of the paper's case: elements of 0.020 x 0.025 mm, far 1 mm, zones 1.0 and 1.2
+ * mm. */
 arc_mesh_def arc_mesh_default(void);
 
-/* A mesh, constant, owned by the caller of arc_mesh_build. Indices are 0-based, corners of elements
- * counter-clockwise. */
+/* A constant mesh, owned by the caller of arc_mesh_build. Indices are 0-based, and corners of
+ * elements counter-clockwise. */
 typedef struct arc_mesh {
   arc_body body;
-  arc_body_def solid; /* with all dimensions set; its profile is owned by the model */
-  double radius;    /* [mm] of the cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def; /* as given; in a model, element is the type of the body, never auto */
-  arc_space space;  /* of the model; plane strain of a mesh alone */
-  double axis;      /* [mm] of revolution, at x = -axis */
-  int nodes;        /* number of nodes */
-  double *xy;       /* [2 * nodes] x, y of each node [mm] */
-  int elements;     /* number of elements = quads + triangles */
-  int *element;     /* [4 * elements] corners; a triangle has -1 as its fourth. Triangles that close
-                       one cell start with the same corner, and stand two apart: between them are
-                       their mirror images */
+  arc_body_def solid; /* shape with all dimensions set; the model owns its profile */
+  double radius;      /* [mm] of a cylinder; for other bodies the dimension that limits the mesh */
+  arc_mesh_def def;   /* sizes; in a model, element is the type of the body, never auto */
+  arc_space space;    /* geometry of the model; plane strain for a mesh without a model */
+  double axis;        /* [mm] distance of the axis of revolution, which is at x = -axis */
+  int nodes;          /* number of nodes */
+  double *xy;         /* [2 * nodes] x, y of each node [mm] */
+  int elements;       /* number of elements = quads + triangles */
+  int *element; /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
+                   start with the same corner and are two positions apart: between them are their
+                   mirror images */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
-  int *surface_node; /* [surface] by increasing x */
-  int *layer;        /* [elements] layer of each, `layers of the body` for its own material */
-  int rows;          /* rows of the wear box */
+  int *surface_node; /* [surface] their numbers by increasing x */
+  int *layer;        /* [elements] layer of each element; the number of layers means the body's own
+                        material */
+  int rows;          /* number of element rows in the wear box */
   int *box_node; /* [surface * (rows + 1)] nodes of the wear box, column by column in the order of
                     surface_node, each from the surface inwards */
   int box_elements;  /* the first box_elements elements are the wear box, column by column */
-  int fixed;         /* number of nodes tied to the rigid base or built in */
-  int *fixed_node;   /* [fixed] */
+  int fixed;         /* number of nodes that are tied to the rigid base or fixed */
+  int *fixed_node;   /* [fixed] their numbers */
   int outline;       /* number of nodes of the boundary polygon */
-  int *outline_node; /* [outline] counter-clockwise, not closed */
-  int materials;     /* named materials of an imported mesh */
-  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] */
-  int *material; /* [elements] material of each, -1: the body's own; NULL: the body's own everywhere
-                  */
+  int *outline_node; /* [outline] their numbers, counter-clockwise, not closed */
+  int materials;     /* number of named materials of an imported mesh */
+  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] their names */
+  int *material; /* [elements] material of each element, -1: the body's own; NULL: the body's own
+                    everywhere */
 } arc_mesh;
 
-/* Corners of an element: 3 or 4. */
+/* Returns the number of corners of an element, 3 or 4. */
 int arc_mesh_corners(const arc_mesh *mesh, int element);
 
-/* Builds the mesh of one body of the paper's pair. Errors: ARC_ARGUMENT (a size not positive,
- * larger than the body, fewer than 1 row), ARC_ZONE (zone too wide for the body or too narrow for
- * contact), ARC_GEOMETRY (an inverted element), ARC_MEMORY. On failure *mesh is NULL. */
+/* Builds the mesh of one body of the paper's pair. Errors: ARC_ARGUMENT (a size is not positive or
+ * larger than the body, or there are no rows), ARC_ZONE (the zone is too wide for the body or too
+ * narrow for the contact), ARC_GEOMETRY (an inverted element), ARC_MEMORY. On failure *mesh is
+ * NULL. */
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **mesh,
                           arc_error *error);
-/* The same for any resolved body (arc_body_resolve); its profile must outlive the mesh. */
+/* Builds the mesh of any resolved body (arc_body_resolve), whose profile must outlive the mesh.
+ * Errors as for arc_mesh_build. */
 arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                                 arc_mesh **mesh, arc_error *error);
 
-/* Largest number of named materials of one body in an imported mesh: they are its layers. */
+/* Largest number of named materials of one body in an imported mesh, where each material is a
+ * layer. */
 enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
 
 /* Reads both bodies, as they touch without load, from a Gmsh file: text, version 4.1 or 2.2, units
- * mm, in the plane z = 0, triangles and quadrilaterals of first order. Physical groups: surfaces
- * "upper", and "upper.NAME" for the part of material NAME; curves "upper.contact" (x increases from
- * one end to the other) and "upper.fixed" (built in); the same for "lower". The rest of the file is
- * ignored. Such a mesh has no wear box: rows and box_elements are 0, for frozen geometry only.
- * `radius` is that of the parabola that fits the unworn gap over the candidate contact zone best,
- * 1e6 mm if it is flat. def has the sizes found, with the widths of the contact curves in zone.
- * Errors: ARC_IO; ARC_FORMAT (line, expected, found); ARC_GEOMETRY (groups, nodes or elements that
- * do not form two bodies), ARC_MEMORY. On failure both meshes are NULL. */
+ * mm, in the plane z = 0, triangles and quadrilaterals of first order. Physical groups of the upper
+ * body are the surfaces "upper", and "upper.NAME" for its part of material NAME, and the curves
+ * "upper.contact" (x increases from one end to the other) and "upper.fixed"; the lower body has the
+ * same groups. The rest of the file is ignored. Such a mesh has no wear box: rows and box_elements
+ * are 0, and only frozen geometry is possible. `radius` is the radius of the parabola that best
+ * fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is flat. def gets the
+ * element sizes of the mesh and the widths of the contact curves as zone. Errors: ARC_IO;
+ * ARC_FORMAT (line, expected, actual); ARC_GEOMETRY (groups, nodes or elements that do not form two
+ * bodies); ARC_MEMORY. On failure both meshes are NULL. */
 arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
-/* The same from a text of `length` bytes; `name` replaces the path in messages. */
+/* Reads both bodies from a text of `length` bytes instead of a file; `name` replaces the path in
+ * messages. */
 arc_status arc_mesh_parse_msh(const char *name, const char *text, size_t length,
                               arc_mesh *mesh[ARC_BODIES], arc_error *error);
 
-/* Name of its elements with 3 or 4 corners: "CPE4", "CPS4I", "CAX3". */
+/* Returns the name of the mesh's elements with 3 or 4 corners, such as "CPE4", "CPS4I" or
+ * "CAX3". */
 const char *arc_mesh_element(const arc_mesh *mesh, int corners);
 
 /* Frees the mesh and sets the pointer to NULL; NULL is allowed. */
 void arc_mesh_destroy(arc_mesh **mesh);
 
-/* Shape quality over all elements. */
+/* Quality of the worst elements of a mesh. */
 typedef struct arc_quality {
   double smallest_angle; /* [degree] */
   double largest_angle;  /* [degree] */
   double aspect;         /* longest edge / shortest edge of the worst element */
-  double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad, 1 =
+  double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad; 1 for a
                             parallelogram */
   double
       smallest_jacobian; /* [mm2] smallest corner Jacobian (twice a corner triangle's area); > 0 */
 } arc_quality;
 
-/* Quality with the nodes at `xy` ([2 * nodes], NULL: the mesh's own). */
+/* Computes the quality with the nodes at `xy` [2 * nodes] (NULL: the nodes of the mesh). */
 arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy);
-/* Quality of the elements of the wear box, which wear deforms. */
+/* Computes the quality of the elements of the wear box, which wear deforms. */
 arc_quality arc_mesh_box_quality(const arc_mesh *mesh, const double *xy);
 
 #pragma GCC visibility pop

@@ -1,7 +1,7 @@
 /* archard/model.h - the two elastic bodies, condensed to their wear boxes, shared by runs.
  *
- * For each body: K is assembled from elements and everything outside the wear box is eliminated
- * with CHOLMOD, so that a worn shape needs a small dense update only (S = S_far + K_box, F = normal
+ * For each body K is assembled from elements, and everything outside the wear box is eliminated
+ * with CHOLMOD. A worn shape then needs only a small dense update (S = S_far + K_box, F = normal
  * block of S^-1). */
 #ifndef ARCHARD_MODEL_H
 #define ARCHARD_MODEL_H
@@ -37,71 +37,75 @@ extern "C" {
 
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
-  arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
-  arc_body_def body[ARC_BODIES];     /* their shapes; settings "upper" and "lower" */
+  arc_material material[ARC_BODIES]; /* materials by arc_body; settings "cylinder" and "plate" */
+  arc_body_def body[ARC_BODIES];     /* shapes by arc_body; settings "upper" and "lower" */
   arc_mesh_def mesh;
 } arc_model_def;
 
 extern const arc_setting arc_model_settings[];
 
-/* The paper's case with the mesh of arc_mesh_default. */
+/* Returns the paper's case with the mesh of arc_mesh_default. */
 arc_model_def arc_model_default(void);
 
-/* One body with all dimensions set (arc_body_resolve). */
+/* Returns one body with all dimensions set (arc_body_resolve). */
 arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
 
-/* Name of a body for users: its own name; else its kind if the kinds differ; else "upper" or
- * "lower"; "cylinder" and "plate" for the usual pair. */
+/* Returns the name of a body for users. It is the name of the definition, else the kind of body if
+ * the two kinds differ, else "upper" or "lower"; the default pair has "cylinder" and "plate". */
 const char *arc_model_body_name(const arc_model_def *def, arc_body body);
-/* "upper" or "lower". */
+/* Returns "upper" or "lower". */
 const char *arc_model_role_name(arc_body body);
-/* Finds the body with this name, role or kind ("cylinder": upper, "plate": lower). Returns 1; 0 if
- * none has it, -1 if both have. *body is always written. */
+/* Searches for the body with this name, role or kind ("cylinder" is the upper and "plate" the lower
+ * body). Returns 1 if one body has it, 0 if none and -1 if both have. *body is always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Contact modulus of the couple [MPa], 1 / (1/E*_c + 1/E*_p); in plane stress with E in place of
- * E*. */
+/* Returns the contact modulus of the couple [MPa], 1 / (1/E*_c + 1/E*_p); in plane stress with E
+ * instead of E*. */
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]);
 
-/* Line load [N/mm] of about the same pressure: the load [N] over the thickness, over the
- * circumference, or over the mean chord of a round contact. */
+/* Returns the line load [N/mm] that causes about the same pressure: the load [N] over the
+ * thickness, over the circumference, or over the mean chord of a round contact. */
 double arc_model_line(const arc_model_def *def, double load);
 
-/* Reference wear coefficient of a body [mm2/N]: the largest of its layers and its own; other layers
- * wear in proportion. 0 if none has one. */
+/* Returns the reference wear coefficient of a body [mm2/N], the largest one of the body and its
+ * layers; the others wear in proportion. 0 if there is none. */
 double arc_model_wear_k(const arc_model_def *def, arc_body body);
 
-/* Relative radius of the surfaces [mm]: 1 / (1/R_upper + 1/R_lower), hollow ones negative; INFINITY
- * if they conform, are flat, or are not arcs. */
+/* Returns the relative radius of the surfaces [mm], 1 / (1/R_upper + 1/R_lower), with negative
+ * radii for hollow surfaces. INFINITY if the surfaces conform, are flat, or are not arcs. */
 double arc_model_relative_radius(const arc_model_def *def);
 
-/* True if Hertz' formulas apply: a solid cylinder or disc, or a ball, on a block without layers. */
+/* Returns true if Hertz' formulas apply: a solid cylinder or disc, or a ball, on a block, without
+ * layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
 
-/* True if one of the bodies is hollow: the other turns in it. */
+/* Returns true if one of the bodies is hollow, so that the other one turns in it. */
 int arc_model_is_hole(const arc_model_def *def);
-/* Sliding distance [mm] along the surfaces of a rotation by `degrees`; 0 without a hole. */
+/* Returns the sliding distance [mm] along the surfaces for a rotation by `degrees`; 0 without a
+ * hole. */
 double arc_model_arc_length(const arc_model_def *def, double degrees);
-/* True if the lower body slides along its own unworn surface: a block, or a body turning in or
- * around a hole. */
+/* Returns true if the lower body slides along its own unworn surface, as a block does, or a body
+ * that turns in or around a hole. */
 int arc_model_slides_along(const arc_model_def *def);
 
-/* Width [mm] of the lower body along its surface: a stroke of this length wears it evenly. */
+/* Returns the width [mm] of the lower body along its surface. A stroke of this length wears it
+ * evenly. */
 double arc_model_width(const arc_model_def *def);
 
-/* Half width [mm] of the unworn contact under a load [N] by a closed form: Hertz, punches with
- * rounded edges, or Persson for a pin in a hole. For bodies of revolution: the radius of a round
- * contact, or half the width of a ring. */
+/* Returns the half width [mm] of the unworn contact under a load [N] by a closed form: Hertz,
+ * punches with rounded edges, or Persson for a pin in a hole. For bodies of revolution it is the
+ * radius of a round contact, or half the width of a ring. */
 double arc_model_half_width(const arc_model_def *def, double load);
 
 /* Closed-form Hertz contact of a cylinder on a half-space, or of a ball. */
 typedef struct arc_hertz {
-  double half_width;   /* [mm] a = sqrt(4 L R / (pi t E*)); of a ball cbrt(3 L R / (4 E*)) */
-  double p_max;        /* [MPa] p_H = 2 L / (pi a t); of a ball 3 L / (2 pi a^2) */
-  double E_star;       /* [MPa] the contact modulus, see arc_contact_modulus */
-  double approach;     /* [mm] of a ball a^2 / R; NaN for a cylinder, where it is unbounded */
-  double half_width_z; /* [mm] across the motion: of a ball the same, unless its radii differ; NaN
-                          of a cylinder */
+  double
+      half_width; /* [mm] half width a = sqrt(4 L R / (pi t E*)); for a ball cbrt(3 L R / (4 E*)) */
+  double p_max;   /* [MPa] largest pressure p_H = 2 L / (pi a t); for a ball 3 L / (2 pi a^2) */
+  double E_star;  /* [MPa] contact modulus, see arc_contact_modulus */
+  double approach; /* [mm] approach of a ball, a^2 / R; NaN for a cylinder, where it is unbounded */
+  double half_width_z; /* [mm] half width across the motion, which differs from a if the radii of a
+                          ball differ; NaN for a cylinder */
 } arc_hertz;
 
 #define ARC_HERTZ_SETTINGS(NUMBER, CHOICE)                                                         \
@@ -117,7 +121,7 @@ typedef struct arc_hertz {
 
 typedef struct arc_hertz_def {
   ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
-  arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
+  arc_material material[ARC_BODIES]; /* materials by arc_body; settings "cylinder" and "plate" */
 } arc_hertz_def;
 
 extern const arc_setting arc_hertz_settings[];
@@ -133,40 +137,40 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
 
-/* Hertz' contact of a model's pair by its relative radius; a ring counts as a straight line of its
- * length. */
+/* Computes Hertz' contact of a model's pair with its relative radius. A ring counts as a straight
+ * line of its length. */
 arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
-/* Opaque, reference counted, constant after arc_model_build; not for two threads at once (stress
- * fields share the workspace of the factor). */
+/* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use one
+ * at once, as stress fields share the workspace of the factor. */
 typedef struct arc_model arc_model;
 
-/* Meshes, assembles, factorises and condenses both bodies. "auto" sizes are set by
- * arc_model_fit_alone. Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (not positive
- * definite), ARC_MEMORY. On failure *model is NULL. */
+/* Meshes, assembles, factorises and condenses both bodies. arc_model_fit_alone sets "auto" sizes.
+ * Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY.
+ * On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
-/* Checks a definition for arc_model_build. ARC_ARGUMENT (field, expected, given), ARC_GEOMETRY. */
+/* Checks a definition for arc_model_build. ARC_ARGUMENT (field, expected, actual), ARC_GEOMETRY. */
 arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
-/* Like arc_model_build, with callbacks: it can be stopped (ARC_STOPPED) and reports its progress.
- */
+/* Builds a model like arc_model_build, with callbacks that report its progress and can stop it
+ * (ARC_STOPPED). */
 arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
                                           arc_model **model, arc_error *error);
 
-/* Like arc_model_build, from two given meshes by arc_body (arc_mesh_read_msh). Takes ownership of
- * them, also on failure, and sets them to NULL. def->radius is that of the pair, for estimates by
- * Hertz and the width of the plate; of def->mesh only `element` is used. A shape in def->body other
- * than the radii of a hole is ARC_ARGUMENT. Meshes without a wear box allow frozen geometry only
- * (else ARC_ARGUMENT in arc_shape_create). Triangles of such meshes are single in CPE4I. A named
- * material of a mesh is a layer of the body with this name; depths of layers are those in the mesh.
- */
+/* Builds a model like arc_model_build from two existing meshes by arc_body (arc_mesh_read_msh). The
+ * model owns them from now on, also on failure, and the pointers become NULL. def->radius is the
+ * radius of the pair, for estimates by Hertz and the width of the plate; of def->mesh only
+ * `element` is used. A shape in def->body, except for the radii of a hole, is ARC_ARGUMENT. Meshes
+ * without a wear box allow only frozen geometry (else ARC_ARGUMENT in arc_shape_create). Triangles
+ * of such meshes are single in CPE4I. A named material of a mesh is the layer of the body with this
+ * name, and depths of layers are those in the mesh. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
 /* Checks a definition and two meshes for arc_model_build_given. ARC_ARGUMENT. */
 arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                                  arc_error *error);
-/* True if it was built from meshes without a wear box. */
+/* Returns true if the model was built from meshes without a wear box. */
 int arc_model_is_given(const arc_model *model);
 
 arc_model *arc_model_retain(arc_model *model);
@@ -174,34 +178,36 @@ arc_model *arc_model_retain(arc_model *model);
 void arc_model_release(arc_model **model);
 
 const arc_model_def *arc_model_definition(const arc_model *model);
-/* The kind of its pair of bodies: "plane" for meshes in a plane or of revolution. */
+/* Returns the kind of the pair of bodies: "plane" for meshes in a plane or of revolution. */
 const char *arc_model_kind_name(const arc_model *model);
-/* True if surfaces are maps over x and z (3-D); each contact and run chooses their cells. */
+/* Returns true if surfaces are maps over x and z (3-D), where each contact and run chooses the
+ * cells. */
 int arc_model_has_maps(const arc_model_def *def);
-/* The mesh of a body, or NULL if this kind has no meshes. */
+/* Returns the mesh of a body, or NULL if this kind of pair has no meshes. */
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
-/* Bytes held by the model, for a garbage collector. */
+/* Returns the memory of the model in bytes, for a garbage collector. */
 size_t arc_model_bytes(const arc_model *model);
-/* Seconds arc_model_build took. */
+/* Returns the time that arc_model_build needed [s]. */
 double arc_model_seconds(const arc_model *model);
 
 /* Sets size, height and far of the mesh if they are "auto" (0), for the unworn contact under `load`
- * [N], limited by the bodies. */
+ * [N], within the limits of the bodies. */
 void arc_model_fit(arc_model_def *def, double load);
-/* The same for a contact with friction, whose slip zones are narrower than the contact: automatic
- * elements are a fifth as wide, 27 in the half width of an unworn cylinder, fewer where edges are
- * sharp or given zones wide (320 elements in all). */
+/* Sets sizes like arc_model_fit for a contact with friction, whose slip zones are narrower than the
+ * contact. Automatic elements are a fifth as wide, 27 in the half width of an unworn cylinder, but
+ * wider where edges are sharp or zones given by the user are wide (at most 320 elements in all). */
 void arc_model_fit_friction(arc_model_def *def, double load);
-/* Sets "auto" zones to the needed ones [mm], rounded up to ten elements, limited by the bodies. */
+/* Sets "auto" zones to the needed widths [mm], rounded up to ten elements, within the limits of the
+ * bodies. */
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
 
-/* Sets all "auto" values of a model built without a contact or run: for the paper's load, with
- * zones in proportion. */
+/* Sets all "auto" values of a model that is built without a contact or run: for the paper's load,
+ * with zones in proportion. */
 void arc_model_fit_alone(arc_model_def *def);
 
 /* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] about the axis of
- * the cylinder, at plate positions |x| <= reach [mm]; at least 50 and 60 elements of `size` [mm],
- * the default zones at the default size. */
+ * the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 and 60 elements of `size`
+ * [mm] wide, which are the default zones at the default size. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

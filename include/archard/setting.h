@@ -1,12 +1,12 @@
 /* archard/setting.h - descriptions of all settings.
  *
  * Each definition struct (arc_material, arc_mesh_def, arc_model_def, arc_contact_def, arc_wear_def)
- * has a list of rows; the members and an array of arc_setting are made from the same rows.
- * Defaults, checks, messages, readers of tables and files, help and manual use this array: a new
- * setting is one row.
+ * has a list of rows, from which its members and an array of arc_setting are made. Defaults,
+ * checks, messages, readers of tables and files, help and manual use this array, so a new setting
+ * is one row.
  *
- * The rows: unit "" for none, range such as ABOVE(0), `forms` from the list below, `text` for
- * users.
+ * In a row, unit is "" for a pure number, range is for example ABOVE(0), `forms` are from the list
+ * below, and `text` is for users.
  *
  *   NUMBER(name, unit, usual, range, forms, text)      double
  *   WHOLE(name, unit, usual, range, forms, text)       int
@@ -14,8 +14,7 @@
  *   QUANTITY(name, unit, usual, range, forms, text)    double, or what `forms` allow instead
  *   FUNCTION(name, type, pointer, forms, text)         a pointer to a function, or NULL
  *   TEXT(name, type, forms, text)                      char [ARC_TEXT_SIZE], "" for none
- *   OTHER(name, type, class, forms, text)              no member made by the row: objects
- */
+ *   OTHER(name, type, class, forms, text)              no member made by the row: objects */
 #ifndef ARCHARD_SETTING_H
 #define ARCHARD_SETTING_H
 
@@ -30,53 +29,53 @@ typedef enum arc_setting_kind {
   ARC_NUMBER,
   ARC_WHOLE,
   ARC_CHOICE,
-  ARC_TEXT,  /* a word */
-  ARC_GROUP, /* a struct with settings of its own */
-  ARC_OTHER  /* read by special code */
+  ARC_TEXT,  /* text of a word */
+  ARC_GROUP, /* a struct with its own list of settings */
+  ARC_OTHER  /* value that special code reads */
 } arc_setting_kind;
 
-/* Size of a text with its final zero. */
+/* Size of a text including its final zero. */
 enum { ARC_TEXT_SIZE = 32 };
 
-/* Other forms and properties of a setting. */
+/* Values that a setting accepts beside a number, and properties of a setting. */
 enum {
-  ARC_FUNCTION = 1,  /* a function of the state */
-  ARC_SERIES = 2,    /* a table over distance */
-  ARC_AUTOMATIC = 4, /* the word "auto"; 0 in the struct */
-  ARC_OPTIONAL = 8,  /* 0 in the struct: not given */
+  ARC_FUNCTION = 1,  /* accepts a function of the state */
+  ARC_SERIES = 2,    /* accepts a table over the distance */
+  ARC_AUTOMATIC = 4, /* accepts the word "auto", which is 0 in the struct */
+  ARC_OPTIONAL = 8,  /* need not be given; it is then 0 in the struct */
   ARC_FIXED = 16     /* cannot be changed in an existing object */
 };
 
 enum { ARC_LOW_OPEN = 1, ARC_HIGH_OPEN = 2 };
 
 typedef struct arc_setting {
-  const char *name; /* in tables of users; NULL ends a list */
-  const char *unit; /* "" for none */
+  const char *name; /* name in tables of users; NULL ends a list */
+  const char *unit; /* unit, "" for a pure number */
   const char *text; /* description for help */
-  const char *type; /* for ARC_OTHER and ARC_TEXT: description of the possible values; else NULL */
-  const char *class_name;     /* for ARC_OTHER and ARC_GROUP: class of the object; NULL: none */
+  const char *type; /* description of the possible values of ARC_OTHER and ARC_TEXT, else NULL */
+  const char *class_name;     /* class of the object for ARC_OTHER and ARC_GROUP; NULL: no class */
   const char *usual_text;     /* the default as written in the row */
-  const char *const *choices; /* names, NULL ends them */
+  const char *const *choices; /* names of the choices, ended by NULL */
   const struct arc_setting *group;
   arc_setting_kind kind;
   unsigned forms;
-  size_t offset;           /* of the member in the struct */
-  size_t function, series; /* offsets of the members for the other forms; 0: none */
+  size_t offset;           /* offset of the member in the struct */
+  size_t function, series; /* offsets of the members for the other forms; 0: no such form */
   double usual, low, high;
-  int open;     /* ARC_LOW_OPEN, ARC_HIGH_OPEN: ends that are excluded */
-  int multiple; /* whole numbers: multiples of this; 0: any */
+  int open;     /* ends that are excluded: ARC_LOW_OPEN, ARC_HIGH_OPEN */
+  int multiple; /* for whole numbers: allowed multiples; 0: all numbers */
 } arc_setting;
 
-/* A quantity by travelled distance: linear between points, constant outside; distance [mm]
- * increases. */
+/* A quantity as a table over the travelled distance: linear between points, constant beyond them.
+ * distance [mm] increases. */
 typedef struct arc_series {
-  int count; /* 0: none */
+  int count; /* number of points; 0: no table */
   const double *distance, *value;
 } arc_series;
 
 /* --- rows of lists ---------------------------------------------------------------------------- */
 
-/* Ranges; rows name them without ARC_RANGE_, as ABOVE(0). */
+/* Ranges. Rows name them without ARC_RANGE_, such as ABOVE(0). */
 #define ARC_RANGE_ANY                 .low = -HUGE_VAL, .high = HUGE_VAL
 #define ARC_RANGE_ABOVE(bound)        .low = (bound), .high = HUGE_VAL, .open = ARC_LOW_OPEN
 #define ARC_RANGE_FROM(bound)         .low = (bound), .high = HUGE_VAL
@@ -86,7 +85,7 @@ typedef struct arc_series {
 #define ARC_RANGE_ABOVE_TO(least, most) .low = (least), .high = (most), .open = ARC_LOW_OPEN
 #define ARC_RANGE_EVEN(least, most)     .low = (least), .high = (most), .multiple = 2
 
-/* Members of a struct, from the rows of its list. */
+/* Members of a struct, made from the rows of its list. */
 #define ARC_MEMBER_NUMBER(name, unit, usual, range, forms, text) double name;
 #define ARC_MEMBER_WHOLE(name, unit, usual, range, forms, text)  int name;
 #define ARC_MEMBER_CHOICE(name, type, usual, forms, text)        arc_##type name;
@@ -165,16 +164,16 @@ typedef struct arc_series {
    .kind = ARC_OTHER,                                                                              \
    .forms = forms_},
 
-/* Positions in the list: an enumerator AT_name for each row. */
+/* Enumerator AT_name of each row, its position in the list. */
 #define ARC_POSITION(name, ...) ARC_AT_##name,
 
-/* Choices: a list X(NAME, "name") as enumerators ARC_NAME, and as names. */
+/* Choices of a list X(NAME, "name"), as enumerators ARC_NAME and as names. */
 #define ARC_CHOICE_ENUM(name, ...)  ARC_##name,
-#define ARC_CHOICE_ONE(...)         +1 /* 0 LIST(ARC_CHOICE_ONE): how many there are */
+#define ARC_CHOICE_ONE(...)         +1 /* 0 LIST(ARC_CHOICE_ONE) is the number of choices */
 #define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
 #define ARC_CHOICE_FIRST(text, ...) text
 
-/* true or false in tables of users. */
+/* Choices false and true, for tables of users. */
 #define ARC_SWITCH_LIST(X)                                                                         \
   X(OFF, "false")                                                                                  \
   X(ON, "true")
@@ -191,33 +190,33 @@ void arc_settings_default(const arc_setting *list, void *def);
 arc_status arc_settings_check(const arc_setting *list, const char *prefix, const void *def,
                               arc_error *error);
 
-/* The same for one value of a setting. */
+/* Checks the range of one value of a setting. Errors as for arc_settings_check. */
 arc_status arc_setting_check_number(const arc_setting *setting, const char *prefix, double value,
                                     arc_error *error);
 
-/* The setting of that name in the list itself (groups are not entered), or NULL. */
+/* Returns the setting of that name in the list itself (groups are not searched), or NULL. */
 const arc_setting *arc_setting_find(const arc_setting *list, const char *name);
 
-/* Description of the possible values: "a number > 0 mm", "\"SP\" or \"NSP\"". Written to text
- * [size]. */
+/* Writes a description of the possible values to text [size], such as "a number > 0 mm" or "\"SP\"
+ * or \"NSP\"". */
 const char *arc_setting_expected(const arc_setting *setting, char *text, size_t size);
 
-/* The default as text, "200e3"; "" without a default. */
+/* Returns the default as text, such as "200e3"; "" without a default. */
 const char *arc_setting_usual(const arc_setting *setting);
 
-/* The member of a definition; for ARC_CHOICE it is an int. */
+/* Returns the member of a definition; for ARC_CHOICE it is an int. */
 void *arc_setting_member(const arc_setting *setting, void *def);
 const void *arc_setting_value(const arc_setting *setting, const void *def);
-/* The value as a number: the int of a whole number or choice, 0 for a text. */
+/* Returns the value as a number: the int of a whole number or choice, 0 for a text. */
 double arc_setting_number(const arc_setting *setting, const void *def);
-/* True if a function is set; if "auto" is set; the series (count 0: none). */
+/* Return true if a function is set, true if "auto" is set, and the table (count 0: none). */
 int arc_setting_has_function(const arc_setting *setting, const void *def);
 int arc_setting_is_auto(const arc_setting *setting, const void *def);
 arc_series arc_setting_series(const arc_setting *setting, const void *def);
 
-/* Calls `see` for every setting with a member, also in groups (`def` is then the struct of the
- * group); `path` is the name after those of its groups ("mesh.size"). A non-zero result of `see`
- * ends the loop and is returned. */
+/* Calls `see` for every setting with a member, also in groups, where `def` is the struct of the
+ * group. `path` is the name with the names of its groups, such as "mesh.size". A non-zero result of
+ * `see` ends the loop and is returned. */
 typedef int (*arc_setting_fn)(void *context, const char *path, const arc_setting *setting,
                               const void *def);
 int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,
