@@ -1,10 +1,11 @@
-/* archard/store.h - the run file, an SQLite database of cases, each with its settings and, after it
- * has run, its definition, history, profiles and state.
+/* archard/store.h - the run file, an SQLite database of cases. Each case has its settings and,
+ * after it has run, its definition, history, profiles and state.
  *
- * A file has an application id and a format number; a newer, foreign or damaged file is refused and
- * not changed. A file of an older format is converted when it is opened for writing; a reader
- * converts a temporary copy. Each change is one synchronous transaction: a killed program loses
- * only what it had not stored. Several processes may use one file; they wait for each other.
+ * A file has an application id and a format number. A file that is newer, foreign or damaged is
+ * refused and not changed. A file of an older format is converted when it is opened for writing; a
+ * reader converts a temporary copy. Each change is one synchronous transaction, so a killed program
+ * loses only data that it had not stored. Several processes may use one file; they wait for each
+ * other.
  *
  * Files are not trusted: all data is checked against the lists of settings and columns before use.
  * A finished case, or one with a run, has a checksum. Views and triggers are not executed, and
@@ -12,9 +13,8 @@
  * ARC_FORMAT, "PATH: the file is damaged: " with the reason. Labels and messages are filtered by
  * arc_show_text.
  *
- * The tables are described in archard-file(5). All doubles are restored to the same bits (a NaN as
- * a NaN).
- */
+ * archard-file(5) describes the tables. All doubles are restored to the same bits (a NaN as a
+ * NaN). */
 #ifndef ARCHARD_STORE_H
 #define ARCHARD_STORE_H
 
@@ -25,7 +25,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* user_version of the file, increased with every change of a table; see src/store/schema.c. */
+/* user_version of the file, which increases with every change of a table; see
+ * src/store/schema.c. */
 #define ARC_STORE_FORMAT 6
 
 typedef struct arc_store arc_store;
@@ -33,18 +34,18 @@ typedef struct arc_store arc_store;
 typedef enum arc_store_mode {
   ARC_STORE_READ,  /* the file must exist */
   ARC_STORE_WRITE, /* the file must exist and be writable */
-  ARC_STORE_CREATE /* a missing file is created, without cases */
+  ARC_STORE_CREATE /* a missing file is created without cases */
 } arc_store_mode;
 
-/* Opens a run file. Errors: ARC_IO (cannot be opened, created or written), ARC_FORMAT (foreign,
- * newer or damaged). On failure *store is NULL and the file is unchanged. */
+/* Opens a run file. Errors: ARC_IO (the file cannot be opened, created or written), ARC_FORMAT (it
+ * is foreign, newer or damaged). On failure *store is NULL and the file is unchanged. */
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **store,
                           arc_error *error);
 
-/* Creates a new file that arc_store_publish puts in place of `path`, a missing file or a run file
- * of the same kind (info "kind"); other files are refused. Closing the store before discards the
- * new file. Publishing a store not made by arc_store_replace is ARC_ARGUMENT, and it stays open;
- * otherwise *store becomes NULL. */
+/* Creates a new file, which arc_store_publish later renames to `path`. `path` must be a missing
+ * file or a run file of the same kind (info "kind"); other files are refused. Closing the store
+ * before it is published discards the new file. arc_store_publish of a store that arc_store_replace
+ * did not make is ARC_ARGUMENT, and the store stays open; otherwise *store becomes NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);
@@ -54,11 +55,11 @@ void arc_store_close(arc_store **store);
 
 const char *arc_store_path(const arc_store *store);
 
-/* Checks the structure of every page. ARC_FORMAT: damaged. */
+/* Checks the structure of every page. ARC_FORMAT: the file is damaged. */
 arc_status arc_store_check(arc_store *store, arc_error *error);
 
-/* Groups the following calls into one transaction until commit; rollback (after any failure) undoes
- * them. Otherwise every call is one transaction. */
+/* Group the following calls into one transaction until commit; rollback (after any failure) undoes
+ * them. Without a group every call is one transaction. */
 arc_status arc_store_begin(arc_store *store, arc_error *error);
 arc_status arc_store_commit(arc_store *store, arc_error *error);
 void arc_store_rollback(arc_store *store);
@@ -68,7 +69,7 @@ void arc_store_rollback(arc_store *store);
 /* Sets a note; text NULL removes it. */
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
                               arc_error *error);
-/* Reads a note; *text is released by free(), or NULL without such a note. */
+/* Reads a note; *text is released by free(), and NULL if there is no such note. */
 arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error);
 
 /* --- cases ------------------------------------------------------------------------------------ */
@@ -77,17 +78,17 @@ arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_e
 typedef struct arc_value {
   enum { ARC_VALUE_NUMBER, ARC_VALUE_TEXT, ARC_VALUE_FLAG, ARC_VALUE_ARRAY } kind;
   const char *name;
-  double number;       /* number, or flag: 0 or 1 */
-  const char *text;    /* text */
+  double number;       /* a number, or a flag 0 or 1 */
+  const char *text;    /* a text */
   const double *array; /* [count] numbers */
   size_t count;
 } arc_value;
 
-/* Use of the values of a case. */
+/* What the values of a case are. */
 typedef enum arc_value_use {
-  ARC_SETTINGS,   /* given by the user */
+  ARC_SETTINGS,   /* settings given by the user */
   ARC_DEFINITION, /* all settings of a run; written by arc_store_save */
-  ARC_RESULTS     /* of a task */
+  ARC_RESULTS     /* results of a task */
 } arc_value_use;
 
 #define ARC_CASE_STATUS_LIST(X)                                                                    \
@@ -105,73 +106,76 @@ typedef enum arc_case_status {
 extern const char *const arc_case_status_names[];
 
 typedef struct arc_case {
-  int id; /* from 1 */
+  int id; /* number of the case, from 1 */
   arc_case_status status;
   char label[200];
-  char message[512]; /* of a failed case */
-  double seconds;    /* [s] of a finished case; NaN before */
+  char message[512]; /* message of a failed case */
+  double seconds;    /* [s] computing time of a finished case; NaN before */
 } arc_case;
 
 /* Adds a waiting case. ARC_ARGUMENT: the id exists already. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
-/* All cases by id; *cases [*count] is released by free(). */
+/* Returns all cases by id; *cases [*count] is released by free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
-/* Sets the status of a case; `message` (NULL: none) and `seconds` as in arc_case. A case that is
- * done stays done, as another program may have finished it. ARC_ARGUMENT: no such case. */
+/* Sets the status of a case, with `message` (NULL: none) and `seconds` as in arc_case. A case that
+ * is done stays done, as another program may have finished it. ARC_ARGUMENT: there is no such
+ * case. */
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
                           double seconds, arc_error *error);
 
-/* Sets running cases of killed programs to waiting. */
+/* Sets the running cases of killed programs to waiting. */
 arc_status arc_store_release(arc_store *store, arc_error *error);
 
 /* Replaces the values of a case. */
 arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
                                 const arc_value *values, size_t count, arc_error *error);
 
-/* Calls `see` for each value of a case, by name; values are valid during the call. A non-zero
- * result of `see` ends the loop. */
+/* Calls `see` for each value of a case, in the order of names. Values are valid during the call. A
+ * non-zero result of `see` ends the loop. */
 typedef int (*arc_value_fn)(void *context, const arc_value *value);
 arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
                             void *context, arc_error *error);
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* Stores a run under an existing case and replaces its old data: definition, history, state, and
- * `count` arrays of surfaces (arc_wear_check_surfaces) with the present ones (arc_wear_surfaces);
- * the last array of a body and update is used. ARC_ARGUMENT: data that could not be read back.
- * Imported meshes are stored as Gmsh text. One transaction (its own, or the one begun). A setting
- * that is a function is only marked: it must be given again to continue. */
+/* Stores a run under an existing case and replaces the old data of the case: definition, history,
+ * state, and `count` arrays of surfaces (arc_wear_check_surfaces) with the present ones
+ * (arc_wear_surfaces). Of several arrays of a body and update the last one is used. Imported meshes
+ * are stored as Gmsh text. For a setting that is a function the file only notes that there was one;
+ * the function must be given again to continue. All is one transaction (its own, or the one begun
+ * before). ARC_ARGUMENT: data that could not be read back. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
-/* The definition of a stored run. */
+/* Definition of a stored run. */
 typedef struct arc_stored_run {
   arc_model_def model;
-  arc_wear_def def; /* with functions NULL */
+  arc_wear_def def; /* definition in which functions are NULL */
   arc_mesh
-      *given[ARC_BODIES]; /* imported meshes, else NULL; arc_model_build_given takes ownership */
+      *given[ARC_BODIES]; /* imported meshes, or NULL; arc_model_build_given becomes their owner */
   char functions[ARC_WEAR_SETTINGS_COUNT]; /* 1 if this setting was a function */
-  void *memory;                            /* owner of the arrays of `def` */
+  void *memory;                            /* memory of the arrays of `def` */
 } arc_stored_run;
 
 /* Reads and checks a definition without its functions. ARC_ARGUMENT: no run is stored for this
  * case. ARC_FORMAT: an unknown field or an invalid value. On failure nothing needs to be freed. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
-/* Builds the model, from the imported meshes if there are any (ownership passes to the model).
- * Errors of arc_model_build. */
+/* Builds the model, from the imported meshes if there are any; the model then owns them. Errors of
+ * arc_model_build. */
 arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
                                 arc_model **model, arc_error *error);
 
-/* Restores the run on a model of the stored definition and meshes; `def` is the stored one with its
- * functions set. It continues with the same bits. Errors: ARC_FORMAT (incomplete state) and those
- * of arc_wear_resume. */
+/* Restores the run on a model of the stored definition and meshes; `def` is the stored definition
+ * with its functions set. The run continues with the same bits. Errors: ARC_FORMAT (incomplete
+ * state) and those of arc_wear_resume. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
-/* Reads the stored history; *history [*count] is released by free(). Count 0: nothing stored. */
+/* Reads the stored history; *history [*count] is released by free(). Count 0: no history is
+ * stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
 
@@ -183,8 +187,8 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 /* --- shards ----------------------------------------------------------------------------------- */
 
 /* Copies the finished cases of the file `from` to `store`. Both must have the same cases with the
- * same settings. A case finished in both is kept. ARC_ARGUMENT: different results, or different
- * studies. */
+ * same settings. A case that is finished in both files is kept. ARC_ARGUMENT: the files have
+ * different results, or are different studies. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
 #pragma GCC visibility pop

@@ -13,7 +13,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Fig. 7: SP simulates the sliding plate; NSP does not (a plate that stays flat). */
+/* Procedures of Fig. 7: SP simulates the sliding plate; NSP does not, for a plate that stays
+ * flat. */
 #define ARC_PROCEDURE_LIST(X)                                                                      \
   X(AUTO, "auto")                                                                                  \
   X(SP, "SP")                                                                                      \
@@ -21,15 +22,17 @@ extern "C" {
 #define ARC_SCHEME_LIST(X)                                                                         \
   X(EXPLICIT, "explicit")                                                                          \
   X(IMPLICIT, "implicit")
-/* Sliding distance of an increment: rigid plate motion, or with the elastic part (CSLIP). */
+/* Sliding distance of an increment: rigid motion of the plate, or this motion with the elastic part
+ * (CSLIP). */
 #define ARC_SLIP_LIST(X)                                                                           \
   X(SLIP_RIGID, "rigid")                                                                           \
   X(SLIP_TOTAL, "total")
-/* Direction of sliding: x, in the plane, or z, across it, where each point keeps its partner. */
+/* Direction of sliding: x, in the plane, or z, across the plane, where each point keeps its
+ * partner. */
 #define ARC_SLIDE_LIST(X)                                                                          \
   X(SLIDE_X, "x")                                                                                  \
   X(SLIDE_Z, "z")
-/* Integration over increments: Eq. (4) or Eq. (5). */
+/* Integration over the increments: Eq. (5), trapezoid, or Eq. (4), simple. */
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
   X(SIMPLE, "simple")
@@ -38,7 +41,7 @@ extern "C" {
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
 /* Wear laws: X(name, "name", properties, text for users, factor, growth). A law is a factor on k at
- * a node under the pressure p [MPa]; growth is d ln(p factor) / d ln p, which implicit steps need;
+ * a node under the pressure p [MPa]. growth is d ln(p factor) / d ln p, which implicit steps need.
  * d is the arc_wear_def. No other code depends on the law. */
 #define ARC_LAW_LIST(X)                                                                            \
   X(LAW_ARCHARD, "archard", ARC_LAW_LINEAR, "1", 1, 1)                                             \
@@ -74,33 +77,35 @@ extern const char *const arc_slip_names[];
 extern const char *const arc_rule_names[];
 extern const char *const arc_update_names[];
 extern const char *const arc_law_names[];
-extern const unsigned arc_law_properties[]; /* by arc_law */
+extern const unsigned arc_law_properties[]; /* names by arc_law */
 
 typedef struct arc_wear_record arc_wear_record;
 
-/* Computes a quantity (setting `what`) from the state of the run. A status other than ARC_OK makes
- * the step fail. */
+/* Computes the quantity of setting `what` from the state of the run. A status other than ARC_OK
+ * makes the step fail. */
 typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
                                    const arc_wear_record *state, double *value);
 
-/* A factor on k at each of the n nodes of one body: x [mm] own (unworn) position, z [mm] across the
- * motion (3-D; NULL in the plane), p [MPa] at one increment, to factor [n]. A status other than
- * ARC_OK makes the step fail. */
+/* Computes a factor on k at each of n nodes of one body, factor [n], from their own (unworn)
+ * positions x [mm], their positions z [mm] across the motion (3-D; NULL in the plane), and their
+ * pressures p [MPa] at one increment. A status other than ARC_OK makes the step fail. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
                                    const double *z, const double *p, const arc_wear_record *state,
                                    double *factor);
 
-/* One block of loading: position of the plate and load at count >= 2 points of a cycle, both
- * strokes. At points with load 0 the bodies are apart and do not wear. */
+/* One block of loading: position of the plate and load at count >= 2 points of a cycle, which has
+ * both strokes. At points with load 0 the bodies are apart and do not wear. */
 typedef struct arc_loading {
   int count;
-  const double *x;          /* [count] [mm] */
-  const double *load;       /* [count] [N], >= 0 */
-  const double *tangential; /* [count] [N] force on the plate, with x = 0; NULL: x is given */
-  const double *rotation;   /* [count] [degrees] of the lower body in holes, x = 0; NULL: none */
-  const double *load_angle; /* [count] [degrees] in holes; NULL: that of the definition */
+  const double *x;          /* [count] position [mm] */
+  const double *load;       /* [count] load [N], >= 0 */
+  const double *tangential; /* [count] force on the plate [N], with x = 0; NULL: x is given */
+  const double *rotation;   /* [count] rotation of the lower body in holes [degrees], with x = 0;
+                               NULL: no rotation */
+  const double *load_angle; /* [count] direction of the load in holes [degrees]; NULL: that of the
+                               definition */
   double cycles; /* number of cycles > 0; INFINITY in the last block: to the end of the distance */
-  int periodic;  /* 0: run once (Eq. 4), with a step and an update at every increment */
+  int periodic;  /* 0: the block runs once (Eq. 4), with a step and an update at every increment */
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
@@ -256,24 +261,22 @@ typedef struct arc_loading {
       local_factor, "a function(body, x, p, state, z) or { vector = function }", arc_local_fn, 0,  \
       "Function for a factor on k at each node, for effects such as cross-shear. body is "         \
       "\"cylinder\" or \"plate\", x the position of the node on its body in mm, p its pressure "   \
-      "in "                                                                                        \
-      "MPa, and z its position across the motion in mm (with geometry = \"3-D\" only). The "       \
-      "factor "                                                                                    \
-      "must be 0 or above. The function is called at every increment for nodes with pressure, "    \
-      "as others do not wear.")
+      "in MPa, and z its position across the motion in mm (with geometry = \"3-D\" only). The "    \
+      "factor must be 0 or above. The function is called at every increment for nodes with "       \
+      "pressure, as others do not wear.")
 
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
                     ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
-  void *context;                      /* argument of every function above */
-  int blocks;                         /* 0: reciprocating by `stroke` under `load` */
-  const arc_loading *loading;         /* [blocks], in this order; copied by the run */
+  void *context;              /* argument of every function of the user */
+  int blocks;                 /* number of blocks; 0: reciprocating by `stroke` under `load` */
+  const arc_loading *loading; /* [blocks] in the order of time; copied by the run */
   double start_distance, start_cycle; /* start of the loading; set by arc_wear_set */
 } arc_wear_def;
 
 extern const arc_setting arc_wear_settings[];
 
-/* Index of each setting in the list: ARC_AT_k, ARC_AT_alpha, ... */
+/* Index of each setting in the list, such as ARC_AT_k. */
 enum {
   ARC_WEAR_SETTINGS(ARC_POSITION, ARC_POSITION, ARC_POSITION, ARC_POSITION, ARC_POSITION,
                     ARC_POSITION) ARC_WEAR_SETTINGS_COUNT
@@ -284,48 +287,52 @@ arc_wear_def arc_wear_default(void);
 /* Default tolerance of implicit runs without a jump. */
 #define ARC_USUAL_TOLERANCE 1e-3
 
-/* Sets the default steps: the implicit scheme in 3-D, jump = "auto" in the plane. */
+/* Sets the default steps: the implicit scheme in 3-D, jump = "auto" in 2-D. */
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies
  * [mm2/N]. */
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
-/* The same from the materials. Returns 0 and changes nothing if none has a wear coefficient. */
+/* Sets k and alpha likewise from the wear coefficients of the materials. Returns 0 and changes
+ * nothing if no material has one. */
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
 
-/* Position of the plate [mm] at point i of a loading. */
+/* Returns the position of the plate [mm] at point i of a loading. */
 double arc_loading_x(const arc_loading *loading, const arc_model_def *model, int i);
 
-/* Distance of a cycle of the plain stroke [mm]: r s of Eq. (21); under a tangential force the sum
- * of its changes / (E* thickness). */
+/* Returns the distance of a cycle [mm] without a loading: r s of Eq. (21), or under a tangential
+ * force the sum of its changes / (E* thickness). */
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model);
 
-/* Checks ranges and combinations of settings, for a run on `model`. ARC_ARGUMENT: the message has
- * the field, the expected and the given value. */
+/* Checks ranges and combinations of settings for a run on `model`. ARC_ARGUMENT: the message has
+ * the field, the expected and the actual value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 
-/* The longest accurate increment [mm] under `load` [N]: an eighth of the half width of the unworn
- * contact, the smallest of a run. */
+/* Returns the longest accurate increment [mm] under `load` [N]: an eighth of the half width of the
+ * unworn contact, which is the smallest half width of a run. */
 double arc_wear_reach(const arc_model_def *model, double load);
 
-/* Increments of a full cycle of the plain stroke, given or automatic. */
+/* Returns the number of increments in a full cycle without a loading, set by the user or
+ * automatic. */
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
-/* The stroke [mm]; half a revolution of a circular track. */
+/* Returns the stroke [mm]; half a revolution for a circular track. */
 double arc_wear_def_stroke(const arc_wear_def *def);
-/* Strokes of a cycle, r of Eq. (21): 2, or 1 if the stroke is the width of the plate. */
+/* Returns the number of strokes in a cycle, r of Eq. (21): 2, or 1 if the stroke is the width of
+ * the plate. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of history: the state after an update (row 0: before the first), in the reference
- * configuration (plate at x = 0, nominal load). Exceptions: p_peak is the maximum over the cycle of
- * the update, on the surfaces of the row and under the loads of the cycle (with updates at every
- * increment: over the increments solved; row 0: p_max), at least p_max without a loading; load,
- * load_low and travel are those of the cycle, or of the increment of a history that is run once
- * (row 0: of the first one). Columns missing in older files are NaN. X(name, unit, range, rule,
- * text): a value outside the closed range (archard/setting.h) makes the step fail with ARC_NUMERIC;
- * in a file it is damage. The rule: */
+/* One row of the history: the state after an update (row 0: before the first), in the reference
+ * configuration, which is the plate at x = 0 under the nominal load. load, load_low, travel and
+ * p_peak are values of the update's cycle; if a history runs once, of its increment (row 0: of the
+ * first one). p_peak is the largest pressure on the surfaces of the row under the loads of the
+ * cycle, without a loading at least p_max; with updates at every increment it is the largest over
+ * the increments solved, in row 0 p_max. Columns missing in older files are NaN.
+ *
+ * X(name, unit, range, rule, text): a value outside the closed range (archard/setting.h) makes the
+ * step fail with ARC_NUMERIC; in a file it is damage. The rule: */
 typedef enum arc_column_rule {
-  ARC_COLUMN_LATER,  /* NaN until the first number, and never again: missing in older files, or
-                        undefined at first */
+  ARC_COLUMN_LATER,  /* missing in older files, or undefined at first: NaN until the first number,
+                        and never again */
   ARC_COLUMN_ALWAYS, /* in all files */
   ARC_COLUMN_GROWS   /* in all files, and never decreases */
 } arc_column_rule;
@@ -368,7 +375,7 @@ struct arc_wear_record {
 #undef ARC_WEAR_MEMBER
 };
 
-/* Index of each column in this order, then of the total volume. */
+/* Index of each column in this order, then the index of the total volume. */
 enum {
 #define ARC_WEAR_COLUMN(name, unit, range, rule, text) ARC_WEAR_COLUMN_##name,
   ARC_WEAR_COLUMNS(ARC_WEAR_COLUMN)
@@ -377,111 +384,120 @@ enum {
   ARC_WEAR_TOTAL_VOLUME = ARC_WEAR_COLUMN_COUNT
 };
 
-/* The value of a column, or the total volume; the name of a column, "p_center". */
+/* Return the value of a column or the total volume, and the name of a column, such as
+ * "p_center". */
 double arc_wear_record_get(const arc_wear_record *record, int column);
 const char *arc_wear_column_name(int column);
 
 /* A wear run. Opaque; keeps its model alive. */
 typedef struct arc_wear arc_wear;
 
-/* Creates a run on unworn surfaces, or on `start` (copied; of the same model) if not NULL. Errors:
- * ARC_ARGUMENT (field, expected, given); ARC_ZONE (a zone of the model is too narrow for the
- * stroke; the message has the width needed). */
+/* Creates a run on unworn surfaces or, unless `start` is NULL, on a copy of this shape of the same
+ * model. Errors: ARC_ARGUMENT (field, expected, actual); ARC_ZONE (a zone of the model is too
+ * narrow for the stroke; the message has the width needed). */
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                            arc_wear **wear, arc_error *error);
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
-/* Checks rows against the columns' ranges and rules. ARC_ARGUMENT: names the row and the column. */
+/* Checks rows against the ranges and rules of the columns. ARC_ARGUMENT: the message has the row
+ * and the column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
-/* Restores the run after the last of `count` >= 1 records on `shape` (copied). It continues with
- * the same bits as the stored run would have. Errors as arc_wear_create. */
+/* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run continues
+ * with the same bits as the stored one would have. Errors as for arc_wear_create. */
 arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
-/* The arrays that, with the history, restore the run; *state [*count] is one block, released by
- * free(). Error: ARC_MEMORY. */
+/* Returns the arrays that restore the run together with its history; *state [*count] is one block,
+ * released by free(). ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
-/* Like arc_wear_restore, from these arrays; they are checked. Errors also of arc_shape_restore. */
+/* Restores a run like arc_wear_restore from these arrays, which are checked. Also errors of
+ * arc_shape_restore. */
 arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_array *state,
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
 
-/* Computes the zones [mm] that a model needs for this run (arc_mesh_def.zone): for the whole run,
- * or, if element sizes follow the contact (mesh.fineness), for a scar of six unworn half widths, as
- * such meshes grow. */
+/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. They are wide enough
+ * for the whole run or, if element sizes follow the contact (mesh.fineness), for a scar of six
+ * unworn half widths, as such meshes grow. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
-/* Makes one geometry update of `jump` cycles, or fewer at the end of the distance. At the end of
- * the distance: ARC_OK, without an update. On failure the run is unchanged; ARC_STOPPED if a
- * callback requested it. The progress callback is not called. Warnings: a mesh too coarse for the
- * contact, before the first step of a definition; an explicit jump beyond the limit of
- * arc_wear_stability, once. */
+/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance; after
+ * the end it returns ARC_OK without an update. On failure the run is unchanged; ARC_STOPPED if a
+ * callback requested it. The progress callback is not called. Warnings: before the first step of a
+ * definition, a mesh too coarse for the contact; once, an explicit jump beyond the limit of
+ * arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
-/* Steps until `distance` [mm] in total, reached exactly by a shorter last step. A distance beyond
- * that of the definition replaces it. */
+/* Makes steps until the total `distance` [mm], which a shorter last step reaches exactly. A
+ * distance beyond that of the definition replaces the latter. */
 arc_status arc_wear_run(arc_wear *wear, double distance, const arc_callbacks *callbacks,
                         arc_error *error);
 
-/* A value of a column at which a run ends, exactly, by a shorter last step. */
+/* A value of a column at which a run ends. A shorter last step reaches it exactly. */
 typedef struct arc_wear_target {
-  int column; /* ARC_WEAR_COLUMN_..., or ARC_WEAR_TOTAL_VOLUME */
+  int column; /* an index ARC_WEAR_COLUMN_..., or ARC_WEAR_TOTAL_VOLUME */
   double value;
 } arc_wear_target;
 
-/* Like arc_wear_run, but ends at the first of `count` targets (to 1e-9 relative); *reached is its
- * index, or -1. A column that jumps past its target within a step does not end the run. */
+/* Makes steps like arc_wear_run, but ends at the first of `count` targets (to 1e-9 relative).
+ * *reached is the index of this target, or -1. A column that jumps past its target within a step
+ * does not end the run. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);
 
-/* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); shape and
- * history are kept. The loading starts here, or continues if it is the array of
- * arc_wear_definition. The run gets new meshes, reported to the callbacks, if `mesh` is not NULL
- * ("auto" sizes are those of an unworn contact, zones those needed; rows 0: a wear box of the same
- * depth), or if the motion does not fit on the present ones. On failure nothing changes;
- * ARC_STOPPED if a callback requested it. */
+/* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape and
+ * history are kept. The loading starts anew, or continues if it is the array of
+ * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion does not fit
+ * on the present ones, and reports them to the callbacks. In `mesh`, "auto" sizes become those of
+ * an unworn contact, "auto" zones the needed ones, and rows 0 keeps the depth of the wear box. On
+ * failure nothing changes; ARC_STOPPED if a callback requested it. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
                         const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
-arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
-/* Wear coefficient [mm2/N] of the exposed layer at the body's deepest point, in the last update. */
+arc_procedure arc_wear_procedure(const arc_wear *wear); /* procedure in use, never ARC_AUTO */
+/* Returns the wear coefficient [mm2/N] of the exposed layer at the body's deepest point, in the
+ * last update. */
 double arc_wear_open_k(const arc_wear *wear, arc_body body);
-double arc_wear_strokes(const arc_wear *wear); /* r of Eq. (21): 2 or 1 */
-double arc_wear_cycles(const arc_wear *wear);  /* N of Eq. (21), for the whole distance */
-double arc_wear_travel(const arc_wear *wear);  /* stroke [mm] of the present block */
+double
+arc_wear_strokes(const arc_wear *wear); /* number of strokes per cycle, r of Eq. (21): 2 or 1 */
+double
+arc_wear_cycles(const arc_wear *wear); /* number of cycles N of Eq. (21), for the whole distance */
+double arc_wear_travel(const arc_wear *wear); /* stroke [mm] of the present block */
 const arc_shape *arc_wear_shape(const arc_wear *wear);
 arc_model *arc_wear_model(const arc_wear *wear);
 const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);
 const arc_wear_record *arc_wear_last(const arc_wear *wear);
 size_t arc_wear_bytes(const arc_wear *wear);
 
-/* Solves the contact in the reference configuration on the present shape, as a new object. */
+/* Solves the contact of the present shape in the reference configuration, and returns it as a new
+ * object. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
-/* Names of the arrays that describe a surface after an update, [nodes, 1] each: the unworn position
- * x [mm], the wear depth h [mm], the present height y [mm], and the pressure p [MPa] in the
- * reference configuration. The last is NULL. */
+/* Names of the arrays that describe a surface after an update, [nodes, 1] each, ended by NULL: the
+ * unworn position x [mm], the wear depth h [mm], the present height y [mm], and the pressure p
+ * [MPa] in the reference configuration. */
 extern const char *const arc_surface_names[];
 
-/* The present surfaces, cylinder before plate, in the order of the names; *surfaces [*count] is one
- * block, released by free(). Errors of arc_wear_contact. */
+/* Returns the present surfaces, cylinder before plate, with arrays in the order of the names;
+ * *surfaces [*count] is one block, released by free(). Errors of arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
 
 /* Checks arrays as surfaces of a run: all names for each body and update in sequence, equal numbers
- * of finite values, x increasing, pressures >= 0. ARC_ARGUMENT: names the first violation. */
+ * of finite values, x increasing, pressures >= 0. ARC_ARGUMENT: the message has the first
+ * violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
-/* The fretting loop of the steady cycle that an update begins with. */
+/* The fretting loop of the periodic cycle at the beginning of an update. */
 typedef struct arc_loop {
   size_t count;
-  double energy;            /* [N mm] dissipated in both strokes */
+  double energy;            /* [N mm] energy dissipated in both strokes */
   double stick_width;       /* [mm] width that never slips */
   int gross;                /* 1 if the whole contact slips at some time, else 0 */
   const double *x;          /* [count] position of the plate's base [mm] */
@@ -489,18 +505,19 @@ typedef struct arc_loop {
 } arc_loop;
 
 /* Computes the loop on the present surfaces; *loop is one block, released by free(). Errors:
- * ARC_ARGUMENT (no friction), those of a step; ARC_STOPPED at the request of a callback. */
+ * ARC_ARGUMENT (no friction), those of a step, ARC_STOPPED if a callback requested it. */
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 
-/* Growth rate of ripples: largest eigenvalue of the wear of one cycle per unit of depth, linearised
- * about the present state [1/cycle], by power iteration. Explicit updates are stable while jump *
- * eigenvalue < 2. ARC_STOPPED if a callback (NULL: none) requested it. */
+/* Computes the growth rate of ripples [1/cycle]: the largest eigenvalue of the wear of one cycle
+ * per unit of depth, linearised at the present state, by power iteration. Explicit updates are
+ * stable while jump * eigenvalue < 2. ARC_STOPPED if a callback (NULL: none) requested it. */
 arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, double *eigenvalue,
                               arc_error *error);
 
-/* Roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over the middle of the
- * contact, as a share of the largest depth; smooth profiles stay under 1e-4 at the default mesh. */
+/* Returns the roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over the middle
+ * of the contact divided by the largest depth. Smooth profiles have less than 1e-4 on the default
+ * mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
 /* Checks the run, for tests and builds with checks: finite numbers, a history that grows, the
