@@ -1,9 +1,9 @@
 /* archard/contact.h - worn shapes, and contact solutions on them.
  *
- * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load hold exactly, where f are the
- * components of the nodal forces along the load. The surfaces are coupled by mortar elements in x
- * with a dual basis on the cylinder's side, so that the nodal forces f of the cylinder and B'f of
- * the plate balance identically, along x too. Pressures act along the normals of the worn surface.
+ * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load exactly, where f are the components of
+ * the nodal forces along the load. The surfaces are coupled by mortar elements in x with a dual
+ * basis on the cylinder's side, so that the nodal forces f of the cylinder and B'f of the plate
+ * balance identically, along x too. Pressures act along the normals of the worn surface.
  *
  * With Coulomb friction the solution depends on the previous one, over increments of load and
  * motion: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. q is the shear traction on the
