@@ -47,7 +47,7 @@ local function contact_parts(contact)
   local first, moves = calls[1], {}
   local worn = first.given.worn
   if first.update and (tostring(worn):find "%(closed%)$" or worn.update ~= first.update) then
-    return nil, ("on the surfaces of a run at update %d, where it no longer is"):format(first.update)
+    return nil, ("on the surfaces of a run at update %d, and the run is now at another update"):format(first.update)
   end
   for _, shape in pairs(type(worn) == "table" and not result_class(worn) and worn or {}) do
     if type(shape) == "function" then return nil, "on surfaces given by functions" end

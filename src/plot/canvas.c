@@ -48,8 +48,8 @@ static const kind *find_kind(const char *ending, const char *terminal, const arc
 static arc_status no_terminal(const arc_plot_output *output, const char *ending, arc_error *error) {
   if (output->medium == ARC_PLOT_WINDOW)
     return arc_fail(error, ARC_MISSING,
-                    "this gnuplot opens no %.40s window. On Debian: apt-get install gnuplot-qt (or "
-                    "gnuplot-x11)",
+                    "this gnuplot cannot open a window of type %.40s. On Debian: apt-get install "
+                    "gnuplot-qt (or gnuplot-x11)",
                     output->terminal ? output->terminal : "qt, wxt or x11");
   return arc_fail(error, ARC_MISSING,
                   "this gnuplot cannot draw %s. On Debian: apt-get install gnuplot-nox", ending);

@@ -242,7 +242,7 @@ static int is_path(const char *name) {
 static arc_status read_value(arc_store *store, query *q, int id, arc_value *value, buffers *to,
                              arc_error *error) {
   if (arc_query_kind(q, 0) != COLUMN_TEXT || !is_path(arc_query_text(q, 0)))
-    return arc_store_damaged(store, error, id, "has a value of the name '%s', which is none",
+    return arc_store_damaged(store, error, id, "has a value with the unknown name '%s'",
                              arc_query_text(q, 0));
   *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = arc_query_text(q, 0)};
   switch (arc_query_kind(q, 1)) {

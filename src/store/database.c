@@ -61,7 +61,7 @@ static int system_error(const database *db, int code) {
 static const char *read_only(int code) {
   switch (code) {
   case SQLITE_READONLY_ROLLBACK:
-    return "a killed program left it in mid-change, and it cannot be put right without write "
+    return "a killed program left an unfinished change, which cannot be undone without write "
            "permission";
   case SQLITE_READONLY_DBMOVED:
     return "the file was moved or removed while it was open";
@@ -71,8 +71,8 @@ static const char *read_only(int code) {
 }
 
 static const char lock_remedy[] =
-    ": the disk has no locks, and the name of the file with .lock behind it says so; if no program "
-    "on any machine uses it, remove that";
+    ": the disk has no locks, so a file with .lock after the name marks it as in use; if no "
+    "program on any machine uses it, remove that file";
 
 static arc_status fail(const database *db, int code, arc_error *error) {
   const char *why = db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code);
@@ -91,7 +91,7 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     why = "the file is damaged";
     break;
   case SQLITE_PERM:
-    why = "the file is damaged: the journal or log beside it is none of archard's";
+    why = "the file is damaged: the journal or log beside it was not written by archard";
     break;
   case SQLITE_ERROR:
   case SQLITE_AUTH:
@@ -104,7 +104,7 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     why = "the file is damaged: its size does not explain the work to read it";
     break;
   case SQLITE_CONSTRAINT:
-    why = "it takes no value twice, and none of a case that is not there";
+    why = "a value occurs twice, or belongs to a case that is missing";
     break;
   case SQLITE_BUSY:
     why = "another program keeps the file locked";

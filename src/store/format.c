@@ -3,7 +3,9 @@
 
 arc_status arc_schema_check(const char *path, long long format, arc_error *error) {
   if (format >= 1 && format <= ARC_STORE_FORMAT) return ARC_OK;
-  return arc_fail(error, ARC_FORMAT, "%s: format %lld is %s this program, which knows up to %d",
+  return arc_fail(error, ARC_FORMAT,
+                  "%s: format %lld is %s this program, which reads formats up "
+                  "to %d",
                   path, format, format < 1 ? "none of" : "newer than", ARC_STORE_FORMAT);
 }
 

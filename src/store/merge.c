@@ -37,10 +37,10 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
       "SELECT id FROM (SELECT id, label FROM main.cases EXCEPT SELECT id, label FROM other.cases "
       "UNION ALL SELECT id, label FROM (SELECT id, label FROM other.cases EXCEPT SELECT id, label "
       "FROM main.cases)) ORDER BY id LIMIT 1",
-      from, "is not the same in both: they hold different studies", error);
+      from, "differs between the files, which are of different studies", error);
   if (status != ARC_OK) return status;
   return expect_none(store, DIFFERS("settings", VALUES, ""), from,
-                     "has other settings: they hold different studies", error);
+                     "has different settings in the files, which are of different studies", error);
 }
 
 #define IN_BOTH                                                                                    \
@@ -86,7 +86,7 @@ static arc_status copy_finished(arc_store *store, const char *from, arc_error *e
     status = arc_store_script(store, steps[i], error);
   if (status != ARC_ARGUMENT) return status;
   return arc_fail(error, ARC_FORMAT,
-                  "%s: the file is damaged: it has a row of a case twice, or one that no case has",
+                  "%s: the file is damaged: it has a row of a case twice, or a row without a case",
                   from);
 }
 

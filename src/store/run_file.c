@@ -91,8 +91,8 @@ const char *arc_store_path(const arc_store *store) {
 static arc_status check_left(const arc_store *store, arc_error *error) {
   if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "%s: not made: a journal is left beside it, %s-journal, of a file that is gone; "
-                  "remove it",
+                  "%s: not created: beside it is %s-journal, the journal of a file that no longer "
+                  "exists; remove it",
                   store->path, store->path);
 }
 
@@ -199,7 +199,8 @@ arc_status arc_store_replace(const char *path, const char *kind, arc_store **res
 
 arc_status arc_store_publish(arc_store **store, arc_error *error) {
   if (!(*store)->temporary)
-    return arc_fail(error, ARC_ARGUMENT, "%s: this store replaces no file", (*store)->path);
+    return arc_fail(error, ARC_ARGUMENT, "%s: this store was not made to replace a file",
+                    (*store)->path);
   arc_database_close(&(*store)->db);
   arc_status status = arc_atomic_file_publish(&(*store)->temporary, error);
   arc_store_close(store);

@@ -118,7 +118,7 @@ static arc_status read_record(arc_store *store, int id, query *q, arc_wear_recor
   if (!grown) return out_of_memory(store, error);
   *history = grown;
   if (arc_query_whole(q, 0) != (long long)*count || !read_numbers(q, 1, number, COLUMNS))
-    return arc_store_damaged(store, error, id, "has no sound row %zu in its history", *count);
+    return arc_store_damaged(store, error, id, "has no valid row %zu in its history", *count);
   int column = 0;
 #define READ(name, unit, range, rule, text) grown[*count].name = number[column++];
   ARC_WEAR_COLUMNS(READ)
@@ -205,7 +205,7 @@ static arc_status read_array(arc_store *store, int id, query *q, array_list *lis
   if (!grown) return out_of_memory(store, error);
   list->array = grown;
   if (!read_head(q, &array))
-    return arc_store_damaged(store, error, id, "has an array '%s' of the %s that is none",
+    return arc_store_damaged(store, error, id, "has an invalid array '%s' of the %s",
                              arc_query_text(q, 4), arc_query_text(q, 3));
   const size_t bytes = arc_array_count(&array) * sizeof *array.values;
   double *block = malloc(bytes + strlen(arc_query_text(q, 4)) + 1);

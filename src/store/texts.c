@@ -46,7 +46,7 @@ static int is_sound(query *q, int column, const char *name) {
 
 static arc_status damaged(const arc_store *store, const char *name, arc_error *error) {
   return arc_fail(error, ARC_FORMAT,
-                  "%s: the file is damaged: it lacks a text, or has another one as '%.40s'",
+                  "%s: the file is damaged: the text '%.40s' is missing or has changed",
                   store->path, name);
 }
 

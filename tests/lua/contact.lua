@@ -106,7 +106,7 @@ fails(function() contact{ worn = { plate = { x = { 0, 0 }, h = { 0, 0 } } } } en
 fails(function() contact{ worn = { plate = { x = { 0, 1 }, h = { 0, 0 / 0 } } } } end,
   "field 'worn.plate.h[2]': expected a finite number", "NaN")
 fails(function() wear{ geometry = "frozen", worn = { plate = { x = { -9, 9 }, h = { 0, 1e40 } } } } end,
-  "wear: the plate's wear at x = -0.58 mm is 1.11111e+37 mm, the most is 1e+06 mm", "gaps that would hide the pressures")
+  "wear: the plate's wear at x = -0.58 mm is 1.11111e+37 mm, at most 1e+06 mm are allowed", "gaps that would hide the pressures")
 fails(function() contact{ worn = { plate = { x = { 0, 1 }, h = { 0, -1 } } } } end,
   "field 'worn.plate.h[2]': expected a depth >= 0", "height for a depth")
 local err = fails(function() contact{ worn = { plate = function(at) return at.y end } } end,

@@ -109,7 +109,7 @@ export.msh(hole, at("bush"))
 local outer = model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.lower }
 near(contact{ model = outer, load = 100 }.p_center, contact{ model = hole, load = 100 }.p_center, 1e-9, "a pin in a bush")
 fails(function() model{ mesh = at("bush.msh"), upper = body.disc{ radius = 8 }, lower = bush.lower } end,
-  "within 5 % of the radius 8 mm that 'upper' says", "another radius")
+  "within 5 % of the radius 8 mm of 'upper'", "another radius")
 fails(function() model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.lower, geometry = "axisymmetric" } end,
   "for a hole", "a hole that turns about a vertical axis")
 

@@ -85,7 +85,7 @@ light:set{ load = 2 }
 is(light.model.mesh.size, 0.02, "a lighter load keeps the mesh")
 light:set{ mesh = { fineness = 2 }, load = 50 }
 ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements for fineness")
-ok((warnings.take() or ""):find("the meshes are those asked for", 1, true), "a given mesh is reported")
+ok((warnings.take() or ""):find("the requested meshes follow", 1, true), "a given mesh is reported")
 ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
 is(light.volume.total, volume, "the record stays")
 light:step()
@@ -115,14 +115,14 @@ ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68
 -- A model sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }
-ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "the message states a remedy")
+ok((warnings.take() or ""):find("chosen for another load: give the model's fields", 1, true), "the message states a remedy")
 
 -- If no larger mesh is possible, the run is unchanged.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
   alpha = 1, k = 4e-6, jump = "auto" }
 local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
-tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the most that fit; use smaller steps",
+tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the largest number that fits; use smaller steps",
   "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" }, "no room: the limits are named, no deeper box is advised")
 ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "again")
@@ -168,7 +168,7 @@ os.remove(path)
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
-tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "the error shows the last steps")
+tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: the run would not end", "use longer steps" }, "the error shows the last steps")
 
 -- Uniform wear over the whole plate changes the contact only where layers become thinner; automatic steps take this
 -- into account.

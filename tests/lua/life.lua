@@ -167,7 +167,7 @@ local files = os.tmpname()
 os.remove(files)
 run_of{}:save(files)
 local store <close> = require "archard.store".open(files)
-fails(function() store:publish() end, "replaces no file", "a store that replaces nothing")
+fails(function() store:publish() end, "was not made to replace a file", "a store that replaces nothing")
 is(#store:cases(), 1, "stays open")
 os.remove(files)
 fails(function() run_of{ slide = "x", loading = { x = { 0, 1e300, 0 } } } end, "expected a path of at most 100000 increments",

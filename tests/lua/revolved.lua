@@ -53,7 +53,7 @@ fails(function() pin{ alpha = 0.5, track = "none", distance = 10, cycles = "none
   "field 'alpha': expected 1, as a disc that passes under a pin wears along its track", "a disc worn in a spot")
 fails(function() pin{ friction = 0.1 } end, "field 'friction': expected 0", "friction of a run")
 fails(function() pin{ track = 0.1 } end, "field 'track': expected more than the contact's radius, about 0.15055", "a track inside the contact")
-fails(function() pin{ spin = 1 } end, "field 'track': expected none beside spin", "track and spin")
+fails(function() pin{ spin = 1 } end, "field 'track': expected none together with spin", "track and spin")
 fails(function() pin{ procedure = "SP" } end, [[field 'procedure': expected "NSP" with track]], "a disc that would not stay flat")
 fails(function() pin{ model = ball{ axis = 40 } } end, "field 'track': expected model.axis = 0", "a ring on a track")
 fails(function() wear{ track = 3 } end, "field 'track': expected an axisymmetric model", "a track of plane bodies")

@@ -200,7 +200,7 @@ fails(function() body.cup{ clearance = 0.1 } end, "joint{", "a cup is a part of 
 local warnings = require "archard.warnings"
 warnings.keep()
 contact{ model = { geometry = "3-D", upper = body.ball{ radius = 0.5 }, lower = body.block{} }, load = 500 }
-ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces hold up to 0.2", 1, true), "a contact beyond half-spaces")
+ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces are accurate up to 0.2", 1, true), "a contact beyond half-spaces")
 
 -- --- thin coats, coarse cells -------------------------------------------------------------------------
 local coat = body.block{ layers = { { thickness = 0.001, E = 400e3 } } }

@@ -108,7 +108,7 @@ fails(function() contact{ model = m } end, "expected a model with meshes", "cont
 fails(function() return m.mesh.plate end, "has no meshes", "meshes")
 fails(function() w:contact() end, "have no contact objects", "the contact of a run")
 fails(function() export.vtk(m, "x.vtk") end, "expected a model with meshes", "files of meshes")
-fails(function() hertz{ geometry = "springs" } end, "Hertz' formulas do not hold", "Hertz' formulas")
-fails(function() model{ geometry = "springs", lower = body.block{ layers = { { thickness = 0.1, material = material{} } } } } end, "springs lie under a ball and a flat", "other bodies")
+fails(function() hertz{ geometry = "springs" } end, "Hertz' formulas are not valid for springs", "Hertz' formulas")
+fails(function() model{ geometry = "springs", lower = body.block{ layers = { { thickness = 0.1, material = material{} } } } } end, "springs are only for a ball and a flat", "other bodies")
 fails(function() w:set{ mesh = { size = 0.1 } } end, "", "other sites")
 

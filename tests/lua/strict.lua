@@ -75,7 +75,7 @@ for _, each in ipairs{
   { function() plot.presure(w) end, "plot: no field 'presure'; did you mean 'pressure'?" },
   { function() export.cvs(w, "w.csv") end, "export: no field 'cvs'; did you mean 'csv'?" },
   { function() study.papr() end, "study: no field 'papr'; did you mean 'paper'?" },
-  { function() help(wear.run) end, "wear: no field 'run' (known: open); for methods of what wear{} makes: help \"wear.run\"" },
+  { function() help(wear.run) end, "wear: no field 'run' (known: open); for methods of the objects that wear{} makes: help \"wear.run\"" },
   { function() wear.opn "x" end, "wear: no field 'opn'; did you mean 'open'?" },
   { function() return require "archard".hertzz end, "did you mean 'hertz'?" },
 } do

@@ -43,7 +43,7 @@ holds(s:table(), "\\x1b[2J", "texts are shown without control characters")
 for what, name in pairs{ ["an empty name"] = "", ["a name of a point"] = ".", ["a name that ends with one"] = "alpha.",
   ["an empty part"] = "model..radius", ["codes"] = "alpha\27]0;x\7", ["an end of line"] = "alpha\nk",
   ["letters of no terminal"] = "alph\xe4" } do
-  damaged({ cases = { two[1], { [name] = 1 } } }, { "case 2 has a value of the name" }, what)
+  damaged({ cases = { two[1], { [name] = 1 } } }, { "case 2 has a value with the unknown name" }, what)
 end
 damaged({ cases = { { alpha = 1, ["alpha.x"] = 2 } } }, { "case 1 has the settings 'alpha' and 'alpha.x'" }, "a value in a value")
 damaged({ cases = { { alpha = math.huge } } }, { "'alpha' is not a finite number" }, "an infinite number")

@@ -225,7 +225,7 @@ static void test_moving_refused(void **state) {
   arc_model *model = read_model(&def, path_of("good-41"));
   arc_shape *shape;
   check_refused(arc_shape_create(model, ARC_MOVING, 0, &shape, why), ARC_ARGUMENT,
-                "field 'geometry': expected \"frozen\" on a mesh from outside, got \"moving\"");
+                "field 'geometry': expected \"frozen\" on an imported mesh, got \"moving\"");
   check_ok(arc_shape_create(model, ARC_FROZEN, 0, &shape, why));
   arc_shape_destroy(&shape);
   arc_model_release(&model);

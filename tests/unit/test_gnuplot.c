@@ -209,7 +209,7 @@ static void test_terminals(void **state) {
   arc_error error;
   char *picture;
   assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, &error), ARC_MISSING);
-  assert_non_null(strstr(error.message, "opens no windows window"));
+  assert_non_null(strstr(error.message, "cannot open a window of type windows"));
 }
 
 /* --- main ------------------------------------------------------------------------------------- */

@@ -197,7 +197,7 @@ static void test_waves(void **state) {
     check_near(s.extent.area / 0.01, contact[k], 1e-3);
     const arc_halfspace_position aside = {.x = 0.01, .load = 1};
     check_refused(arc_halfspace_solve(s.h, NULL, &aside, NULL, s.p, &s.approach, NULL, why),
-                  ARC_ARGUMENT, "repeat");
+                  ARC_ARGUMENT, "periodic");
     free_solved(&s);
   }
 }

@@ -175,7 +175,7 @@ static void test_newer_meanwhile(void **state) {
   run_sql("meanwhile", "PRAGMA user_version = 99");
   assert_int_equal(arc_store_begin(store, &error), ARC_FORMAT);
   assert_non_null(strstr(error.message, "format 99 is newer"));
-  snprintf(known, sizeof known, "knows up to %d", ARC_STORE_FORMAT);
+  snprintf(known, sizeof known, "reads formats up to %d", ARC_STORE_FORMAT);
   assert_non_null(strstr(error.message, known));
   snprintf(today, sizeof today, "PRAGMA user_version = %d", ARC_STORE_FORMAT);
   run_sql("meanwhile", today);

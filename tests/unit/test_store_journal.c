@@ -118,7 +118,7 @@ static void assert_none_of_ours(const char *name) {
     arc_store_close(&store);
     assert_there("victim");
   }
-  assert_damaged(name, "the journal or log beside it is none of archard's");
+  assert_damaged(name, "the journal or log beside it was not written by archard");
   arc_error error = {0};
   arc_store *store = NULL;
   assert_int_equal(arc_store_replace(in_folder(name), "wear", &store, &error), ARC_FORMAT);

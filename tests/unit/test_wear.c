@@ -289,7 +289,7 @@ static void test_leaps(void **state) {
     warnings = 0;
     check_ok(arc_wear_step(wear, &callbacks, why));
     assert_int_equal(warnings, k == 0 || k == 3);
-    if (k == 0) assert_non_null(strstr(warning, "take 66, or \"auto\""));
+    if (k == 0) assert_non_null(strstr(warning, "use 66, or \"auto\""));
     if (k == 3) assert_non_null(strstr(warning, "9 times as many points"));
     arc_wear_destroy(&wear);
   }

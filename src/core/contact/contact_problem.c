@@ -118,7 +118,7 @@ arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error) 
 
 arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error) {
   p->active = 0;
-  return arc_fail(error, ARC_NUMERIC, "the contact solution broke down with the plate at x = %g mm",
+  return arc_fail(error, ARC_NUMERIC, "the contact solution failed with the plate at x = %g mm",
                   p->x);
 }
 

@@ -59,9 +59,9 @@ static arc_status check_nodes(const shape_side *side, const surface_state *state
     const double *top = arc_body_top(side->body, i), *at = &xy[2 * i];
     const double reach = 2 * (state->h[i] - *state->even) + side->body->mesh->def.size;
     const double distance = hypot(at[0] - top[0], at[1] - top[1]);
-    if (!(distance <= reach)) return refuse(side, i, "a place within its wear", distance, error);
+    if (!(distance <= reach)) return refuse(side, i, "a position within its wear", distance, error);
     if (i > 0 && !(at[0] > at[-2]))
-      return refuse(side, i, "a place right of the node before", at[0], error);
+      return refuse(side, i, "a position right of the previous node", at[0], error);
   }
   return ARC_OK;
 }

@@ -96,7 +96,10 @@ static arc_status refuse_wear(const arc_shape *shape, const shape_side *side, in
   return arc_fail(
       error, ARC_GEOMETRY,
       "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %s%s; use %ssmaller steps",
-      arc_body_name(mesh->body), side->x0[i], left, size, rows > 0 ? "" : ", the most that fit",
+      arc_body_name(mesh->body), side->x0[i], left, size,
+      rows > 0 ? ""
+               : ", the largest number "
+                 "that fits",
       help);
 }
 
@@ -117,7 +120,7 @@ arc_status arc_shape_check_depth(const shape_side *side, const double *depth, ar
     const double deep = side->h[i] - side->even + depth[i];
     if (!(deep <= ARC_SHAPE_DEEPEST))
       return arc_fail(error, ARC_GEOMETRY,
-                      "the %s's wear at x = %.4g mm is %g mm, the most is %g mm",
+                      "the %s's wear at x = %.4g mm is %g mm, at most %g mm are allowed",
                       arc_body_name(side->body->mesh->body), side->x0[i], deep, ARC_SHAPE_DEEPEST);
   }
   return ARC_OK;

@@ -103,7 +103,7 @@ static arc_status analyse(factor *f, cholmod_sparse *a, arc_error *error) {
   free(permutation);
   if (!f->l) return why(f, error);
   if (kept_last(f)) return ARC_OK;
-  return arc_fail(error, ARC_NUMERIC, "the stiffness falls into parts that are not joined");
+  return arc_fail(error, ARC_NUMERIC, "the mesh has parts that are not connected");
 }
 
 static arc_status factorise(factor *f, cholmod_sparse *a, arc_error *error) {

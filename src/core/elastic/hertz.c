@@ -52,7 +52,7 @@ arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *e
   if (status != ARC_OK) return status;
   if (def->geometry == ARC_SPRINGS)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'geometry': Hertz' formulas do not hold on springs");
+                    "field 'geometry': Hertz' formulas are not valid for springs");
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);
   if (def->geometry != ARC_SPATIAL && def->radius_z > 0)
     return arc_fail(error, ARC_ARGUMENT,

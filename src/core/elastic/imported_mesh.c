@@ -29,7 +29,7 @@ static const char *list_names(const arc_mesh *mesh, char text[200]) {
     n += snprintf(text + n, (size_t)(200 - n), "%s'%s'", m > 0 ? ", " : "", mesh->material_name[m]);
   return text;
 }
-_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "room for all names in a message");
+_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "size of all names in a message");
 
 /* Checks that every layer is a named material of the mesh. */
 static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
@@ -37,7 +37,7 @@ static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_
   char names[200];
   if (!layer->name[0])
     return arc_fail(error, ARC_ARGUMENT,
-                    "field '%s.layers': a mesh from outside has its layers itself; expected "
+                    "field '%s.layers': an imported mesh contains its layers; expected "
                     "'%s.materials' by the names in it: %s",
                     role, role, list_names(mesh, names));
   if (has_name(mesh, layer->name)) return ARC_OK;
@@ -84,7 +84,7 @@ arc_status arc_given_refuse(const arc_model_def *def, arc_error *error) {
 
 arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error *error) {
   mesh->layer = malloc((size_t)mesh->elements * sizeof(int));
-  if (!mesh->layer) return arc_fail(error, ARC_MEMORY, "out of memory for a given mesh");
+  if (!mesh->layer) return arc_fail(error, ARC_MEMORY, "out of memory for an imported mesh");
   for (int e = 0; e < mesh->elements; e++) {
     const int material = mesh->material ? mesh->material[e] : -1;
     mesh->layer[e] =
@@ -170,8 +170,8 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
     const double r = hypot(at[0], c.side * at[1] - radius);
     if (!(fabs(r - radius) <= most * radius))
       return arc_fail(error, ARC_ARGUMENT,
-                      "mesh of the %s: expected contact nodes within 5 %% of the radius %g mm that "
-                      "'%s' says, got one at %g mm, (%g, %g) mm",
+                      "mesh of the %s: expected contact nodes within 5 %% of the radius %g mm of "
+                      "'%s', got one at %g mm, (%g, %g) mm",
                       arc_body_name(mesh->body), radius, arc_model_role_name(mesh->body), r, at[0],
                       at[1]);
   }

@@ -257,7 +257,7 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
   if (e.edge >= 0.5 * e.half_width || e.edge >= fewest * size) return;
   arc_warn(callbacks,
            "pressure rises over %.2g mm at the edges of the contact, fewer than %d elements of %g "
-           "mm: its peaks there come out too low; mesh.size = %.2g resolves them",
+           "mm: its peaks there are too low; mesh.size = %.2g resolves them",
            e.edge, fewest, size, arc_model_size_for(e.edge));
 }
 
@@ -287,9 +287,9 @@ static void warn_hollow(const arc_model *m, double half_width, const arc_callbac
   if (slope > steep)
     arc_warn(
         callbacks,
-        "the contact lies in a hole whose surface slopes by %.0f degrees at its edges, taken as "
-        "flat: pressures are too low; give body.ring{} and body.disc{} beside the mesh, which "
-        "tell its radius",
+        "the contact lies in a hole whose surface slopes by %.0f degrees at its edges and is "
+        "treated as flat: pressures are too low; give body.ring{} and body.disc{} with the radius "
+        "beside the mesh",
         atan(slope) / arc_radians(1));
 }
 
@@ -306,8 +306,8 @@ void arc_model_warn(const arc_model *model, double load, double half_width,
              "off; %s",
              2 * half_width, fewest, size,
              model->def.mesh.fineness > 0
-                 ? "mesh.size was found for another load: give the model's fields to contact{} or "
-                   "wear{}, whose load then counts, or a smaller size"
+                 ? "mesh.size was chosen for another load: give the model's fields to contact{} "
+                   "or wear{}, which choose it for their load, or a smaller size"
                  : "use mesh.size = \"auto\" or a smaller one");
 }
 

@@ -193,8 +193,8 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
   const double estimate = arc_mesh_nodes(def, body, solid);
   if (estimate > most_elements)
     return arc_fail(error, ARC_ARGUMENT,
-                    "mesh.size: %g mm asks for about %.0f elements, at most %d are allowed",
-                    def->size, estimate, most_elements);
+                    "mesh.size: %g mm needs about %.0f elements, at most %d are allowed", def->size,
+                    estimate, most_elements);
   return ARC_OK;
 }
 

@@ -38,8 +38,8 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
   const arc_series *y = &b->y_series;
   if (y->count < 2)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field '%sy': expected a function of x or heights at two places or more, got "
-                    "%d",
+                    "field '%sy': expected a function of x or heights at two or more positions, "
+                    "got %d",
                     path, y->count);
   double least = y->value[0];
   for (int i = 0; i < y->count; i++) {

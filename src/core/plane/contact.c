@@ -251,8 +251,8 @@ void arc_friction_warn(const arc_model *model, double mu, const char *who,
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   if (mu * beta > unique)
     arc_warn(callbacks,
-             "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
-             "the motion leads to, it may not be the only one",
+             "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution depends on the "
+             "motion and may not be the only one",
              who, mu, beta, unique);
 }
 

@@ -296,7 +296,7 @@ static arc_status run_cycles(fretting *r, arc_error *error) {
   }
   if (status != ARC_OK) return status;
   return arc_fail(error, ARC_NOT_CONVERGED,
-                  "the cycle of stick and slip is not steady after %d repetitions", most_cycles);
+                  "the cycle of stick and slip is not periodic after %d repetitions", most_cycles);
 }
 
 static arc_status evaluate(fretting *r, arc_error *error) {

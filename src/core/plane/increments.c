@@ -97,7 +97,7 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   else
     arc_warn(
         callbacks,
-        "increments = %d: each is longer than half the contact's half width, and the wear will "
-        "be uneven; take %.0f, or \"auto\"",
+        "increments = %d: each is longer than half the contact's half width, and the wear will be "
+        "uneven; use %.0f, or \"auto\"",
         d->increments, 2 * ceil(longest * d->increments / 2 * (1 - 1e-9)));
 }

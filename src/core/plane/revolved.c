@@ -29,7 +29,9 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                            "contact that moves along x is not axisymmetric",
                            error);
   if (d->spin > 0 && d->track > 0)
-    return refuse_revolved("track", "expected none beside spin: a pin passes, or turns on its axis",
+    return refuse_revolved("track",
+                           "expected none together with spin: a pin either follows a "
+                           "track or turns on its axis",
                            error);
   if (d->track > 0 && model->axis > 0)
     return refuse_revolved("track", "expected model.axis = 0, a pin that touches on its own axis",
@@ -47,7 +49,8 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
   if (model->axis > 0 || d->spin > 0 || d->track > 0 || arc_wear_alpha_stays_one(d)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'alpha': expected 1, as a disc that passes under a pin wears along its "
-                  "track and not in a spot, got %g; or give track, the radius of that, or spin",
+                  "track and not in a spot, got %g; or give track, the radius of the track, or "
+                  "spin",
                   d->alpha);
 }
 

@@ -44,7 +44,9 @@ static arc_status check_pressing(const arc_contact *c, arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < c->count[b]; i++) sum[b] += c->f[b][i];
   if (fabs(sum[0] - sum[1]) <= rounding * sum[0]) return ARC_OK;
-  return arc_fail(error, ARC_NUMERIC, "contact: %.17g N/mm press on one body, %.17g on the other",
+  return arc_fail(error, ARC_NUMERIC,
+                  "contact: the loads on the two bodies differ, %.17g and "
+                  "%.17g N/mm",
                   sum[0], sum[1]);
 }
 

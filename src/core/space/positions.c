@@ -100,8 +100,8 @@ static arc_status check_memory(const arc_halfspace *h, int count, arc_error *err
   const double bytes = arc_halfspace_bytes(&h->def, count);
   if (bytes < much || bytes < arc_memory_free()) return ARC_OK;
   return arc_fail(error, ARC_MEMORY,
-                  "out of memory: %d positions of %d x %d cells take %.0f MB, %.0f MB are free; "
-                  "larger cells or fewer increments take less",
+                  "out of memory: %d positions of %d x %d cells need %.0f MB, %.0f MB are free; "
+                  "larger cells or fewer increments need less",
                   count, h->def.nx, h->def.nz, bytes / mega, arc_memory_free() / mega);
 }
 

@@ -225,10 +225,12 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
                     arc_body_name(body));
   if (c->rubbing.pressure)
     return arc_fail(error, ARC_ARGUMENT,
-                    "stresses below a contact with friction in 3-D: those of shear are not known, "
-                    "expected friction 0");
+                    "stresses below a contact with friction in 3-D: expected friction 0, as "
+                    "stresses caused by shear are not computed");
   if (space_turned(space_shape_of(c->handle.shape)))
-    return arc_fail(error, ARC_ARGUMENT, "stresses of surfaces that were worn along z: none yet");
+    return arc_fail(error, ARC_ARGUMENT,
+                    "stresses of surfaces that were worn along z are not "
+                    "computed");
   return arc_halfspace_stress(h, c->pressure, b->material.nu, y, stress, error);
 }
 

@@ -18,7 +18,10 @@ static arc_status check_built(const arc_wear_def *d, arc_error *error) {
     return refuse(error, "track", "expected stroke and load: a cycle is a revolution");
   if (d->slip == ARC_SLIP_TOTAL) return refuse(error, "slip", "expected \"rigid\"");
   if (d->update == ARC_UPDATE_INCREMENT) return refuse(error, "update", "expected \"cycle\"");
-  if (d->load_angle != 0) return refuse(error, "load_angle", "expected 0: it is that of holes");
+  if (d->load_angle != 0)
+    return refuse(error, "load_angle",
+                  "expected 0: only holes have a load "
+                  "angle");
   return ARC_OK;
 }
 
@@ -36,7 +39,7 @@ static arc_status check_increments(const arc_wear_def *d, const arc_model_def *m
                           : d->increments;
   if (made <= most) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'increments': the stroke takes %.3g of them, one a cell of %.3g mm; "
+                  "field 'increments': the stroke needs %.3g of them, one per cell of %.3g mm; "
                   "expected at most %d: use procedure = \"NSP\" or a larger mesh.size",
                   made, arc_space_cell(model, d->load), most);
 }
@@ -44,7 +47,7 @@ static arc_status check_increments(const arc_wear_def *d, const arc_model_def *m
 static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   for (int b = 0; b < d->blocks; b++)
     if (d->loading[b].rotation || d->loading[b].load_angle)
-      return refuse(error, "loading", "expected x and load: nothing turns");
+      return refuse(error, "loading", "expected x and load: bodies in 3-D do not turn");
   return ARC_OK;
 }
 
@@ -53,8 +56,7 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
-  if (model->periodic)
-    return refuse(error, "friction", "expected 0 on surfaces that repeat themselves");
+  if (model->periodic) return refuse(error, "friction", "expected 0 on periodic surfaces");
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_layers(&model->body[b]) > 0 || model->body[b].height > 0)
       return refuse(
@@ -74,13 +76,13 @@ static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model
   const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
   if (rests(d, model) && !arc_wear_alpha_stays_one(d) && !arc_body_is_flat(&lower))
     return refuse(error, d->track > 0 ? "track" : "procedure",
-                  "expected a lower body.block{}, which is the same all along");
+                  "expected a lower body.block{}, which is uniform along the motion");
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
   const int turned = d->slide == ARC_SLIDE_Z;
   const double scar = 2 * (turned ? hertz.half_width_z : hertz.half_width);
   const double widest = 2 * fmax(hertz.half_width, hertz.half_width_z);
   if (d->track > 0 && d->procedure == ARC_SP)
-    return refuse(error, "procedure", "expected \"NSP\" with track: the contact stays where it is");
+    return refuse(error, "procedure", "expected \"NSP\" with track: the contact does not move");
   if (d->track > 0 && d->track <= widest)
     return arc_fail(error, ARC_GEOMETRY,
                     "field 'track': expected more than the contact's width %g mm, got %g mm",
@@ -89,10 +91,11 @@ static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model
   if (d->blocks > 0)
     return refuse(error, "procedure", "\"NSP\" is for a plain stroke: expected no loading");
   if (d->stroke >= 2 * scar) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field 'procedure': \"NSP\" takes the track as a groove: expected a stroke of "
-                  "at least 2 contact widths, got %.3g",
-                  d->stroke / scar);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'procedure': \"NSP\" treats the track as a groove: expected a stroke of at "
+      "least 2 contact widths, got %.3g",
+      d->stroke / scar);
 }
 
 arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {

@@ -234,8 +234,8 @@ static void warn_across(const space_contact *c, double z, const arc_callbacks *c
     most = fmax(most, recess[k] + s->depth[ARC_LOWER][k]);
   if (most > 0 && fabs(z) > arc_halfspace_definition(h)->size_z)
     arc_warn(callbacks,
-             "the lower body is not flat and moves %g mm along z: its shape is taken as if it "
-             "stayed, which is for motions below a cell of %.3g mm",
+             "the lower body is not flat and moves %g mm along z: its shape is assumed not to "
+             "move along z, which is valid below a cell of %.3g mm",
              z, arc_halfspace_definition(h)->size_z);
 }
 

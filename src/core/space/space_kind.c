@@ -52,8 +52,8 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   const double widths = d->groove / (2 * along);
   if (d->groove == 0 || w->def.track > 0 || d->periodic || widths >= enough) return 0;
   arc_warn(callbacks,
-           "procedure \"NSP\" takes the track as a groove without ends, and the stroke is %.2g "
-           "contact widths by now: below %g depths are off by more than 3 %%; use \"SP\"",
+           "procedure \"NSP\" treats the track as an endless groove, and the stroke is only %.2g "
+           "contact widths now: below %g the errors of depths exceed 3 %%; use \"SP\"",
            widths, enough);
   return 1;
 }

@@ -44,7 +44,10 @@ static arc_status check_body(const arc_model_def *def, arc_body body, arc_error 
 static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   const arc_mesh_def *mesh = &def->mesh;
   const arc_mesh_def usual = arc_mesh_default();
-  if (def->thickness != 1) return refuse(error, "thickness", "none: bodies have none");
+  if (def->thickness != 1)
+    return refuse(error, "thickness",
+                  "none: bodies in 3-D have no "
+                  "thickness");
   if (def->axis != 0) return refuse(error, "axis", "none");
   if (mesh->height > 0) return refuse(error, "mesh.height", "none: cells lie on the surface");
   if (mesh->far > 0) return refuse(error, "mesh.far", "none: cells lie on the surface");
@@ -90,14 +93,13 @@ static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
   if (x > 0 && z > 0 && fmax(x, z) < conformal * most)
     return arc_fail(
         error, ARC_GEOMETRY,
-        "field 'upper': with geometry = \"3-D\" expected surfaces that part soon, got "
-        "radii that differ by less than a tenth of themselves: a ball in its socket is a "
-        "joint{}");
+        "field 'upper': with geometry = \"3-D\" expected radii that differ by a tenth or more, got "
+        "less: a ball in its socket is a joint{}");
   if (x > 0 && z > 0) return ARC_OK;
   return arc_fail(error, ARC_GEOMETRY,
                   "field 'upper': with geometry = \"3-D\" expected surfaces between which the gap "
-                  "grows on all sides, got relative radii of %g mm along x and %g mm along z; give "
-                  "a map the radius of its ball, or take more of its form",
+                  "grows on all sides, got relative radii of %g mm along x and %g mm along z; "
+                  "give a map the radius of its ball, or subtract its form (t:level)",
                   1 / x, 1 / z);
 }
 
@@ -274,8 +276,8 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
   const double least = 1 / x;
   if (half_width > small * least)
     arc_warn(callbacks,
-             "the contact's half width %.3g mm is %.2g of the radius %.3g mm: half-spaces hold up "
-             "to %g of it, beyond that pressures and depths are estimates",
+             "the contact's half width %.3g mm is %.2g of the radius %.3g mm: half-spaces are "
+             "accurate up to %g of it, and beyond that pressures and depths are estimates",
              half_width, half_width / least, least, small);
   if (half_width < fewest * cells->size_x)
     arc_warn(callbacks,

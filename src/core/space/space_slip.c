@@ -239,7 +239,7 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
     if (status != ARC_OK || change_of(c, before, state) <= steady) return status;
   }
   return arc_fail(error, ARC_NOT_CONVERGED,
-                  "the cycle of stick and slip is not steady after %d repetitions", most_cycles);
+                  "the cycle of stick and slip is not periodic after %d repetitions", most_cycles);
 }
 
 /* A leg of one increment between like bodies is twice the first one, to half of the motion or

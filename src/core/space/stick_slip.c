@@ -246,8 +246,7 @@ static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work 
     for (int i = 0; i < 2; i++) w->xi[i] += step[i];
   }
   return arc_fail(error, ARC_NOT_CONVERGED,
-                  "no motion gives the tangential force: off by %.2g of "
-                  "friction times load",
+                  "no motion causes the tangential force: off by %.2g of friction times load",
                   fmax(fabs(missed[0]), fabs(missed[1])));
 }
 

@@ -14,8 +14,7 @@ arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *plac
   const arc_halfspace_def *d = &h->def;
   *place = (stroke_place){0, 0};
   if (d->periodic && x != 0)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'x': expected 0 for surfaces that repeat themselves, got %g", x);
+    return arc_fail(error, ARC_ARGUMENT, "field 'x': expected 0 for periodic surfaces, got %g", x);
   if (d->groove > 0 || d->periodic) return ARC_OK;
   const double offset = (h->rows - d->nx) / 2 - x / d->size_x, whole = round(offset);
   const int is_whole = fabs(offset - whole) < 1e-9;

@@ -50,7 +50,7 @@ static arc_status check_model(const arc_model_def *def, arc_error *error) {
     return arc_fail(error, ARC_ARGUMENT, "field 'periodic': springs are not periodic");
   if (status != ARC_OK || arc_model_is_hertzian(def)) return status;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'geometry': springs lie under a ball and a flat without layers");
+                  "field 'geometry': springs are only for a ball and a flat without layers");
 }
 
 static size_t model_bytes(const arc_model *model) {

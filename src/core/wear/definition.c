@@ -117,8 +117,8 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
   }
   if (!l->periodic)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].periodic': with friction expected a cycle: what counts is "
-                    "its steady state",
+                    "field 'loading[%d].periodic': with friction expected a cycle that repeats, "
+                    "as its periodic state is used",
                     number);
   const double *drive = l->tangential ? l->tangential : l->x;
   if (closes(l->count, drive) && closes(l->count, l->load)) return ARC_OK;
@@ -170,7 +170,7 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
   if (!(l->cycles > 0) || (!last && !isfinite(l->cycles)))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].cycles': expected a number > 0%s, got %g", number,
-                    last ? "" : " and finite (only the last block may go on)", l->cycles);
+                    last ? "" : " and finite (only the last block may be without end)", l->cycles);
   if (!l->periodic && l->cycles != 1)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -204,7 +204,7 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
                     arc_law_names[d->law]);
   if (d->scheme == ARC_IMPLICIT && d->tolerance == 0 && arc_wear_jump_is_auto(d))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tolerance': implicit steps of jump = \"auto\" go by it; give one");
+                    "field 'tolerance': implicit steps with jump = \"auto\" need one");
   return ARC_OK;
 }
 
@@ -218,14 +218,16 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': a force drives the plate by friction only; give friction");
   if (!arc_wear_has_friction(d) && (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR))
-    return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" is that of friction; give friction",
+    return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" needs friction; give friction",
                     arc_law_names[d->law]);
   if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->update == ARC_UPDATE_INCREMENT)
     return refuse_with_friction(
         "update", "expected \"cycle\": updates within a cycle cause slip of their own", error);
   if (d->slip == ARC_SLIP_TOTAL)
-    return refuse_with_friction("slip", "expected \"rigid\": slip is found point by point anyway",
+    return refuse_with_friction("slip",
+                                "expected \"rigid\": the slip of each point is computed "
+                                "anyway",
                                 error);
   if (arc_wear_friction_is_known(d) && d->blocks == 0 && d->tangential >= d->friction * d->load)
     return arc_fail(error, ARC_ARGUMENT,

@@ -37,7 +37,7 @@ static arc_status check_values(const shown *s, const arc_array *array, arc_error
                     "surface of the %s after update %g: expected for %s[%zu] a finite number%s, "
                     "got %g",
                     arc_body_name(array->body), array->update, array->name, i,
-                    rises     ? " above the one before"
+                    rises     ? " above the previous one"
                     : presses ? " >= 0"
                               : "",
                     value);

@@ -62,7 +62,7 @@ static arc_status check_volume(const arc_wear_def *d, const arc_wear_record *bef
   const double within = d->scheme == ARC_IMPLICIT ? 1e-6 : 1e-9;
   if (fabs(added - expected) <= within * expected + 1e-12 * total) return ARC_OK;
   return arc_fail(error, ARC_NUMERIC,
-                  "volume: update %.0f takes %.17g mm3 from the %s, k L d is %.17g mm3",
+                  "volume: update %.0f removes %.17g mm3 from the %s, k L d is %.17g mm3",
                   now->update, added, arc_body_name(body), expected);
 }
 

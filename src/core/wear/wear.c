@@ -155,7 +155,10 @@ static arc_status go_over(arc_wear **w, const arc_mesh_def *mesh, const arc_call
                           arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *other = NULL;
-  if (!growth) return arc_fail(error, ARC_ARGUMENT, "field 'mesh': sites stay what they are");
+  if (!growth)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'mesh': the sites of a run cannot be "
+                    "changed");
   const arc_status status = growth->remesh(*w, mesh, callbacks, &other, error);
   if (status != ARC_OK) return status;
   growth->report_mesh(*w, other, callbacks);

@@ -103,8 +103,8 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
   const char *few = push_few(L, known);
   if (lua_istable(L, known) && luaL_getmetafield(L, known, "__call") != LUA_TNIL)
     error_raise(L, ARC_ARGUMENT, where,
-                "no field '%s'%s; for methods of what %s{} makes: help \"%s.%s\"", name, few, where,
-                where, name);
+                "no field '%s'%s; for methods of the objects that %s{} makes: help \"%s.%s\"", name,
+                few, where, where, name);
   error_raise(L, ARC_ARGUMENT, where, "no field '%s'%s", name, few);
 }
 
