@@ -26,7 +26,7 @@ near(model{ mesh = at("pair.msh") }.radius, 10, 1e-3, "radius of the gap")
 is(model{ mesh = at("pair.msh"), plate = { E = 1e5 } }.plate.E, 1e5, "other fields as ever")
 
 -- Only frozen geometry is allowed.
-fails(function() wear{ model = read } end, 'expected "frozen" on a mesh from outside', "moving is refused")
+fails(function() wear{ model = read } end, 'expected "frozen" on an imported mesh', "moving is refused")
 local w = wear{ model = read, geometry = "frozen", stroke = 0.2, cycles = 100 }
 w:run()
 ok(w.depth_plate > 0, "a frozen run wears")

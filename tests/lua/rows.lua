@@ -139,9 +139,9 @@ for _, row in ipairs(known.material) do
   local coated = body.gmsh{ materials = { coat = m } }
   local given <close> = wear{ model = { mesh = here .. "/../files/gmsh/coat.msh", upper = coated },
     geometry = "frozen", distance = 1 }
-  same(given.model.upper.materials.coat[name], value, "of a mesh from outside")
+  same(given.model.upper.materials.coat[name], value, "of an imported mesh")
   local opened <close> = wear.open(saved(given))
-  same(opened.model.upper.materials.coat[name], value, "of a mesh from outside, opened")
+  same(opened.model.upper.materials.coat[name], value, "of an imported mesh, opened")
   tap.fails(function() hertz{ cylinder = 1 } end, name .. "=", "the message names material." .. name)
 end
 
