@@ -91,7 +91,7 @@ void edit_remember(const char *entry) {
   if (editor.path) history_file_append(editor.path, entry);
 }
 
-/* --- life ------------------------------------------------------------------------------------- */
+/* --- start and end ---------------------------------------------------------------------------- */
 
 static void choose_signals(void) {
   static const int signals[] = {SIGINT, SIGTSTP, SIGWINCH, SIGTERM, SIGHUP, SIGQUIT, SIGCONT};
@@ -132,7 +132,7 @@ void edit_finish(void) {
   clear_history();
 }
 
-/* --- one line --------------------------------------------------------------------------------- */
+/* --- reading a line --------------------------------------------------------------------------- */
 
 static void on_line(char *line) {
   editor.line = line;

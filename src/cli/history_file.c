@@ -29,7 +29,7 @@ typedef struct history {
   int count;
 } history;
 
-/* --- places ----------------------------------------------------------------------------------- */
+/* --- folder and lock -------------------------------------------------------------------------- */
 
 static char *join(const char *folder, const char *name) {
   size_t size = strlen(folder) + strlen(name) + 2;
@@ -82,7 +82,7 @@ static void unlock_folder(int descriptor) {
   if (descriptor >= 0) close(descriptor);
 }
 
-/* --- lines ------------------------------------------------------------------------------------ */
+/* --- lines of the file ------------------------------------------------------------------------ */
 
 static int is_header(const char *line) {
   size_t digits = line[0] == '#' ? strspn(line + 1, "0123456789") : 0;

@@ -134,7 +134,7 @@ static void push_text(lua_State *L, const char *which) {
   lua_call(L, 1, 1);
 }
 
-/* --- leaving ---------------------------------------------------------------------------------- */
+/* --- end of a session ------------------------------------------------------------------------- */
 
 /* Calls a function of scripts/session/leave.lua with the text on top of the stack and replaces it
  * by the result, nil on failure. */
@@ -174,7 +174,7 @@ static int may_leave(lua_State *L) {
   return answer;
 }
 
-/* --- lines ------------------------------------------------------------------------------------ */
+/* --- typed lines ------------------------------------------------------------------------------ */
 
 static edit_result read_line(prompt *self, char **line) {
   push_text(self->L, self->chunk.text ? "more" : "first");

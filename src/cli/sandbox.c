@@ -60,7 +60,7 @@ lua_State *sandbox_new_state(sandbox *self) {
   return lua_newstate(allocate, self);
 }
 
-/* --- entering --------------------------------------------------------------------------------- */
+/* --- enabling the sandbox --------------------------------------------------------------------- */
 
 /* Folder of a path, "." without one. */
 static void folder_of(const char *path, char folder[PATH_MAX]) {

@@ -1,5 +1,4 @@
-/* gnuplot's terminal, size and fonts of an output.
- */
+/* Chooses gnuplot's terminal, the size and the fonts of an output. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,11 +6,11 @@
 
 #include "plot/figure.h"
 
-/* Kinds of canvas, the better terminal of a kind first. The letters' size is for 100 pixels to an
- * inch, in the terminal's own unit. */
+/* Kinds of canvas. Of two terminals of one kind the better one is first. Font sizes are in the unit
+ * of the terminal, for 100 pixels per inch. */
 typedef struct kind {
   const char *ending, *terminal, *options, *family;
-  double points, unit; /* the usual size; that of one point */
+  double points, unit; /* usual font size; size of one point */
   int text, vector;
 } kind;
 
@@ -35,7 +34,8 @@ static const char *ending_of(const char *file) {
   return dot && (!slash || dot > slash) ? dot + 1 : "";
 }
 
-/* The kind by the ending of the file, and by the name of the terminal if one is given. */
+/* Returns the first available kind with this file ending, and with this terminal unless it is
+ * NULL. */
 static const kind *find_kind(const char *ending, const char *terminal, const arc_gnuplot *session) {
   for (int i = 0; i < KINDS; i++)
     if (strcasecmp(kinds[i].ending, ending) == 0 &&
@@ -55,7 +55,7 @@ static arc_status no_terminal(const arc_plot_output *output, const char *ending,
                   "this gnuplot cannot draw %s. On Debian: apt-get install gnuplot-nox", ending);
 }
 
-/* The ending of the output, "" for commands only; NULL when it is not known. */
+/* Returns the ending of the output: "" for commands only, NULL for an unknown ending. */
 static const char *output_ending(const arc_plot_output *output) {
   if (output->medium == ARC_PLOT_TEXT) return "txt";
   if (output->medium == ARC_PLOT_SIXEL) return "sixel";
@@ -71,7 +71,7 @@ static int at_least(int value, int least) {
   return value > least ? value : least;
 }
 
-/* Smallest size of a legible panel. */
+/* Chooses the smallest size at which the panels are legible, unless the user gives a size. */
 static void choose_size(const arc_plot_figure *figure, const arc_plot_output *output,
                         arc_canvas *canvas) {
   int rows, columns;
@@ -84,14 +84,14 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
 }
 
 enum { USUAL_DPI = 100, USUAL_POINTS = 11 };
-static const double PAPER_LINE =
-    1.44; /* its unit is half a point, that of 100 pixels to an inch .72 */
+static const double PAPER_LINE = 1.44; /* terminal's unit 0.5 pt; 0.72 pt for pixels */
 
 static int is_paper(const arc_canvas *canvas) {
   return strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0;
 }
 
-/* Letters, lines and marks grow with the pixels of an inch; paper is measured in inches anyway. */
+/* Fonts, lines and marks grow with the number of pixels per inch. Paper formats are measured in
+ * inches and need no such factor. */
 static void choose_letters(const arc_plot_output *output, const kind *found, arc_canvas *canvas) {
   double points = output->points > 0 ? output->points : USUAL_POINTS;
   double inches =
@@ -128,7 +128,7 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
     canvas->window = output->medium == ARC_PLOT_WINDOW;
   }
   canvas->colour = output->medium == ARC_PLOT_TEXT && output->colour;
-  int eight_bit = found && strcmp(found->terminal, "x11") == 0; /* the letters of the X server */
+  int eight_bit = found && strcmp(found->terminal, "x11") == 0; /* X server fonts */
   canvas->ascii = (canvas->text && output->ascii) || eight_bit;
   canvas->grey = !canvas->text && output->grey;
   canvas->fine = canvas->colour && !canvas->ascii && output->fine;
@@ -137,7 +137,7 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   return ARC_OK;
 }
 
-/* The surface of the dots has two columns and four rows of them in each character. */
+/* The canvas for dots has two columns and four rows of dots in each character. */
 static void size_words(const arc_canvas *canvas, arc_text *script) {
   if (is_paper(canvas))
     arc_text_format(script, " size %gin,%gin", canvas->width / canvas->inch,
@@ -159,8 +159,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* Set for each picture, since a terminal keeps its last settings. Only cairo terminals have a scale
- * of marks. */
+/* The scale is set for each picture, because a terminal keeps its last settings. Only cairo
+ * terminals have a scale of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

@@ -1,7 +1,8 @@
-/* Pictures in characters: reads them into cells, adds curves as Braille dots, and writes them. With
- * dots gnuplot draws twice: axes and texts on the grid of characters, and only the curves on a grid
- * where each character is a dot. gnuplot does the clipping, steps and logarithms. The only escape
- * sequences of its character terminal are colours, ESC [ ... m. */
+/* Pictures in characters: reads gnuplot's output into cells, adds the curves as Braille dots, and
+ * writes the cells. For Braille dots gnuplot draws twice. The first picture has axes and texts on
+ * the grid of characters. The second has only the curves, on a grid where each character is one
+ * dot. gnuplot clips the curves and draws steps and logarithmic axes. The only escape sequences of
+ * its character terminal are colours, ESC [ ... m. */
 #include "plot/characters.h"
 
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 #include "plot/figure.h"
 
-/* Circle, square, triangle and diamond, filled and then open. */
+/* Circle, square, triangle and diamond, first filled, then open. */
 static const char marks[ARC_DOT_MARKS][4] = {"\342\227\217", "\342\226\240", "\342\226\262",
                                              "\342\227\206", "\342\227\213", "\342\226\241",
                                              "\342\226\263", "\342\227\207"};
@@ -18,9 +19,9 @@ static const char dash[] = "\342\240\222"; /* two dots in the middle: a line in 
 enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
 
 typedef struct cell {
-  char bytes[BYTES]; /* of one character of UTF-8 */
-  int length;        /* of the bytes; 0: blank */
-  int colour;        /* 0 to 7, or none */
+  char bytes[BYTES]; /* one character in UTF-8 */
+  int length;        /* number of bytes; 0: blank */
+  int colour;        /* 0 to 7, or NO_COLOUR */
 } cell;
 
 typedef struct screen {
@@ -30,7 +31,7 @@ typedef struct screen {
 
 /* --- reading a picture ------------------------------------------------------------------------ */
 
-/* Length of the colour sequence at `bytes`, 0 when there is none. */
+/* Returns the length of the colour sequence at `bytes`, or 0 if there is none. */
 static size_t sequence(const char *bytes, size_t left, int *colour) {
   if (left < 3 || bytes[0] != '\033' || bytes[1] != '[') return 0;
   const char *end = memchr(bytes, 'm', left);
@@ -51,7 +52,7 @@ static void set_cell(cell *c, const char *bytes, int length, int colour) {
   c->colour = colour;
 }
 
-/* Puts each character into its cell; with no cells only counts rows and columns. */
+/* Copies each character into its cell. Without cells it only counts rows and columns. */
 static void scan(const char *picture, size_t length, screen *s) {
   size_t row = 0, column = 0, rows = 0, columns = 0;
   int colour = NO_COLOUR;
@@ -81,20 +82,20 @@ static int read_screen(const char *picture, size_t length, screen *s) {
   return s->cells != NULL;
 }
 
-/* --- laying dots over it ---------------------------------------------------------------------- */
+/* --- adding the dots of curves ---------------------------------------------------------------- */
 
 static const cell *dot_at(const screen *s, size_t row, size_t column) {
   static const cell blank = {.colour = NO_COLOUR};
   return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
 }
 
-/* The mark of a character, NULL: none. */
+/* Returns the mark for a character, or NULL. */
 static const char *mark_of(char c) {
   return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
 }
 
-/* The eight dots of a character, in their most frequent colour; a mark replaces the whole
- * character. */
+/* Sets a cell to the Braille character of its eight dots, in their most frequent colour. A mark
+ * among the dots replaces the whole character. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const char *mark = NULL;
@@ -113,7 +114,8 @@ static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   set_cell(to, mark ? mark : braille, pattern ? 3 : 0, colour);
 }
 
-/* A point on the frame is seen; of a line there the frame itself. */
+/* True if the cell is part of the frame and has a mark of a curve. A mark covers the frame; a line
+ * does not. */
 static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
   int found = 0;
   if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;
@@ -124,7 +126,8 @@ static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size
   return found;
 }
 
-/* Lines in colour are the samples of the key: the curves themselves are black here. */
+/* Adds the dots to a cell of the picture. The curves in the picture are black, so a coloured line
+ * or mark in it belongs to the key. */
 static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
   if (!c->length || c->colour == BLACK || is_point_on_frame(dots, c, row, column))
     set_dots(dots, row, column, c);
@@ -138,9 +141,9 @@ static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
 
 typedef struct writer {
   arc_text *out;
-  int colour;    /* the output is in */
-  size_t lines;  /* line breaks not yet written */
-  int something; /* a line with something in it was written */
+  int colour;    /* present colour of the output */
+  size_t lines;  /* pending line breaks */
+  int something; /* true after the first line that is not empty */
 } writer;
 
 static void write_colour(writer *w, int colour) {

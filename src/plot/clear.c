@@ -1,25 +1,24 @@
 /* Extends axes so that curves do not coincide with the frame.
  *
- * gnuplot cuts a line that runs along an end of the range in half, ends a reversed axis on the last
- * point, and takes logarithmic axes to the next decade.
- */
+ * gnuplot draws only half of the width of a line at an end of the range. It ends a reversed axis at
+ * the last point and extends logarithmic axes to the next decade. */
 #include <math.h>
 #include <string.h>
 
 #include "plot/figure.h"
 
-static const double BEYOND = 0.025, MARGIN = 0.04; /* of the range */
+static const double BEYOND = 0.025, MARGIN = 0.04; /* fractions of the range */
 
-/* An axis with both ends says by their order which is the lower one. */
+/* Reverses an axis with both ends by the order of its ends. */
 static arc_plot_axis turned_round(arc_plot_axis axis) {
   double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
   axis.min = high, axis.max = low, axis.reverse = 0;
   return axis;
 }
 
-/* --- logarithmic ------------------------------------------------------------------------------ */
+/* --- logarithmic axes ------------------------------------------------------------------------- */
 
-/* Of 1, 2 and 5 times the powers of ten the greatest that is not above the value. */
+/* Returns the greatest of 1, 2 and 5 times the powers of ten that is not above the value. */
 static double step_below(double value) {
   double power = pow(10, floor(log10(value) + 1e-9)), share = value / power * (1 + 1e-9);
   return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
@@ -31,7 +30,7 @@ static double step_above(double value) {
   return below / power < 1.5 ? 2 * power : below / power < 3 ? 5 * power : 10 * power;
 }
 
-/* Widens the smallest and largest positive number of curves along x (along = 0) or y. */
+/* Extends low..high to the positive values of the curves along x (along = 0) or y. */
 static void positive_reach(const arc_plot_panel *panel, int along, double *low, double *high) {
   for (size_t i = 0; i < panel->curve_count; i++)
     for (size_t j = 0; j < panel->curves[i].count; j++) {
@@ -41,13 +40,12 @@ static void positive_reach(const arc_plot_panel *panel, int along, double *low, 
     }
 }
 
-/* Sets both ends of a logarithmic axis for these numbers; given ends are kept. */
+/* Sets both ends of a logarithmic axis for these values. Ends set by the user are kept. */
 static void set_log(arc_plot_axis *axis, double low, double high) {
   if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
   double from = step_below(low), to = step_above(high);
   if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
-  double bottom = axis->min,
-         top = axis->max; /* numbers at open ends are within them for gnuplot, too */
+  double bottom = axis->min, top = axis->max; /* 1e-9: ticks at the ends are inside */
   if (isnan(bottom)) bottom = (isnan(top) || from < top ? from : top / 10) * (1 - 1e-9);
   if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
   axis->min = axis->reverse ? top : bottom;
@@ -60,9 +58,9 @@ static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axi
   set_log(axis, low, high);
 }
 
-/* --- linear ----------------------------------------------------------------------------------- */
+/* --- linear axes ------------------------------------------------------------------------------ */
 
-/* Whether a curve runs along a height: two points one after the other. */
+/* True if two consecutive points of a curve are at this height. */
 static int runs_along(const arc_plot_panel *panel, double height, double span) {
   for (size_t i = 0; i < panel->curve_count; i++) {
     const arc_plot_curve *curve = &panel->curves[i];
@@ -95,7 +93,7 @@ static int same_end(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
-/* True if two panels show the same quantity with automatic ends. */
+/* True if the y axes of two panels have the same label and settings, and an automatic end. */
 static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
   const arc_plot_axis *p = &a->y, *q = &b->y;
   if (a->field || b->field || a->equal || b->equal || p->places || q->places) return 0;
@@ -104,7 +102,7 @@ static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
          same_end(p->max, q->max) && (isnan(p->min) || isnan(p->max));
 }
 
-/* Gives the ends of a shared linear axis; zero stays an end. */
+/* Sets the ends of a linear axis shared by panels. An end at zero has no margin. */
 static void set_linear(arc_plot_axis *axis, double low, double high) {
   double margin = MARGIN * (high - low);
   if (!(high > low)) return;

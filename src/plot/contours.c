@@ -1,5 +1,4 @@
-/* Samples fields (polygons with values at their corners) on a grid, and computes contour lines.
- */
+/* Samples fields (polygons with values at their corners) on a grid, and computes contour lines. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,7 +13,7 @@ static corner corner_of(const arc_plot_field *field, size_t polygon, int which) 
   return (corner){field->x[i], field->y[i], field->value[i]};
 }
 
-/* Whether the polygon's own box overlaps the box; the box may be turned round. */
+/* True if the bounding box of a polygon overlaps the box, whose ends may be reversed. */
 static int touches(const arc_plot_field *field, size_t polygon, const arc_plot_box *box) {
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
   for (int k = 0; k < 4; k++) {
@@ -33,7 +32,7 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
       double value = corner_of(field, i, k).value;
       low = fmin(low, value), high = fmax(high, value);
     }
-  if (low > high) low = high = 0; /* nothing of it is in the box */
+  if (low > high) low = high = 0; /* no part of the field is in the box */
   range[0] = isnan(panel->value.min) ? low : panel->value.min;
   range[1] = isnan(panel->value.max) ? high : panel->value.max;
   if (range[0] == range[1]) range[1] = range[0] + fmax(1e-12, fabs(range[0]) * 1e-3);
@@ -41,9 +40,9 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* The triangles of a polygon about its middle, which has the mean of its corners: two of them
- * across would make lines jagged. One is flat where the polygon is a triangle, whose values stay
- * linear. */
+/* A polygon is divided into four triangles about its middle, where the value is the mean of the
+ * corners. With only two triangles contour lines would be jagged. For a triangular polygon one of
+ * the four has no area, and the values stay linear. */
 enum { TRIANGLES = 4 };
 
 static void triangle_of(const arc_plot_field *field, size_t polygon, int which, corner t[3]) {
@@ -64,7 +63,8 @@ static double twice_area(const corner t[3]) {
   return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
 }
 
-/* Where the level cuts an edge, if it does; an end exactly on the level belongs above. */
+/* Computes the point where the level cuts an edge. Returns 0 if there is none. An end exactly on
+ * the level counts as above. */
 static int cut(corner a, corner b, double level, corner *point) {
   if ((a.value < level) == (b.value < level)) return 0;
   double share = (level - a.value) / (b.value - a.value);
@@ -72,8 +72,9 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-/* Positions of the numbers on contour lines: at the segment farthest from the frame, from the
- * numbers of lower levels and from the next line, distances as shares of the box. */
+/* Positions of the numbers on contour lines. The number is at the segment that is farthest from the
+ * frame, from the numbers of lower levels and from the next line. Distances are fractions of the
+ * box. */
 enum { MOST_NUMBERS = 40 };
 
 typedef struct numbers {
@@ -81,12 +82,12 @@ typedef struct numbers {
   corner placed[MOST_NUMBERS];
   int count;
   double step;  /* between levels */
-  double least; /* clearance of a number */
-  corner best;  /* of the present level */
+  double least; /* minimum clearance of a number */
+  corner best;  /* best position on the present level */
   double clearance;
 } numbers;
 
-/* Distance to the next line, by the slope of the triangle. */
+/* Returns the distance to the next contour line, from the gradient in the triangle. */
 static double spacing_of(const numbers *n, const corner t[3]) {
   const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
   const double a = t[1].value - t[0].value, b = t[2].value - t[0].value;
@@ -95,7 +96,8 @@ static double spacing_of(const numbers *n, const corner t[3]) {
   return n->step / hypot(along_x * width, along_y * height);
 }
 
-/* The distance to another number counts half: both are beside it. */
+/* Returns the distance to the frame or to another number. The distance to a number is halved,
+ * because both numbers need the space. */
 static double clearance_of(const numbers *n, corner p) {
   const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
   const double u = (p.x - n->box->x0) / width, v = (p.y - n->box->y0) / height;
@@ -152,12 +154,12 @@ size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
 /* --- samples ---------------------------------------------------------------------------------- */
 
 typedef struct raster {
-  double x0, dx, y0, dy; /* sample i is at x0 + i dx */
+  double x0, dx, y0, dy; /* coordinate of sample i: x0 + i dx */
   int columns, rows;
   double *values;
 } raster;
 
-/* The samples first..last that can lie between two coordinates. */
+/* Computes the first and last sample that can lie between the coordinates a and b. */
 static void samples_between(double a, double b, double start, double step, int count, int *first,
                             int *last) {
   double u = (a - start) / step, v = (b - start) / step;

@@ -1,11 +1,11 @@
-/* Marks on lines of Braille dots, which have no dashes to distinguish them without colours.
- */
+/* Marks on lines of Braille dots. Such lines have no dashes that distinguish them without
+ * colours. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "plot/figure.h"
 
-enum { MARKS = 5 }; /* of a curve */
+enum { MARKS = 5 }; /* on each curve */
 
 static size_t titled(const arc_plot_panel *panel) {
   size_t count = 0;
@@ -18,17 +18,17 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   if (curve->style != ARC_PLOT_LINES && curve->style != ARC_PLOT_STEPS) return 0;
   for (size_t i = 0; i < curve->count; i++)
     if (!isfinite(curve->x[i]) || !isfinite(curve->y[i]))
-      return 0; /* edges of meshes, rows of surfaces */
+      return 0; /* edge of a mesh, row of a surface */
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 
-/* Position of a number on an axis, as a share of its range. */
+/* Returns the position of a value on an axis, as a fraction of the range. */
 static double place(const arc_plot_axis *axis, double low, double high, double value) {
   return axis->log ? log(value / low) / log(high / low) : (value - low) / (high - low);
 }
 
 typedef struct point {
-  double x, y, u, v; /* and where it is in the frame */
+  double x, y, u, v; /* u, v: position in the frame */
 } point;
 
 static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
@@ -37,14 +37,15 @@ static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
                  place(&panel->y, box->y0, box->y1, curve->y[i])};
 }
 
-/* Length in the frame between two points; 0 where one is out of sight. */
+/* Returns the length between two points in the frame, or 0 if one is outside. */
 static double length(point a, point b) {
   int seen = a.u >= -1e-9 && a.u <= 1 + 1e-9 && b.u >= -1e-9 && b.u <= 1 + 1e-9;
   double all = hypot(b.u - a.u, b.v - a.v);
   return seen && isfinite(all) ? all : 0;
 }
 
-/* Marks of different curves are shifted where the curves coincide. */
+/* Returns the position of a mark, as a fraction of the length of the curve. It depends on the
+ * series, so that marks of coinciding curves do not overlap. */
 static double share_of(int mark, int series) {
   return (mark + (series + 0.5) / ARC_DOT_MARKS) / MARKS;
 }
@@ -65,7 +66,7 @@ static void write_marks(const arc_plot_panel *panel, const arc_plot_curve *curve
     }
     gone += step;
   }
-  /* gnuplot 5.4 crashes on characters where there are no points */
+  /* gnuplot 5.4 crashes on character marks without points */
   if (all == 0) arc_text_format(out, "%.17g %.17g\n", curve->x[0], curve->y[0]);
 }
 

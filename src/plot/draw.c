@@ -1,8 +1,7 @@
 /* Draws figures as characters, in windows, or to files.
  *
- * A file is drawn as an atomic file and published when it is whole, and gnuplot never sees a
- * name that could mean something else to it.
- */
+ * A file is drawn under a temporary name and published when it is complete. gnuplot never receives
+ * the user's file name, which could have a special meaning to gnuplot. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +14,7 @@
 #include "plot/picture.h"
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
-/* `reset` forgets that something failed: that is noted before. */
+/* `reset` clears gnuplot's error number, so the number is saved before. */
 static const char anew[] = ARC_GNUPLOT_NOTE_FAILURE "reset\nundefine $*\n";
 
 static arc_status no_memory(arc_error *error) {
@@ -51,7 +50,7 @@ static void write_script(const arc_plot_figure *frames, size_t count, const arc_
   arc_text_word(script, anew);
 }
 
-/* The commands for a user leave the terminal to that user. */
+/* Writes the commands without a terminal, which the user chooses. */
 static arc_status user_script(const arc_plot_figure *figure, const arc_canvas *canvas,
                               arc_text *script) {
   arc_text_word(script, "# Draw with: gnuplot -p this-file\n");
@@ -86,7 +85,7 @@ static arc_status write_text(const arc_atomic_file *temporary, const arc_text *t
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* One drawing from beginning to end. */
+/* State of one drawing. */
 typedef struct drawing {
   arc_gnuplot *session;
   const arc_plot_figure *frames;
@@ -96,8 +95,9 @@ typedef struct drawing {
   arc_canvas canvas;
 } drawing;
 
-/* gnuplot reads its standard input byte by byte, so many commands are faster from a file. Leaves
- * the script unchanged, and `path` empty, if no file can be written. */
+/* Writes a long script to a temporary file and replaces it by a command that loads the file,
+ * because gnuplot reads its standard input byte by byte. If no file can be written, the script is
+ * unchanged. */
 static void through_file(arc_text *script, arc_atomic_file **temporary) {
   const char *folder = getenv("TMPDIR");
   arc_error ignored;
@@ -114,7 +114,7 @@ static void through_file(arc_text *script, arc_atomic_file **temporary) {
   arc_text_path(script, arc_atomic_file_path(*temporary));
 }
 
-/* Runs the commands for a canvas; `reply` receives the output. */
+/* Runs the commands for a canvas. `reply` receives gnuplot's output. */
 static arc_status ask(drawing *d, const arc_canvas *canvas, const char *temporary, char **reply,
                       size_t *length, arc_error *error) {
   arc_text script = {0};
@@ -131,7 +131,7 @@ static arc_status ask(drawing *d, const arc_canvas *canvas, const char *temporar
   return status;
 }
 
-/* Draws only the curves again, at the resolution of dots, and adds them to the picture. */
+/* Draws only the curves a second time, at the resolution of dots, and adds them to the picture. */
 static arc_status refine(drawing *d, const char *words, size_t length, arc_text *picture,
                          arc_error *error) {
   arc_canvas dots = d->canvas;
@@ -144,7 +144,7 @@ static arc_status refine(drawing *d, const char *words, size_t length, arc_text 
   return status;
 }
 
-/* `picture` receives gnuplot's output; pictures in characters are cleaned. */
+/* Draws, and stores gnuplot's output in `picture`. Pictures in characters are cleaned. */
 static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_error *error) {
   char *reply = NULL;
   size_t length = 0;
@@ -159,7 +159,7 @@ static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_
   return status == ARC_OK && picture->failed ? no_memory(error) : status;
 }
 
-/* Characters and commands are written here, everything else by gnuplot. */
+/* Writes the file: characters and commands from here, all other formats by gnuplot. */
 static arc_status fill_place(drawing *d, const arc_atomic_file *temporary, arc_error *error) {
   arc_text text = {0};
   arc_status status;
@@ -185,7 +185,7 @@ static arc_status draw_file(drawing *d, arc_error *error) {
   return status;
 }
 
-/* Checks, and finds the canvas. Only commands need no gnuplot. */
+/* Checks the figures and chooses the canvas. Starts gnuplot unless only commands are written. */
 static arc_status prepare(drawing *d, arc_error *error) {
   arc_status status = ARC_OK;
   for (size_t i = 0; i < d->count && status == ARC_OK; i++)

@@ -1,5 +1,4 @@
-/* Defaults, checks, grid and extent of a figure.
- */
+/* Defaults, checks, grid and extent of a figure. */
 #include "plot/figure.h"
 
 #include <math.h>
@@ -49,7 +48,7 @@ static void widen_y(const arc_plot_curve *curve, size_t j, arc_plot_box *box) {
   widen(curve->y[j] + bar, &box->y0, &box->y1);
 }
 
-/* As in gnuplot, points outside the shown range of x do not affect the range of y. */
+/* Points outside the range of x do not affect the range of y, as in gnuplot. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel) {
   arc_plot_box box = {NAN, NAN, NAN, NAN};
   for (size_t i = 0; i < panel->curve_count; i++)
@@ -83,16 +82,16 @@ static arc_status check_axis(const arc_plot_axis *axis, const char *name, size_t
   return ARC_OK;
 }
 
-/* Inside the range, open ends included. */
+/* True if a value is in the range of an axis, of which one or both ends may be automatic. */
 static int inside(const arc_plot_axis *axis, double value) {
   double low = fmin(axis->min, axis->max), high = fmax(axis->min, axis->max);
   if (axis->log && !(value > 0)) return 0;
-  if (isnan(axis->min) != isnan(axis->max)) /* one end is open; fmin and fmax give the other */
+  if (isnan(axis->min) != isnan(axis->max)) /* only one end is set */
     return isnan(axis->min) ? value <= high : value >= low;
   return isfinite(value) && !(value < low) && !(value > high);
 }
 
-/* The error in a curve's points, or NULL. */
+/* Returns the error in the points of a curve, or NULL. */
 static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *curve) {
   arc_plot_axis open_x = panel->x, open_y = panel->y;
   open_x.min = open_x.max = open_y.min = open_y.max = NAN;
@@ -106,7 +105,8 @@ static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *
   return drawable == 0 ? "has no positive point for the logarithmic axis" : NULL;
 }
 
-/* gnuplot accepts any word as a colour and draws unknown ones in black. */
+/* This check is needed because gnuplot accepts any word as a colour and draws unknown colours in
+ * black. */
 static int is_colour(const char *colour) {
   static const char names[] = " " ARC_PLOT_COLOURS " ";
   char word[24];
@@ -145,8 +145,8 @@ static arc_status check_curve(const arc_plot_panel *panel, size_t number, size_t
   return ARC_OK;
 }
 
-/* gnuplot's message for a range without points ("all points y value undefined") does not name the
- * cause. */
+/* Fails if no curve has a point inside the ranges. gnuplot's message for this error ("all points y
+ * value undefined") does not name the cause. */
 static arc_status check_visible(const arc_plot_panel *panel, size_t number, arc_error *error) {
   size_t seen = panel->field != NULL;
   for (size_t i = 0; i < panel->curve_count && !seen; i++)

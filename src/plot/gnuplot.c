@@ -1,5 +1,5 @@
 /* A session with gnuplot: start, version, commands and replies, restart. gnuplot continues after an
- * error, so every command list ends by printing a marker line with the error number; the output
+ * error. So every list of commands ends by printing a marker line with the error number; the output
  * before this line is the answer. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ struct arc_gnuplot {
   arc_process process;
   double version;
   char *terminals;
-  unsigned long questions; /* number of the marker line, which distinguishes it from earlier ones */
+  unsigned long questions; /* number of the marker line, unique in the session */
 };
 
 static const char remedy[] = "On Debian: apt-get install gnuplot-nox";
@@ -68,10 +68,10 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name) {
   return length > 0 && (size_t)length < sizeof word && strstr(arc_gnuplot_terminals(session), word);
 }
 
-/* --- one question ----------------------------------------------------------------------------- */
+/* --- commands and answers --------------------------------------------------------------------- */
 
-/* gnuplot shows the command, a caret, then "line 0: what is wrong" or "\"file\" line 7: ...": the
- * last words are for people. */
+/* Returns the readable end of an error output of gnuplot. The output is the command, a caret, then
+ * "line 0: MESSAGE" or "\"file\" line 7: MESSAGE". */
 static const char *last_words(arc_text *errors) {
   if (!errors->data) return "no reason given";
   size_t end = errors->length;
@@ -100,8 +100,8 @@ static arc_status missing(const arc_gnuplot *session, arc_error *error) {
                   remedy);
 }
 
-/* Ends the process after a failed exchange and sets the error. Status 127 is how a shell, or a
- * spawn call that cannot report it, indicates that there is no such program. */
+/* Ends the process after a failed exchange and sets the error. Exit status 127 means that there is
+ * no such program: a shell returns it, and so does a spawn call that cannot report the error. */
 static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end end,
                          arc_error *error) {
   char ending[64];
@@ -132,8 +132,8 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
   }
 }
 
-/* Removes the marker line, and the line break before it, from the answer. Returns the error number
- * in it. */
+/* Removes the marker line and the line break before it from the answer. Returns the error number in
+ * the marker line. */
 static int error_number(arc_text *answer, const char *mark) {
   size_t start = answer->length - 1;
   while (start > 0 && answer->data[start - 1] != '\n') start--;
@@ -159,7 +159,7 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
   arc_text question = {0};
   arc_text_word(&question, "reset errors\narchard_failed = 0\nset print '-'\n");
   arc_text_add(&question, commands, count);
-  /* a picture need not end with a line break: print one, so that the mark begins a line */
+  /* a picture may end without line break, so one is printed before the marker line */
   arc_text_format(&question, "\nprint ''\nprint sprintf('%s%%d>>', archard_failed + GPVAL_ERRNO)\n",
                   mark);
   if (question.failed) {
@@ -186,14 +186,14 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
 /* --- start ------------------------------------------------------------------------------------ */
 
 static arc_status spawn(arc_gnuplot *session, arc_error *error) {
-  char defaults[] = "-d"; /* reads no start-up file of the user */
+  char defaults[] = "-d"; /* ignore the user's start-up file */
   char *argv[] = {session->program, defaults, NULL};
   arc_status status = arc_process_start(&session->process, argv, error);
   if (status == ARC_MISSING) return missing(session, error);
   return status;
 }
 
-/* Stores the version and the terminals, each on one line of the answer. */
+/* Reads gnuplot's version and terminals, each on one line of the answer. */
 static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_error *error) {
   char *end;
   session->version = strtod(answer->data, &end);
@@ -212,7 +212,7 @@ static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_err
   return ARC_OK;
 }
 
-/* The first answer failed: the message says that gnuplot did not start, with advice. */
+/* Sets the error when the first answer failed: gnuplot did not start, with advice. */
 static arc_status failed_start(arc_gnuplot *session, arc_status status, arc_error *error) {
   arc_process_end(&session->process, 0.0);
   if (status != ARC_IO || !error) return status;

@@ -7,7 +7,8 @@
 
 enum { SERIES = 8, KEY_ENTRIES = 8 };
 
-/* Distinct also for colour-blind readers; characters use the terminal's own six colours. */
+/* These colours are distinct also for colour-blind readers. Pictures in characters use the six
+ * colours of the terminal. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
@@ -17,7 +18,7 @@ static const char *const area_greys[SERIES] = {"#404040", "#b0b0b0", "#000000", 
 static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
                                                  "green", "yellow", "blue", "red"};
 
-/* Dashes that are distinct without colours; the first is a full line. */
+/* These dashes are distinct without colours. The first is a full line. */
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
                                            "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
@@ -41,7 +42,8 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, after);
 }
 
-/* Texts without marks are not passed as enhanced text. A long title is broken into lines here. */
+/* A text without subscripts, superscripts or powers is not passed as enhanced text. A long title is
+ * broken into lines here. */
 static void add_label(arc_writer *w, const char *words, double columns, int marked) {
   arc_text shown = {0};
   size_t count = arc_text_line(words, columns);
@@ -141,7 +143,8 @@ void arc_look_collect(arc_writer *w) {
     }
 }
 
-/* For curves on a scale of colours, characters name the first, the last, and some between. */
+/* True if a curve has an entry in the key. Of many curves on a colour scale, a picture in
+ * characters lists the first, the last and some between them. */
 static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
   const arc_plot_curve *curve = &panel->curves[position];
   size_t last = panel->curve_count - 1;
@@ -152,7 +155,7 @@ static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t posit
   return 0;
 }
 
-/* Number of lines of a key with its samples, titles side by side. */
+/* Returns the number of lines of a key with titles and samples side by side. */
 static double lines_of_key(size_t titles, size_t longest, double columns) {
   const double in_a_row = fmax(1, floor(columns / ((double)longest + 14)));
   return ceil((double)titles / in_a_row);
@@ -171,7 +174,7 @@ double arc_look_key_rows(const arc_writer *w) {
 double arc_panel_columns(const arc_writer *w) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
-  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is above the frame */
+  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* title above the frame */
 }
 
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
@@ -188,8 +191,9 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Colour and dash of a curve, both from 1. Each colour has its own dash; after the last colour they
- * repeat with other dashes. Characters have other marks instead of dashes. */
+/* Colour and dash number of a curve, both from 1. Each of the eight colours has its own dash;
+ * further curves combine the colours with other dashes. In characters other marks replace the
+ * dashes. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -209,7 +213,8 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* A closed curve is the outline of an area, a band; otherwise the area extends down to zero. */
+/* True if a filled curve is closed, as the outline of a band is. Otherwise its area extends down to
+ * zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {
@@ -219,7 +224,7 @@ static int comes_back(const arc_plot_curve *curve) {
   return there && back;
 }
 
-enum { MANY = 60 }; /* points, of which dots cover less */
+enum { MANY = 60 }; /* number of points; more are drawn as dots */
 
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->error && curve->style == ARC_PLOT_POINTS && curve->count > MANY && !w->canvas->text;
@@ -245,7 +250,7 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
                     w->canvas->grey ? 0.5 : 0.35);
 }
 
-/* Red, green and blue of a name of gnuplot or of #rrggbb. */
+/* Returns red, green and blue of a colour given as a gnuplot name or as #rrggbb. */
 static unsigned rgb_of(const char *colour) {
   static const struct {
     const char *name;
@@ -261,7 +266,7 @@ static unsigned rgb_of(const char *colour) {
   return 0; /* black */
 }
 
-/* Rec. 601: luminance of a colour in grey print. */
+/* Writes a colour, in grey print as a grey of the same luminance (Rec. 601). */
 static void colour_words(arc_writer *w, const char *colour) {
   unsigned rgb = rgb_of(colour);
   unsigned y = (299 * (rgb >> 16) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255)) / 1000;
@@ -290,19 +295,19 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
-  int chosen = curve->colour && curve->dash == 0; /* distinguished by colour: the line is full */
+  int chosen = curve->colour && curve->dash == 0; /* a curve with a colour has a full line */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
 }
 
-/* In characters the sample of a line and its title would touch. */
+/* In characters a blank separates the title from the sample of its line. */
 static void title_words(arc_writer *w, const char *title) {
   arc_text_word(w->out, w->canvas->text && *title ? " title ' '." : " title ");
   arc_writer_label(w, "", title, "");
 }
 
-/* Points have the mark of their colour if curves are drawn in dots. */
+/* If curves are drawn in Braille dots, each colour has its own mark of points. */
 static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t position) {
   int marked = curve->error || curve->style == ARC_PLOT_POINTS;
   if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
@@ -311,7 +316,8 @@ static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t positi
                     ARC_DOT_MARK + pen_of(w, curve, position).series - 1);
 }
 
-/* If curves are drawn in dots, they are black here, and the key has their colours. */
+/* Draws a curve in black where Braille dots will replace it. Its entry in the key has the
+ * colour. */
 static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t position) {
   arc_plot_curve sample = panel->curves[position];
   style_words(w, panel, &sample);
@@ -346,7 +352,7 @@ void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position)
 
 /* --- the key of all panels -------------------------------------------------------------------- */
 
-/* Curves with the same title have the style of the first one. */
+/* Returns the first curve with a title, which sets the style of all curves with this title. */
 static const arc_plot_curve *first_of(const arc_writer *w, size_t title, size_t *position) {
   *position = 0;
   for (size_t p = 0; p < w->figure->panel_count; p++)
@@ -372,7 +378,7 @@ void arc_look_draw_key(arc_writer *w) {
     const arc_plot_curve *curve = first_of(w, i, &position);
     arc_text_word(w->out, i ? ", NaN" : " NaN");
     arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
-    sample.error = NULL; /* NaN has no bars */
+    sample.error = NULL; /* no bars at NaN */
     if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
     if (curve && arc_dot_marked(w, NULL, curve)) sample.style = ARC_PLOT_LINESPOINTS;
     look(w, NULL, &sample, position);

@@ -1,6 +1,6 @@
-/* Subscripts, superscripts and Greek letters in titles. Only forms that are not names of files or
- * columns are recognised: a single letter before _, digits after ^. Other characters that gnuplot
- * would interpret are escaped. */
+/* Subscripts, superscripts and Greek letters in titles. Recognised are a single letter before _ and
+ * digits after ^, but no forms that occur in names of files or columns. Other characters that
+ * gnuplot would interpret are escaped. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +11,8 @@ static int is_letter(unsigned char c) {
   return isalpha(c) || c >= 0x80;
 }
 
-/* Bytes of the accents that end at `at`, U+0300 to U+036F, which belong to the letter before them.
- */
+/* Returns the number of bytes of the accents that end at `at` (U+0300 to U+036F), which belong to
+ * the letter before them. */
 static size_t accents_before(const char *words, const char *at) {
   size_t length = 0;
   while (at - length >= words + 2) {
@@ -24,8 +24,8 @@ static size_t accents_before(const char *words, const char *at) {
   return length;
 }
 
-/* Number of bytes of the character that ends at `at`, if it begins a word. 0: no character that can
- * have a mark. */
+/* Returns the number of bytes of the letter that ends at `at`, if it begins a word and so can have
+ * a subscript. Otherwise returns 0. */
 static size_t symbol_before(const char *words, const char *at) {
   size_t length = 1 + accents_before(words, at);
   while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
@@ -36,7 +36,7 @@ static size_t symbol_before(const char *words, const char *at) {
   return isalnum(c) || c == '_' || c >= 0x80 ? 0 : length;
 }
 
-/* Number of bytes after the _ or ^ at `at` that are lowered or raised; 0 if it is an ordinary
+/* Returns the number of lowered or raised bytes after the _ or ^ at `at`, or 0 if it is an ordinary
  * character. */
 static size_t marked(const char *words, const char *at) {
   size_t count = 0;
@@ -52,8 +52,8 @@ static size_t marked(const char *words, const char *at) {
   return count ? sign + count : 0;
 }
 
-/* Number of bytes of the exponent e-08 of a number that ends before `at`, stored in `power`; 0: no
- * exponent. */
+/* Returns the number of bytes of an exponent such as e-08 at `at`, and its value in `power`.
+ * Returns 0 if there is no exponent. */
 static size_t exponent_at(const char *words, const char *at, int *power) {
   const char *begin = at;
   if (*at != 'e' || (at[1] != '-' && at[1] != '+') || !isdigit((unsigned char)at[2])) return 0;
@@ -93,7 +93,7 @@ void arc_text_enhanced(arc_text *text, const char *words) {
   }
 }
 
-/* --- Greek ------------------------------------------------------------------------------------ */
+/* --- Greek letters ---------------------------------------------------------------------------- */
 
 typedef struct letter {
   const char *name, *utf8;

@@ -1,5 +1,4 @@
-/* Writes one panel as gnuplot commands: settings, data, plot.
- */
+/* Writes one panel as gnuplot commands: settings, data, plot. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,7 +6,8 @@
 
 enum { LEVELS = 9 };
 
-/* Denser characters for higher values, without those of the frame. */
+/* Characters for the levels of a field, denser for higher values. The characters of the frame are
+ * not among them. */
 static const char level_marks[LEVELS + 1] = ".,:;oxO#@";
 static const char *const level_colours[LEVELS] = {"blue",  "blue",   "cyan",   "cyan", "green",
                                                   "green", "yellow", "yellow", "red"};
@@ -33,7 +33,8 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
   arc_writer_label(w, "", a->label ? a->label : "", "\n");
 }
 
-/* Characters cannot be rotated: the label of y is above its axis, the title one line higher. */
+/* Writes title and y label. Characters cannot be rotated, so the y label is above its axis and the
+ * title one line higher. */
 static void heading(arc_writer *w, const arc_plot_panel *panel) {
   int above = w->canvas->text && panel->y.label;
   arc_writer_title(w, "set title ", panel->title ? panel->title : "", arc_panel_columns(w), "");
@@ -71,7 +72,7 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
   }
   arc_text_format(w->out, "set key on %s nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
-  if (place == ARC_PLOT_KEY_BELOW && framed) /* gnuplot would put it at the canvas' edge */
+  if (place == ARC_PLOT_KEY_BELOW && framed) /* gnuplot's default is the edge of the canvas */
     arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
                     (frame->left + frame->right) / 2,
                     frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
@@ -85,9 +86,9 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* Panels with equal scales and given frames, for characters twice as high as wide: the ranges are
- * extended to the aspect of the frame, so that frames align. Not for fields, which would have empty
- * margins. */
+/* True if ranges are extended to the aspect ratio of the frame, so that frames align. This applies
+ * to panels with equal scales, in characters (twice as high as wide) or beside other panels. A
+ * field would have empty margins and is not extended in pixels. */
 static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
   return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
 }
@@ -149,7 +150,8 @@ static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) 
   arc_text_word(w->out, ") enhanced\n");
 }
 
-/* Numbers of a linear axis with the power of ten of the largest: 0.5e-8 beside 1.0e-8. */
+/* Writes the numbers of a linear axis with the power of ten of the largest number: 0.5e-8 beside
+ * 1.0e-8. */
 static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks) {
   const int decimals = ticks->exponent - (int)floor(log10(ticks->step) + 1e-9);
   arc_text_format(w->out, "set %stics add ('0' 0", axis);
@@ -160,8 +162,8 @@ static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks)
   arc_text_word(w->out, ")\n");
 }
 
-/* Numbers must not overlap, which gnuplot does not check. In a window it chooses new ones when the
- * user zooms. */
+/* Sets tick positions so that numbers do not overlap, which gnuplot does not check. In a window
+ * gnuplot chooses them, because the user may zoom. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
   tic_format(w, axis, &ticks);
   if (ticks.decades && !w->canvas->window) {
@@ -175,7 +177,7 @@ static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
   if (ticks.powers && !ticks.bare && !ticks.decades) power_words(w, axis, &ticks);
 }
 
-/* Words at places of an axis. */
+/* Writes words instead of numbers at positions of an axis. */
 static void place_words(arc_writer *w, const char *name, const arc_plot_axis *axis) {
   arc_text_format(w->out, "set %stics (", name);
   for (size_t i = 0; i < axis->place_count; i++) {
@@ -220,7 +222,7 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
   return longest;
 }
 
-/* Half of the last number along x is outside the frame. */
+/* Returns the width of the half of the last number of the x axis that is outside the frame. */
 static double half_number(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   arc_plot_box box = arc_plot_extent(panel);
   arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
@@ -232,12 +234,13 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
 
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  int free = panel->field || arc_look_scale(w, panel, range); /* the scale is there */
+  int free = panel->field || arc_look_scale(w, panel, range); /* the colour scale needs the space */
   if (w->canvas->text || free || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 
-/* A grid would lie over a field; characters have neither choice. */
+/* Sets border and grid lines. A field has no grid, which would cover it. Characters have neither
+ * setting. */
 static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
   if (w->canvas->text) return;
   arc_text_word(w->out, panel->field ? "unset grid\nset border 15\n"
@@ -247,10 +250,11 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- field ------------------------------------------------------------------------------------ */
 
-/* Colours for values of one sign, and others, with white at zero, for values of both. */
+/* Writes the colour palette. It depends on whether the values have one sign or both; for both signs
+ * white is at zero. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
   static const char *const palettes[][2] = {
-      /* values of one sign, of both, of curves: the lightest of a field would be lost on white */
+      /* fields of one sign, of both signs, and curves, where light colours would not be visible */
       {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
        "0 '#f7f7f7', 1 '#303030'"},
       {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",
@@ -260,7 +264,7 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
-  if (panel->field && panel->levels) /* the lines are at the numbers of the scale */
+  if (panel->field && panel->levels) /* contour lines at the ticks of the scale */
     arc_text_format(w->out, "set cbtics %.17g\n", arc_field_step(range, panel->levels));
   else
     arc_text_word(w->out, "set cbtics autofreq\n");
@@ -268,7 +272,7 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
                    " offset 1,0\n");
 }
 
-/* The field on a grid with as many cells as are distinguishable. */
+/* Samples of the field. The grid has as many cells as can be distinguished. */
 typedef struct grid {
   int columns, rows;
   double *values;
@@ -292,8 +296,8 @@ static int level_of(double value, const double range[2]) {
   return isnan(share) ? -1 : (int)fmin(LEVELS - 1, fmax(0, floor(share * LEVELS)));
 }
 
-/* One datablock of points for each level. The first point is outside the frame: gnuplot 5.4 crashes
- * on points drawn as characters if there are none. */
+/* Writes one datablock of points for each level. The first point of a block is outside the frame,
+ * because gnuplot 5.4 crashes on character marks without points. */
 static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
                          const double range[2]) {
   double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
@@ -308,7 +312,7 @@ static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_
   }
 }
 
-/* Six digits are more than colours can show. */
+/* Six digits exceed the resolution of the colours. */
 static void image_block(arc_writer *w, size_t number, const grid *g) {
   arc_text_format(w->out, "$f%zu << END\n", number);
   for (int n = 0; n < g->columns * g->rows; n++) {
@@ -328,7 +332,7 @@ static void image_words(arc_writer *w, size_t number, const grid *g, const arc_p
   arc_text_word(w->out, " with image notitle");
 }
 
-/* The highest level first in the key. */
+/* Writes the plot command of the levels, the highest first, for the order in the key. */
 static void text_levels(arc_writer *w, size_t number, const double range[2]) {
   double step = (range[1] - range[0]) / LEVELS;
   for (int k = LEVELS - 1; k >= 0; k--) {
@@ -351,7 +355,8 @@ static void curve_blocks(arc_writer *w, size_t number) {
   }
 }
 
-/* Returns how many contour segments there are, and so whether there is a line to plot. */
+/* Writes the contour lines and their numbers. Returns the number of segments, 0 if there is nothing
+ * to plot. */
 static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *box,
                             const arc_plot_frame *frame, const double range[2]) {
   const arc_plot_panel *panel = &w->figure->panels[number];
@@ -368,7 +373,8 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
   return count;
 }
 
-/* In a picture of dots only the curves are drawn; settings that position them are kept. */
+/* Hides everything except the curves in the picture of dots. Settings that affect the position of
+ * the curves are kept. */
 static void hide_words(arc_writer *w, const arc_plot_panel *panel) {
   arc_text_word(w->out, "set title ''\nset xlabel ''\nset ylabel ''\nunset label\nunset key\n"
                         "unset border\n");
@@ -410,7 +416,7 @@ static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_
   arc_text_word(w->out, "\n");
 }
 
-/* Values of both signs are shown in a range that has zero in its middle. */
+/* Computes the range of colours of a field. For values of both signs zero is in its middle. */
 static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]) {
   range[0] = range[1] = 0;
   if (!panel->field) return;
@@ -422,7 +428,7 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
   }
 }
 
-/* The range shown by gnuplot: automatic ends of y extend to the next tick. */
+/* Returns the range shown by gnuplot, where automatic ends of y extend to the next tick. */
 static arc_plot_box to_ticks(const arc_writer *w, const arc_plot_panel *panel, double rows) {
   arc_plot_box box = arc_plot_extent(panel);
   double step = ticks_of_y(w, panel, &box, rows).step;

@@ -4,8 +4,8 @@
 
 #include "archard/base.h"
 
-/* Checks the first and last bytes of a picture for the format given by the ending of `file`, as
- * gnuplot does not report a full disk. ARC_IO: incomplete. */
+/* Checks the first and last bytes of a picture, because gnuplot does not report a full disk. The
+ * format follows from the ending of `file`. ARC_IO: the picture is incomplete. */
 arc_status arc_picture_check(const char *path, const char *file, arc_error *error);
 
 #endif

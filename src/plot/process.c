@@ -1,8 +1,7 @@
 /* A child process and the exchange of data with it.
  *
- * Input and output are one socket, because a socket can be written without SIGPIPE: the caller's
- * signals stay untouched.
- */
+ * Input and output are one socket, because writing to a socket can avoid SIGPIPE, so that the
+ * caller's signal handlers stay unchanged. */
 #include "plot/process.h"
 #include "system/child.h"
 
@@ -21,7 +20,7 @@ static double seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* --- start ------------------------------------------------------------------------------------ */
+/* --- start of a process ----------------------------------------------------------------------- */
 
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
   int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0] of this process, [1] of the child */
@@ -46,11 +45,12 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
                   strerror(failed));
 }
 
-/* --- talk ------------------------------------------------------------------------------------- */
+/* --- exchange of data ------------------------------------------------------------------------- */
 
 enum { BLOCK = 1 << 16 };
 
-/* Reads the available bytes. Returns their number; 0: none now; -1: the other end is closed. */
+/* Reads the available bytes. Returns their number, 0 if none are available now, or -1 if the child
+ * has closed its end. */
 static ssize_t take(int descriptor, arc_text *text) {
   char block[BLOCK];
   ssize_t got = read(descriptor, block, sizeof block);
@@ -60,14 +60,15 @@ static ssize_t take(int descriptor, arc_text *text) {
   return got;
 }
 
-/* Sends a part of the rest. Same returns as take(). */
+/* Sends as many bytes as possible now. Returns their number, 0 if none can be sent, or -1 on
+ * failure. */
 static ssize_t give(int descriptor, const char *bytes, size_t count) {
   ssize_t sent = send(descriptor, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR ? 0 : -1;
   return sent;
 }
 
-/* Whether the answer's last line, which must be complete, begins with the mark. */
+/* True if the last line of the answer is complete and begins with the mark. */
 static int finished(const arc_text *answer, const char *mark) {
   if (answer->length == 0 || answer->data[answer->length - 1] != '\n') return 0;
   size_t start = answer->length - 1;
@@ -75,7 +76,8 @@ static int finished(const arc_text *answer, const char *mark) {
   return strncmp(answer->data + start, mark, strlen(mark)) == 0;
 }
 
-/* One round of waiting, at most 0.1 s. Returns the bytes moved, or -1 when the child is gone. */
+/* Waits for data, at most 0.1 s, and transfers it. Returns the number of bytes, or -1 if the child
+ * has ended. */
 static long one_round(arc_process *process, arc_exchange *exchange, size_t *sent) {
   struct pollfd watched[2] = {{process->talk, POLLIN, 0}, {process->errors, POLLIN, 0}};
   if (*sent < exchange->length) watched[0].events |= POLLOUT;
@@ -128,10 +130,11 @@ arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchan
   return end;
 }
 
-/* --- end -------------------------------------------------------------------------------------- */
+/* --- end of a process ------------------------------------------------------------------------- */
 
-/* Checks without reaping it, so that its exit status remains for arc_process_end. A closed socket
- * is no proof: another program that it started may have it open. */
+/* Checks without reaping the process, so that its exit status remains for arc_process_end. An open
+ * socket is no proof that the process runs, because another program that it started may have the
+ * socket open. */
 int arc_process_alive(const arc_process *process) {
   if (process->pid <= 0) return 0;
   siginfo_t info = {.si_pid = 0};
@@ -141,13 +144,13 @@ int arc_process_alive(const arc_process *process) {
          !(watched.revents & (POLLHUP | POLLERR | POLLNVAL));
 }
 
-/* Waits for the end of the process, with a limit. Returns non-zero when it has ended. */
+/* Waits for the end of the process, at most `patience` [s]. Returns true if it has ended. */
 static int wait_for(pid_t pid, double patience, int *how) {
   double until = seconds() + patience;
   for (;;) {
     pid_t got = waitpid(pid, how, WNOHANG);
     if (got == pid) return 1;
-    if (got < 0 && errno != EINTR) { /* another caller has reaped it */
+    if (got < 0 && errno != EINTR) { /* reaped by another caller */
       *how = -1;
       return 1;
     }

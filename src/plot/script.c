@@ -22,7 +22,8 @@ static double longest_title(const arc_plot_panel *panel) {
   return (double)longest;
 }
 
-/* `columns`: of a line of a panel's title; `wide`: of a panel with all around it. */
+/* Computes the margins of all panels. `columns` is the line width of a panel's title, `wide` the
+ * width of a panel with its margins. */
 static margins margins_of(const arc_writer *w, double columns, double wide) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
@@ -43,7 +44,7 @@ static margins margins_of(const arc_writer *w, double columns, double wide) {
   return r;
 }
 
-/* Keys of their own below every panel need their lines there. */
+/* Returns the number of rows for the keys below the panels. */
 static double own_keys(const arc_writer *w) {
   double lines = 0;
   for (size_t i = 0; i < w->figure->panel_count; i++)
@@ -51,7 +52,8 @@ static double own_keys(const arc_writer *w) {
   return lines > 0 ? lines + 0.2 : 0;
 }
 
-/* The longest number of all panels determines the margin, so that frames align. */
+/* Returns the left margin. It is the same for all panels, from the longest number of all, so that
+ * frames align. */
 static double left_of_frames(const arc_writer *w, double least, double rows) {
   int labelled = 0;
   size_t longest = 0;
@@ -142,14 +144,14 @@ static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas
   memcpy(panels, figure->panels, figure->panel_count * sizeof *panels);
   arc_plot_share(panels, figure->panel_count);
   for (size_t i = 0; i < figure->panel_count; i++) arc_plot_clear(canvas, &panels[i]);
-  /* the figure's title is the panel's where there is one panel without a title */
+  /* a single panel without a title shows the title of the figure */
   if (figure->panel_count == 1 && !panels->title) panels->title = figure->title;
   shown.panels = panels;
   write_panels(&shown, canvas, script);
   free(panels);
 }
 
-/* gnuplot reads numbers with a point, in any locale. */
+/* Numbers are written in the C locale, because gnuplot reads numbers with a decimal point. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script) {
   locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
   if (!c) {

@@ -1,5 +1,5 @@
-/* Growing texts and the quoting of user texts. In gnuplot a text in double quotes runs shell
- * commands between backquotes, and a line break ends the command: both are written as character
+/* Growing texts and the quoting of user texts. In double quotes gnuplot runs text between
+ * backquotes as shell commands, and a line break ends the command, so both are written as character
  * codes. In single quotes gnuplot 5.4 reads some pairs of quotes as the end of one text and the
  * beginning of the next. */
 #include "plot/text.h"
@@ -45,7 +45,7 @@ void arc_text_format(arc_text *text, const char *format, ...) {
   if (length >= 0 && (size_t)length < sizeof line)
     arc_text_add(text, line, (size_t)length);
   else
-    text->failed = 1; /* only for numbers and short words of this program */
+    text->failed = 1; /* only for numbers and short texts of this program */
 }
 
 void arc_text_free(arc_text *text) {
@@ -53,7 +53,7 @@ void arc_text_free(arc_text *text) {
   memset(text, 0, sizeof *text);
 }
 
-/* The code point at `bytes` and its length; length 1 and code point -1 where it is no UTF-8. */
+/* Returns the code point at `bytes` and its length; -1 and length 1 for invalid UTF-8. */
 static long code_point(const unsigned char *bytes, size_t *length) {
   static const long smallest[] = {0, 0, 0x80, 0x800, 0x10000};
   size_t count = bytes[0] < 0x80           ? 1
@@ -74,7 +74,7 @@ static long code_point(const unsigned char *bytes, size_t *length) {
   return code;
 }
 
-/* How to write a character where only ASCII can be shown. */
+/* Returns the ASCII text that replaces a character. */
 static const char *spelled(long code) {
   static const struct {
     long code;
@@ -92,14 +92,14 @@ static const char *spelled(long code) {
   return "?";
 }
 
-/* C0, DEL and C1: a terminal could execute them. The others end a line, or change the direction of
- * text (the Bidi_Control of Unicode). */
+/* True for control characters (C0, DEL, C1), which a terminal could execute, and for characters
+ * that end a line or change the direction of text (Unicode property Bidi_Control). */
 static int is_control(long code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
          code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/* A byte within double quotes. */
+/* Appends a byte within double quotes. */
 static void add_byte(arc_text *text, char byte) {
   if (byte == '"' || byte == '\\')
     arc_text_add(text, (char[]){'\\', byte}, 2);

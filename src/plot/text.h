@@ -4,7 +4,8 @@
 
 #include <stddef.h>
 
-/* Initialise with zeros. If out of memory, `failed` is set and later additions have no effect. */
+/* A text initialised with zeros. If memory runs out, `failed` is set and later additions have no
+ * effect. */
 typedef struct arc_text {
   char *data; /* zero-terminated; NULL if empty */
   size_t length, capacity;
@@ -15,26 +16,27 @@ void arc_text_add(arc_text *text, const char *bytes, size_t count);
 void arc_text_word(arc_text *text, const char *word);
 void arc_text_format(arc_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Quoted as arc_plot_quote (archard/plot.h) says. */
+/* Appends a text quoted as by arc_plot_quote (archard/plot.h). */
 void arc_text_quoted(arc_text *text, const char *words, int ascii);
 
-/* Appends a quoted absolute path with its bytes unchanged, as names may not be UTF-8. */
+/* Appends a quoted absolute path with its bytes unchanged, because file names may not be UTF-8. */
 void arc_text_path(arc_text *text, const char *path);
 
-/* True if a text has subscripts or superscripts. */
+/* True if a text has subscripts, superscripts or powers of ten. */
 int arc_text_marked(const char *words);
 
-/* Appends a text with \alpha etc. as Greek letters. */
+/* Appends a text in which names such as \alpha are replaced by Greek letters. */
 void arc_text_greek(arc_text *text, const char *words);
 
-/* As gnuplot's enhanced text, yet to be quoted, in which the marks of archard/plot.h are its own
- * and all else is shown as it stands. */
+/* Appends a text as gnuplot's enhanced text, without quotes. Subscripts and superscripts
+ * (archard/plot.h) become gnuplot's marks; other special characters are escaped. */
 void arc_text_enhanced(arc_text *text, const char *words);
 
-/* Characters (not bytes) of a UTF-8 text; 0 for NULL. */
+/* Returns the number of characters (not bytes) of a UTF-8 text, 0 for NULL. */
 size_t arc_text_characters(const char *words);
 
-/* Bytes of the first line of a text wrapped at `most` characters, after a comma, colon or blank. */
+/* Returns the number of bytes in the first line of a text wrapped at `columns` characters, after a
+ * comma, colon or blank. */
 size_t arc_text_line(const char *words, double columns);
 
 void arc_text_free(arc_text *text);

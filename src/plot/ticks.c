@@ -1,5 +1,5 @@
 /* Chooses round tick values with short labels that do not overlap. gnuplot would write 0.000000001
- * instead of 1e-09, and overlapping numbers. */
+ * instead of 1e-09, and numbers that overlap. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,10 +7,10 @@
 
 #include "plot/figure.h"
 
-/* Digits beyond these are the noise of doubles. */
+/* Digits beyond MOST_DIGITS are rounding errors of doubles. */
 enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
-/* 1, 2 or 5 times a power of ten, with at most `most` ticks over the span. */
+/* Returns 1, 2 or 5 times a power of ten, such that the span has at most `steps` steps. */
 static double round_step(double span, double steps) {
   double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
   double share = rough / power;
@@ -21,14 +21,15 @@ double arc_field_step(const double range[2], int levels) {
   return round_step(range[1] - range[0], levels + 1);
 }
 
-/* Digits that distinguish neighbours: 100.001 and 100.002 need six. */
+/* Returns the digits needed to distinguish adjacent ticks: 100.001 and 100.002 need six. */
 static int digits_of(double low, double high, double step) {
   double largest = fmax(fabs(low), fabs(high));
   double digits = floor(log10(largest)) - floor(log10(step)) + 1;
   return (int)fmin(MOST_DIGITS, fmax(DIGITS, digits));
 }
 
-/* Open ends reach to the next tick beyond the data. */
+/* Returns the length of the longest label. Automatic ends extend to the next tick beyond the
+ * data. */
 static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   char label[40];
   size_t longest = 1;
@@ -40,7 +41,8 @@ static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   return longest;
 }
 
-/* Characters of the longest label written as 7e-4, with as many decimals as the step needs. */
+/* Returns the length of the longest label in the form 7e-4, with as many decimals as the step
+ * needs. */
 static size_t longest_power(double low, double high, const arc_ticks *ticks) {
   double largest = fmax(fabs(low), fabs(high));
   int lowest = (int)floor(log10(ticks->step) + 1e-9), highest = (int)floor(log10(largest) + 1e-9);
@@ -49,7 +51,7 @@ static size_t longest_power(double low, double high, const arc_ticks *ticks) {
          (abs(exponent) > 9) + 1;
 }
 
-/* Decimals that distinguish 1.2e-3 from 1e-3. */
+/* Returns the number of decimals of the mantissa: 1 for 1.2e-3, 0 for 1e-3. */
 static int decimals_of(double value) {
   char text[40];
   snprintf(text, sizeof text, "%.*e", DIGITS - 1, value);
@@ -59,7 +61,7 @@ static int decimals_of(double value) {
   return (int)(end - point) - 1;
 }
 
-/* Powers of ten where plain numbers would be long and they are shorter. */
+/* Chooses powers of ten if plain numbers would be long and powers are shorter. */
 static void choose_form(double low, double high, arc_ticks *ticks) {
   double first = floor(low / ticks->step + 1e-9), last = ceil(high / ticks->step - 1e-9);
   for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
@@ -80,13 +82,13 @@ static arc_ticks with_step(double low, double high, double step) {
   return ticks;
 }
 
-/* Ranges that are not known: gnuplot's choice. */
+/* True if the span is unknown or zero; then gnuplot chooses the ticks. */
 static int is_free(double span) {
   return !isfinite(span) || span == 0;
 }
 
-/* Where decades are few their halves and fifths are shown as well. One form for all: 0.0001 beside
- * 1e-05 would be two. */
+/* If there are few decades, multiples such as 2 and 5 have labels as well. All labels have the same
+ * form: 0.0001 beside 1e-05 would be inconsistent. */
 static arc_ticks log_ticks(double low, double high, double most) {
   int first = (int)floor(log10(low) + 1e-9), last = (int)ceil(log10(high) - 1e-9);
   arc_ticks ticks = {.digits = DIGITS,

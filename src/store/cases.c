@@ -8,7 +8,7 @@
 #define STATUS_TEXT(name, text) text,
 const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) NULL};
 
-/* --- list ------------------------------------------------------------------------------------- */
+/* --- list of cases ---------------------------------------------------------------------------- */
 
 /* True if a case of this id exists. */
 static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
@@ -88,7 +88,7 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
   return status;
 }
 
-/* --- status ----------------------------------------------------------------------------------- */
+/* --- status of a case ------------------------------------------------------------------------- */
 
 /* OK if the case exists, also if its status is kept. */
 static arc_status find_done(arc_store *store, int id, arc_error *error) {

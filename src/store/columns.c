@@ -28,7 +28,7 @@ static const column others[] = {
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* --- parts ------------------------------------------------------------------------------------ */
+/* --- parts of SQL texts ----------------------------------------------------------------------- */
 
 /* "update" is a keyword of SQL. */
 static void put_name(FILE *to, const column *c) {
@@ -206,7 +206,7 @@ static void put_units(FILE *to) {
   put_all(to, put_setting_unit);
 }
 
-/* --- texts ------------------------------------------------------------------------------------ */
+/* --- complete SQL texts ----------------------------------------------------------------------- */
 
 static const struct {
   const char *word;

@@ -165,7 +165,7 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
   return status;
 }
 
-/* --- comparing -------------------------------------------------------------------------------- */
+/* --- comparing checksums ---------------------------------------------------------------------- */
 
 /* Selects the checksum of a case, and 1 if it must have one; to read a run, data without a case
  * must have one too. */

@@ -57,7 +57,7 @@ static arc_status check_file(const arc_store *store, arc_error *error) {
   return check_header(store, header, size, error);
 }
 
-/* --- opening and making ----------------------------------------------------------------------- */
+/* --- opening and creating files --------------------------------------------------------------- */
 
 static arc_status new_store(const char *path, arc_file_use use, arc_store **store,
                             arc_error *error) {

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- the table -------------------------------------------------------------------------------- */
+/* --- the table of settings -------------------------------------------------------------------- */
 
 enum { LONGEST_NAME = 96 };
 
@@ -106,7 +106,7 @@ static slots table_of(arc_stored_run *run, arc_loading *loading, const char **ms
   return list;
 }
 
-/* --- writing ---------------------------------------------------------------------------------- */
+/* --- writing definitions ---------------------------------------------------------------------- */
 
 static const double *array_at(const slot *s) {
   return *(const double **)s->at;
@@ -193,7 +193,7 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* --- contents of the file */
+/* --- values in the file ----------------------------------------------------------------------- */
 
 /* Values of a case by name, and its blocks of loading, which point to the arrays. */
 typedef struct kept {
@@ -264,7 +264,7 @@ static int collect(void *context, const arc_value *value) {
   return 1;
 }
 
-/* --- reading ---------------------------------------------------------------------------------- */
+/* --- reading definitions ---------------------------------------------------------------------- */
 
 static arc_status refuse_value(const reading *r, const arc_value *value) {
   char shown[80] = "an array";
@@ -383,7 +383,7 @@ static arc_status fill(reading *r) {
   return status;
 }
 
-/* --- checking --------------------------------------------------------------------------------- */
+/* --- checking definitions --------------------------------------------------------------------- */
 
 static void stand_in(void) {}
 

@@ -265,7 +265,7 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
   return status;
 }
 
-/* --- going on --------------------------------------------------------------------------------- */
+/* --- continuing a stored run ------------------------------------------------------------------ */
 
 /* A stored run: history and state. */
 typedef struct stored_run {

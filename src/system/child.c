@@ -28,7 +28,7 @@ int arc_child_channel(int ends[2], int is_socket) {
   return 0;
 }
 
-/* --- in the child, which shares the parent's memory until exec and writes none of it */
+/* --- code that runs in the child, which must not write to memory shared with its parent ------- */
 
 /* Keeps ignored signals, except those that end a program, and removes handlers, which could run in
  * the child once signals are unblocked. Returns an errno. */
@@ -86,7 +86,7 @@ static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   return errno;
 }
 
-/* --- here ------------------------------------------------------------------------------------- */
+/* --- code that runs in this process ----------------------------------------------------------- */
 
 /* The child stores the reason of a failure in memory shared with its parent. Returns an errno. */
 static int begin(const arc_child_def *def, rlim_t memory, pid_t *process) {

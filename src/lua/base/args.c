@@ -89,7 +89,7 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
   }
 }
 
-/* --- reading ---------------------------------------------------------------------------------- */
+/* --- reading arguments ------------------------------------------------------------------------ */
 
 enum { LONGEST_TEXT = 240 }; /* bytes of the description of a setting's values */
 

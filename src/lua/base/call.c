@@ -15,7 +15,7 @@ typedef struct frame {
 
 static _Thread_local frame *current; /* frame of the running function */
 
-/* --- holding ---------------------------------------------------------------------------------- */
+/* --- saved functions -------------------------------------------------------------------------- */
 
 static int is_held(const frame *f, const call_held *held) {
   for (int i = 0; i < f->count; i++)
@@ -76,7 +76,7 @@ static void release(lua_State *L, const frame *f) {
   if (f->keeps) forget(L, f);
 }
 
-/* --- calling ---------------------------------------------------------------------------------- */
+/* --- calls ------------------------------------------------------------------------------------ */
 
 void call_now(lua_State *L, int arguments, int results) {
   frame own; /* `held` is not cleared: this function runs at every read of a field */

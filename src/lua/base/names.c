@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* --- the nearest known name ------------------------------------------------------------------- */
+/* --- the most similar valid name -------------------------------------------------------------- */
 
 enum { LONGEST = 31 };
 

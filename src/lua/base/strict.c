@@ -37,7 +37,7 @@ int strict_reads_called(lua_State *L) {
   return reads_at(L, 2);
 }
 
-/* --- known names ------------------------------------------------------------------------------ */
+/* --- valid names ------------------------------------------------------------------------------ */
 
 /* Offers the text keys of the table at `index` and the text values of its list part. */
 static void offer_all(lua_State *L, int index, names_search *search) {

@@ -108,7 +108,7 @@ static void replace_shown(lua_State *L) {
   }
 }
 
-/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's --------------------------- */
+/* --- debug.getmetatable and setmetatable for the user ----------------------------------------- */
 
 static int call_original(lua_State *L) {
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -138,7 +138,7 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
   lua_setfield(L, -2, name);
 }
 
-/* --- setting up ------------------------------------------------------------------------------- */
+/* --- installation ----------------------------------------------------------------------------- */
 
 /* Copies the string library on top, except string.dump, which a sandbox removes. */
 static void keep_methods(lua_State *L) {

@@ -261,7 +261,7 @@ static void read_materials(lua_State *L, int index, args_location location, arc_
   lua_settop(L, top);
 }
 
-/* --- reading ---------------------------------------------------------------------------------- */
+/* --- reading a body from a table -------------------------------------------------------------- */
 
 static arc_solid read_kind(lua_State *L, int index, args_location location) {
   lua_getfield(L, index, "kind");
@@ -334,7 +334,7 @@ void body_read_names(lua_State *L, int index, arc_model_def *def) {
   }
 }
 
-/* --- printing --------------------------------------------------------------------------------- */
+/* --- printing a body -------------------------------------------------------------------------- */
 
 static int body_tostring(lua_State *L) {
   arc_model_def model = arc_model_default();
@@ -358,7 +358,7 @@ static void set_body_class(lua_State *L) {
   lua_setmetatable(L, -2);
 }
 
-/* --- pushing ---------------------------------------------------------------------------------- */
+/* --- bodies as Lua tables --------------------------------------------------------------------- */
 
 /* Sets a field of the table on top of the stack to the value of a setting, unless it is optional
  * and 0. */
@@ -435,7 +435,7 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
   set_body_class(L);
 }
 
-/* --- making ----------------------------------------------------------------------------------- */
+/* --- constructors of bodies ------------------------------------------------------------------- */
 
 /* Replaces a measured profile at index 1 by a table { x=, y= }. */
 static void take_measured(lua_State *L) {

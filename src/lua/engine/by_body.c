@@ -15,7 +15,7 @@ const char *body_name(const arc_model_def *def, arc_body body) {
   return arc_model_body_name(def ? def : &usual, body);
 }
 
-/* --- words ------------------------------------------------------------------------------------ */
+/* --- names of bodies -------------------------------------------------------------------------- */
 
 int body_find(const arc_model_def *def, const char *word, arc_body *body) {
   return arc_model_find_body(def ? def : &usual, word, body);
@@ -45,7 +45,7 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
   args_refuse(L, (args_location){where, ""}, "body", expected);
 }
 
-/* --- tables ----------------------------------------------------------------------------------- */
+/* --- tables by body --------------------------------------------------------------------------- */
 
 /* Adds a word to the table on top if it identifies one body. */
 static void add_word(lua_State *L, const arc_model_def *def, const char *word) {

@@ -95,7 +95,7 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 /* Raises an error if the bodies have no meshes (surface_maps.c). */
 void model_check_meshed(lua_State *L, const arc_model *model, const char *where);
 
-/* --- sharing them (model_share.c) ------------------------------------------------------------- */
+/* --- models shared by runs (model_share.c) ---------------------------------------------------- */
 
 /* Pushes a box with the model of this definition: a cached model or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
@@ -144,7 +144,7 @@ const arc_model_def *worn_model_def(lua_State *L, int worn);
  * it); else NULL. */
 arc_model *worn_given_model(lua_State *L, int worn);
 
-/* --- others ----------------------------------------------------------------------------------- */
+/* --- other modules ---------------------------------------------------------------------------- */
 
 /* Pushes { x=, p= }, the pressure on a body [mm, MPa]. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);

@@ -246,7 +246,7 @@ static int contact_slip(lua_State *L) {
   return 1;
 }
 
-/* --- the calls that made it ------------------------------------------------------------------- */
+/* --- the calls that created a contact --------------------------------------------------------- */
 
 /* Pushes a copy of the table at `index`, empty where there is none; what is in it is shared. */
 static void push_copy(lua_State *L, int index) {

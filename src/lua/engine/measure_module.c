@@ -80,7 +80,7 @@ static int measure_sawtooth(lua_State *L) {
   return 1;
 }
 
-/* --- by body ---------------------------------------------------------------------------------- */
+/* --- measures of each body -------------------------------------------------------------------- */
 
 /* Reads the names of the bodies from the model table at index 1 (nil: the default bodies). */
 static arc_model_def read_names(lua_State *L) {

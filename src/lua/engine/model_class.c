@@ -178,7 +178,7 @@ static int model_new(lua_State *L) {
   return 1;
 }
 
-/* --- model as an argument --------------------------------------------------------------------- */
+/* --- models as arguments ---------------------------------------------------------------------- */
 
 static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zones_fn zones,
                        const void *definition) {

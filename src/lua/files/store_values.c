@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* --- writing ---------------------------------------------------------------------------------- */
+/* --- writing named values --------------------------------------------------------------------- */
 
 /* Reads the value on top of the stack; the numbers of an array stay below it on the stack. */
 static arc_value read_value(lua_State *L, const char *name, const char *where) {
@@ -64,7 +64,7 @@ void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use us
   lua_settop(L, index - 1);
 }
 
-/* --- reading ---------------------------------------------------------------------------------- */
+/* --- reading named values --------------------------------------------------------------------- */
 
 static void push_value(lua_State *L, const arc_value *value) {
   switch (value->kind) {

@@ -259,7 +259,7 @@ static arc_plot_output read_output(reader *r) {
   return output;
 }
 
-/* --- the functions ---------------------------------------------------------------------------- */
+/* --- functions for Lua ------------------------------------------------------------------------ */
 
 static arc_gnuplot *session_of(lua_State *L) {
   arc_gnuplot **box = lua_touserdata(L, lua_upvalueindex(1));

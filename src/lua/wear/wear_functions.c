@@ -221,7 +221,7 @@ void functions_leave(lua_State *L, functions_call *call, const char *where) {
   if (failed) error_callback(L, where, f->what);
 }
 
-/* --- the holder ------------------------------------------------------------------------------- */
+/* --- the object that stores the functions ----------------------------------------------------- */
 
 static wear_functions *push_holder(lua_State *L) {
   wear_functions *f = lua_newuserdatauv(L, sizeof *f, PLACES);

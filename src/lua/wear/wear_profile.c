@@ -139,7 +139,7 @@ int wear_pressure(lua_State *L) {
   return 1;
 }
 
-/* --- both bodies together: at the plate's nodes, with the plate at x = 0 ---------------------- */
+/* --- sums over both bodies at the plate's nodes, with the plate at x = 0 ---------------------- */
 
 static arc_depths depths_of(const arc_shape *shape, arc_body body) {
   const arc_profile profile = arc_shape_profile(shape, body);
