@@ -10,7 +10,7 @@ const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) N
 
 /* --- list of cases ---------------------------------------------------------------------------- */
 
-/* True if a case of this id exists. */
+/* Sets *found to whether a case with this id exists. */
 static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
@@ -43,7 +43,7 @@ static int status_named(const char *text) {
   return -1;
 }
 
-/* Reads one row: id, label, status, message, seconds. */
+/* Reads one row with id, label, status, message and seconds. */
 static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error *error) {
   const arc_status found = arc_store_id(store, q, &one->id, error);
   if (found != ARC_OK) return found;
@@ -58,7 +58,7 @@ static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error
   return ARC_OK;
 }
 
-/* Appends a row to `count` cases; enlarges the array if necessary. */
+/* Appends the case of a row to the array and increases its size. */
 static arc_status add_case(arc_store *store, query *q, arc_case **cases, size_t *count,
                            arc_error *error) {
   arc_case *grown = arc_store_grown(*cases, *count, sizeof *grown);
@@ -90,7 +90,7 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status of a case ------------------------------------------------------------------------- */
 
-/* OK if the case exists, also if its status is kept. */
+/* Returns ARC_OK if the case exists, although its status did not change. */
 static arc_status find_done(arc_store *store, int id, arc_error *error) {
   int found = 0;
   const arc_status status = find(store, id, &found, error);
@@ -140,7 +140,7 @@ arc_status arc_store_release(arc_store *store, arc_error *error) {
 
 /* --- named values ----------------------------------------------------------------------------- */
 
-/* SQL by arc_value_use. */
+/* SQL statements by arc_value_use. */
 static const char *const forget[] = {"DELETE FROM settings WHERE case_id = ?1",
                                      "DELETE FROM definition WHERE case_id = ?1",
                                      "DELETE FROM results WHERE case_id = ?1"};
@@ -153,7 +153,8 @@ static const char *const look_up[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
-/* Sets a text, or its reference; `name` must be valid until the query has run. */
+/* Sets a text, or the name of a long text, as parameter. `name` must be valid until the query has
+ * run. */
 static arc_status set_text(arc_store *store, query *q, const char *text, char name[ARC_TEXT_NAME],
                            arc_error *error) {
   const arc_status status = arc_store_put_text(store, text, name, error);
@@ -168,7 +169,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* numbers are never stored as integers, so these are distinct */
+  case ARC_VALUE_FLAG: /* stored as an integer, numbers never are */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
@@ -203,7 +204,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* Memory of the value of a row, to be freed. */
+/* Memory of the value in a row; freed by the caller. */
 typedef struct buffers {
   double *array;
   char *text;
@@ -230,7 +231,7 @@ static arc_status read_array(const arc_store *store, query *q, arc_value *value,
   return ARC_OK;
 }
 
-/* Names are paths, "model.mesh.size": printable ASCII without empty parts. */
+/* True if a name is a path such as "model.mesh.size": printable ASCII without empty parts. */
 static int is_path(const char *name) {
   const size_t length = strlen(name);
   for (size_t i = 0; i < length; i++)
@@ -238,7 +239,7 @@ static int is_path(const char *name) {
   return length > 0 && name[0] != '.' && name[length - 1] != '.' && !strstr(name, "..");
 }
 
-/* The value of the row. */
+/* Reads the value in a row. */
 static arc_status read_value(arc_store *store, query *q, int id, arc_value *value, buffers *to,
                              arc_error *error) {
   if (arc_query_kind(q, 0) != COLUMN_TEXT || !is_path(arc_query_text(q, 0)))

@@ -1,5 +1,6 @@
-/* Names of columns in the file, and parts of SQL texts made from them. The columns of the history
- * follow from the list in archard/wear.h. Names include the unit: half_width_mm. */
+/* Names of columns in the file, and parts of SQL texts made from these names. The columns of the
+ * history follow from the list in archard/wear.h. A name includes the unit, such as
+ * half_width_mm. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -16,7 +17,7 @@ static const column history[] = {
 #undef COLUMN
 };
 
-/* Columns without a unit in the name. */
+/* Columns outside the history: results of a case and values at the nodes. */
 static const column others[] = {
     {"volume_total", "mm3", "wear volume of both bodies"},
     {"seconds", "s", "time that a finished case took; its column has no unit in the name"},
@@ -30,7 +31,7 @@ static const column others[] = {
 
 /* --- parts of SQL texts ----------------------------------------------------------------------- */
 
-/* "update" is a keyword of SQL. */
+/* Writes the name of a column with its unit. "update" is a keyword of SQL and becomes "updates". */
 static void put_name(FILE *to, const column *c) {
   fputs(strcmp(c->name, "update") == 0 ? "updates" : c->name, to);
   if (c->unit[0]) fputc('_', to);
@@ -61,7 +62,7 @@ static void put_values(FILE *to) {
   for (size_t c = 0; c < COUNT(history); c++) fputs(", ?", to);
 }
 
-/* k, alpha and jump are shown as settings. */
+/* True for columns of the history that are shown as settings: k, alpha and jump. */
 static int is_setting(const char *name) {
   const arc_setting *s = arc_setting_find(arc_wear_settings, name);
   return s && s->kind != ARC_OTHER && strcmp(name, "distance") != 0 && strcmp(name, "update") != 0;
@@ -75,13 +76,14 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings with the name of a result, of an SQL keyword, or in a model of a setting of a run. */
+/* Settings with another column name, because their own name is also a result or a keyword of SQL,
+ * or in a model a setting of a run. Rows: prefix, setting, column. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},
                                          {"model.", "geometry", "model_geometry"}};
 
-/* The column of a setting: "mesh_size" of mesh.size. */
+/* Returns the column of a setting, for example "mesh_size" for mesh.size. */
 static column column_of(const char *prefix, const char *path, const arc_setting *s,
                         char name[static 96]) {
   size_t i = 0;
@@ -94,7 +96,8 @@ static column column_of(const char *prefix, const char *path, const arc_setting 
   return (column){name, counted ? "" : s->unit, s->text};
 }
 
-/* Names of the other forms of a value, which replace it. */
+/* Writes the names of the settings that replace this one: its function, its series, or blocks of
+ * loading. */
 static void put_instead(FILE *to, const char *path, unsigned forms) {
   fputs("''", to);
   if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
@@ -102,14 +105,15 @@ static void put_instead(FILE *to, const char *path, unsigned forms) {
   if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
 }
 
-/* Context of a loop over the settings: output, and prefix of their names in the file. */
+/* Context of a loop over the settings: output, and prefix of the names in the file. */
 typedef struct walk {
   FILE *to;
   const char *prefix;
   void (*put)(struct walk *walk, const char *path, const arc_setting *s);
 } walk;
 
-/* From the definition, or from the settings of a case without one. */
+/* Writes the SQL expression of a setting: its value in the definition, or in the settings of a case
+ * without a definition. */
 static void put_setting(walk *at, const char *path, const arc_setting *s) {
   char name[96];
   const column c = column_of(at->prefix, path, s, name);
@@ -146,14 +150,14 @@ static void put_settings(FILE *to) {
   put_all(to, put_setting);
 }
 
-/* Each byte once, in order. */
+/* Writes all byte values in ascending order. */
 static void put_bytes(FILE *to) {
   for (unsigned b = 0; b < 256; b++) fprintf(to, "%02x", b);
 }
 
-/* SQL expression that decodes a double from its bits; `bytes` has the position of each byte. Each
- * LIMIT prevents SQLite from evaluating the inner query again for every use. Subnormal numbers
- * become 0. */
+/* Writes an SQL expression that decodes a double from its bits, where `bytes` is the list of all
+ * byte values. Each LIMIT prevents SQLite from evaluating the inner query again for every use.
+ * Subnormal numbers become 0. */
 static void put_number(FILE *to, const char *array) {
   const int least_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
   fputs("(SELECT CASE WHEN e = 0 THEN f * 0.0 WHEN e = 2047 THEN NULL WHEN e < 1023 THEN f / power"
@@ -174,7 +178,7 @@ static void put_number(FILE *to, const char *array) {
       array);
 }
 
-/* Columns of a surface, from the arrays of the same names. */
+/* Writes the columns of `surfaces` from the arrays with the same names. */
 static void put_numbers(FILE *to) {
   for (const char *const *name = arc_surface_names; *name; name++) {
     fputs(", ", to);
@@ -215,7 +219,8 @@ static const struct {
              {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
-/* Appends the part for the word at the start of a text. Returns the length of the word. */
+/* Appends the text that replaces the word at the start of `text`, or the first character if it is
+ * no such word. Returns the length replaced. */
 static size_t put_part(FILE *to, const char *text) {
   for (size_t p = 0; p < COUNT(parts); p++) {
     size_t length = strlen(parts[p].word);

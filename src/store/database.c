@@ -1,5 +1,5 @@
-/* Interface to SQLite, the only file that includes it. Translates its codes to statuses with
- * advice, and restricts it to the run file, its journal and unnamed files. */
+/* Interface to SQLite; no other file includes SQLite. It translates SQLite's codes to statuses with
+ * advice, and restricts SQLite to the run file, its journal and unnamed files. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"
@@ -13,8 +13,8 @@
 
 struct database {
   sqlite3 *handle;
-  char *path, *name; /* path, and name in messages */
-  long long bytes; /* size of the file when the present query was opened, and of the attached one */
+  char *path, *name; /* path of the file, and its name in messages */
+  long long bytes;   /* size of the file and of the attached file when the query was opened */
   long long beside;
   arc_lock_kind locks;
   long long work; /* remaining instructions, in units of WATCH */
@@ -23,12 +23,12 @@ struct database {
 struct query {
   database *db;
   sqlite3_stmt *statement;
-  int failed; /* SQLite's code of the first parameter that could not be set */
+  int failed; /* SQLite's code for the first parameter that could not be set */
   long long rows;
 };
 
-/* Processes that share a file wait for each other up to this time [ms]; a transaction needs about
- * ten. */
+/* Longest time that a process waits for another process with the same file [ms]. A transaction
+ * needs about 10 ms. */
 enum { PATIENCE = 60000 };
 
 static arc_status status_of(int code) {
@@ -37,11 +37,11 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
-  case SQLITE_PERM:  /* only open_guarded returns this */
-  case SQLITE_ERROR: /* no such table or column, as our statements are correct */
+  case SQLITE_PERM:  /* returned only by open_guarded */
+  case SQLITE_ERROR: /* missing table or column, as our SQL is correct */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
-  case SQLITE_INTERRUPT: /* by the limit on instructions, the only cause of interrupts */
+  case SQLITE_INTERRUPT: /* limit on instructions */
     return ARC_FORMAT;
   case SQLITE_CONSTRAINT:
     return ARC_ARGUMENT;
@@ -50,7 +50,7 @@ static arc_status status_of(int code) {
   }
 }
 
-/* errno of the last failure with the file, or 0. */
+/* Returns the errno of the last failed operation on the file, or 0. */
 static int system_error(const database *db, int code) {
   int number = sqlite3_system_errno(db->handle);
   if ((code & 0xff) == SQLITE_IOERR)
@@ -121,9 +121,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Files are not trusted: pages may form cycles, and tables may be views. The number of instructions
- * of a query is limited by the size of the file. Our queries need about 50 for a row of 30 bytes, a
- * few times more for merges. */
+/* Files are not trusted: pages may form cycles, and tables may be views. So the size of the file
+ * limits the number of instructions of a query. Our queries need about 50 instructions for a row of
+ * 30 bytes, and a few times more for merges. */
 enum { WATCH = 10000, LARGEST_VALUE = 64 << 20 };
 static const long long work_at_least = 10000000, work_a_byte = 100, rows_at_least = 100000;
 
@@ -142,7 +142,7 @@ static void measure(database *db) {
   begin_work(db);
 }
 
-/* No code of the file is executed: views, triggers, functions with side effects. */
+/* Prevents SQLite from executing code in the file: views, triggers, functions with side effects. */
 static void distrust(database *db) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
@@ -154,16 +154,17 @@ static void distrust(database *db) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* The restricted file system interfaces for SQLite, by kind of lock. */
+/* Restricted file system interfaces for SQLite, one for each kind of lock. */
 enum { KINDS = ARC_LOCK_NONE + 1 };
 static const char *const guarded_names[KINDS] = {"archard", "archard-by-name", "archard-alone"};
 static const char *const beneath_names[KINDS] = {"unix", "unix-dotfile", "unix-none"};
 static sqlite3_vfs guarded[KINDS];
 static int (*open_beneath)(sqlite3_vfs *, const char *, sqlite3_file *, int, int *);
 
-/* Files beside an untrusted file could make SQLite delete or write any file, or wait forever:
- * journals that name another file, links, pipes, logs. They are not opened here; SQLite deletes
- * only files it could open, and the journal of its own file. */
+/* Opens a file for SQLite, except super-journals, logs and unsafe journals. Such files beside an
+ * untrusted file (journals that name another file, links, pipes) could make SQLite delete or write
+ * any file, or wait forever. SQLite deletes only files that it could open, and the journal of its
+ * own file. */
 static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
                         int *given) {
   const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
@@ -177,19 +178,19 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* one function for all kinds of lock */
+  open_beneath = beneath->xOpen; /* the same function for all kinds of lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
   own->xOpen = open_guarded;
-  if (kind == ARC_LOCK_BY_NAME) { /* locks of SQLite are folders, which have no owner */
+  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's locks are folders, which have no owner */
     own->xSetSystemCall(own, "mkdir", (sqlite3_syscall_ptr)arc_lock_take);
     own->xSetSystemCall(own, "rmdir", (sqlite3_syscall_ptr)arc_lock_leave);
   }
   return sqlite3_vfs_register(own, 0);
 }
 
-/* Once per process. */
+/* Registers the restricted interfaces; further calls have no effect. */
 static int guard(void) {
   static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
   pthread_mutex_lock(&lock);
@@ -201,7 +202,7 @@ static int guard(void) {
 
 /* --- lists of numbers ------------------------------------------------------------------------- */
 
-/* Numbers of a group. */
+/* Numbers collected from the rows of a group. */
 typedef struct number_list {
   double *number;
   size_t count, capacity;
@@ -233,8 +234,8 @@ static void give_numbers(sqlite3_context *context) {
     sqlite3_result_blob64(context, list->number, list->count * sizeof *list->number, free);
 }
 
-/* Defines the SQL function array_of(number): the numbers of a group as one array, in the order of
- * the rows. */
+/* Defines the SQL function array_of(number). It joins the numbers of a group to one array, in the
+ * order of the rows. */
 static int define_arrays(sqlite3 *handle) {
   return sqlite3_create_function(handle, "array_of", 1, SQLITE_UTF8 | SQLITE_DIRECTONLY, NULL, NULL,
                                  add_number, give_numbers);
@@ -245,12 +246,13 @@ static int define_arrays(sqlite3 *handle) {
 static arc_status configure(database *db, arc_error *error) {
   sqlite3_extended_result_codes(db->handle, 1);
   sqlite3_busy_timeout(db->handle, PATIENCE);
-  /* a misspelt column in double quotes is an error, not a text */
+  /* makes a misspelt column in double quotes an error instead of a text */
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   distrust(db);
   if (define_arrays(db->handle) != SQLITE_OK) return fail(db, SQLITE_NOMEM, error);
-  /* a rollback journal rather than a log: one file when idle, and network file systems manage */
+  /* SQLite uses a rollback journal, not a log: there is only one file while it is idle, and network
+   * file systems support it */
   return arc_database_run(
       db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA cell_size_check = ON",
       error);
@@ -275,7 +277,7 @@ arc_status arc_database_open(const char *path, const char *name, int writable, i
   database *db = new_database(path, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
-  /* a store is used by one thread; locks for every bound value would cost a third of the time */
+  /* only one thread uses a store; a lock for every bound value would cost a third of the time */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
@@ -295,7 +297,7 @@ void arc_database_close(database **db) {
   *db = NULL;
 }
 
-/* Copies a snapshot of `from` into a schema of `to`. */
+/* Copies a snapshot of `from` into the database of this schema in `to`. */
 static arc_status copy(database *to, const char *schema, const database *from, arc_error *error) {
   sqlite3_backup *backup = sqlite3_backup_init(to->handle, schema, from->handle, "main");
   if (backup) sqlite3_backup_step(backup, -1);
@@ -304,7 +306,8 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
-/* SQLite keeps unnamed databases in memory while small, then in a hidden file. */
+/* The copy is an unnamed database, which SQLite keeps in memory while it is small, then in a hidden
+ * file. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
   arc_status status = arc_database_open("", db->name, 1, 1, &made, error);
@@ -320,7 +323,7 @@ arc_status arc_database_copy(database *db, arc_error *error) {
   return status;
 }
 
-/* The path is a parameter, as it may contain any character. */
+/* The path is a parameter of the SQL statement, because it may contain any character. */
 static arc_status attach(database *db, const char *path, arc_error *error) {
   query *q;
   arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
@@ -331,8 +334,9 @@ static arc_status attach(database *db, const char *path, arc_error *error) {
   return status;
 }
 
-/* A temporary copy has no path. The other file is only read: with a journal of its own a change
- * here would count as one of two files, and be written down in a third. */
+/* A temporary copy has no path, so its content is copied. The other file is only read and has its
+ * journal in memory: with a journal file, SQLite would treat a change as one of two files and
+ * record it in a third file. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
   const char *path = sqlite3_db_filename(other->handle, "main");
   db->beside = other->bytes;
@@ -399,7 +403,7 @@ void arc_query_set_text(query *q, int index, const char *text) {
 }
 
 void arc_query_set_array(query *q, int index, const double *values, size_t count) {
-  /* an empty array has no address, and would become a NULL */
+  /* an empty array may have a NULL address, which would be stored as NULL */
   const void *bytes = count > 0 ? (const void *)values : "";
   note(q, sqlite3_bind_blob64(q->statement, index, bytes, count * sizeof(double), SQLITE_STATIC));
 }
@@ -464,7 +468,7 @@ size_t arc_query_array_count(query *q, int column) {
   return (size_t)sqlite3_column_bytes(q->statement, column) / sizeof(double);
 }
 
-/* Blobs of SQLite may be unaligned for doubles. */
+/* Copies the numbers, because the blobs of SQLite may be unaligned for doubles. */
 void arc_query_array(query *q, int column, double *values, size_t count) {
   const void *bytes = sqlite3_column_blob(q->statement, column);
   size_t there = arc_query_array_count(q, column);
@@ -474,7 +478,7 @@ void arc_query_array(query *q, int column, double *values, size_t count) {
 
 /* --- the whole file --------------------------------------------------------------------------- */
 
-/* The message of the check may be an I/O error of the system. */
+/* Reports a failed check. Its message may contain an I/O error of the system. */
 static arc_status refuse_unsound(const database *db, const char *said, arc_error *error) {
   if (system_error(db, SQLITE_IOERR)) return fail(db, SQLITE_IOERR, error);
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", db->name, said);

@@ -7,23 +7,24 @@
 typedef struct database database;
 typedef struct query query;
 
-/* `path` is absolute, as SQLite interprets other names ("file:...", ":memory:"), or "" for a
- * temporary database; `create`: creates the file, which must not exist; `name` is for messages. */
+/* Opens a database. `path` must be absolute, because SQLite gives other names a special meaning
+ * ("file:...", ":memory:"), or "" for a temporary database. With `create` the file is created and
+ * must not exist. `name` is the name in messages. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **db, arc_error *error);
 void arc_database_close(database **db);
-/* Replaces the database by a temporary copy, deleted when closed. */
+/* Replaces the database by a temporary copy, which is deleted when it is closed. */
 arc_status arc_database_copy(database *db, arc_error *error);
 /* Attaches another database as schema "other". */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error);
 
-/* Checks all pages. ARC_FORMAT: damaged. */
+/* Checks all pages of the file. ARC_FORMAT: damaged. */
 arc_status arc_database_check(database *db, arc_error *error);
 
 /* Runs statements without results. */
 arc_status arc_database_run(database *db, const char *sql, arc_error *error);
 
-/* Rows changed by the last statement. */
+/* Returns the number of rows changed by the last statement. */
 int arc_database_changes(const database *db);
 /* True if a transaction is open. */
 int arc_database_in_transaction(const database *db);
@@ -31,13 +32,14 @@ int arc_database_in_transaction(const database *db);
 arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error);
 void arc_query_close(query **q);
 
-/* Errors are returned by the next arc_query_step. Texts and arrays must be valid until then. */
+/* Set a parameter. The next arc_query_step returns any error. Texts and arrays must be valid until
+ * then. */
 void arc_query_set_number(query *q, int index, double value);
 void arc_query_set_whole(query *q, int index, long long value);
 void arc_query_set_text(query *q, int index, const char *text); /* NULL: no value */
 void arc_query_set_array(query *q, int index, const double *values, size_t count);
 
-/* *row: 1 if there is another row. */
+/* Computes the next row; *row is 0 after the last one. */
 arc_status arc_query_step(query *q, int *row, arc_error *error);
 
 /* Makes a query ready for new parameters. */
@@ -52,7 +54,7 @@ typedef enum column_kind {
   COLUMN_NUMBER,
   COLUMN_TEXT,
   COLUMN_ARRAY,
-  COLUMN_BYTES /* that are no numbers */
+  COLUMN_BYTES /* bytes that are not numbers */
 } column_kind;
 
 int arc_query_columns(const query *q);
@@ -61,7 +63,7 @@ double arc_query_number(query *q, int column); /* NaN for NULL */
 long long arc_query_whole(query *q, int column);
 const char *arc_query_text(query *q, int column); /* "" for NULL; valid until the next step */
 size_t arc_query_array_count(query *q, int column);
-/* Copies at most `count` numbers. */
+/* Copies the array in a column, at most `count` numbers. */
 void arc_query_array(query *q, int column, double *values, size_t count);
 
 #endif

@@ -1,4 +1,4 @@
-/* The format number of a file, and the numbers this program supports. */
+/* Checks the format number of a file against the formats that this program supports. */
 #include "store/store.h"
 
 arc_status arc_schema_check(const char *path, long long format, arc_error *error) {

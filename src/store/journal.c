@@ -1,5 +1,5 @@
-/* Checks the journal beside a run file. A journal that ends in a name and SQLite's magic number
- * belongs to a change of several files at once: SQLite replays it and deletes the file of that
+/* Checks the journal beside a run file. If a journal ends in a file name and SQLite's magic number,
+ * it belongs to a change of several files. SQLite would replay it and delete the file with that
  * name. Archard changes one file at a time, so such a journal is not from archard. */
 #include "store/journal.h"
 
@@ -12,7 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The end of such a journal: length of the name, its sum, the magic number. */
+/* Sizes of the parts at the end of such a journal: length of the name, its checksum, magic
+ * number. */
 enum { LENGTH = 4, SUM = 4, MAGIC = 8, TAIL = LENGTH + SUM + MAGIC };
 
 static int names_a_file(int journal, off_t size) {
@@ -22,7 +23,8 @@ static int names_a_file(int journal, off_t size) {
   return memcmp(tail + LENGTH + SUM, magic, MAGIC) == 0 && memcmp(tail, "\0\0\0", LENGTH) != 0;
 }
 
-/* SQLite cannot open it either. */
+/* A journal that cannot be opened is harmless unless it is a link, because SQLite cannot open it
+ * either. */
 int arc_journal_is_sound(const char *journal) {
   const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   struct stat facts;

@@ -1,12 +1,12 @@
-/* The rollback journal beside a run file, which SQLite plays into the file as it opens it. */
+/* The rollback journal beside a run file, which SQLite replays when it opens the file. */
 #ifndef STORE_JOURNAL_H
 #define STORE_JOURNAL_H
 
-/* True if SQLite may open this journal: it is missing, or a regular file that names no other file,
- * which SQLite would delete. */
+/* True if SQLite may open this journal. The journal must be missing, or a regular file without the
+ * name of another file, which SQLite would delete. */
 int arc_journal_is_sound(const char *journal);
 
-/* True if the file at a path without links has a journal. */
+/* True if the file has a journal. The path must not contain links. */
 int arc_journal_stands(const char *path);
 
 #endif

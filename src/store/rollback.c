@@ -1,8 +1,8 @@
-/* Ends transactions without a commit: failed ones, and those of readers. */
+/* Ends transactions without a commit: failed transactions and those of readers. */
 #include "store/store.h"
 
-/* SQLite has rolled back itself after some failures. Without memory the statement fails, and an
- * open transaction would lock the file: so it is repeated. */
+/* Rolls back, unless SQLite has already done so after a failure. The statement is repeated because
+ * it can fail without memory, and an open transaction would lock the file. */
 void arc_store_rollback(arc_store *store) {
   enum { most_tries = 10 };
   store->opened = 0;

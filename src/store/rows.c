@@ -1,5 +1,5 @@
-/* Arrays that grow with the rows of a query; their number may change, so it is not counted before.
- */
+/* Arrays that grow with the rows of a query. The rows are not counted before, because their number
+ * may change. */
 #include "store/store.h"
 
 #include <limits.h>

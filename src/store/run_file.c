@@ -16,7 +16,7 @@ static long long big_endian(const unsigned char *bytes) {
   return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
 }
 
-/* True if the file is truncated and has no journal to repair it. */
+/* True if the file is truncated and has no journal that could restore it. */
 static int is_cut_off(const char *path, const unsigned char *header) {
   const int journalled = arc_journal_stands(path);
   struct stat file;
@@ -44,7 +44,8 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
   return status;
 }
 
-/* Checks the header first, as SQLite may write to files it recognises. */
+/* Checks the header before SQLite opens the file, because SQLite may write to files that it
+ * recognises. */
 static arc_status check_file(const arc_store *store, arc_error *error) {
   unsigned char header[100];
   FILE *file;
@@ -87,7 +88,7 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
-/* Removes the journal of a deleted file, which SQLite would play into the new one. */
+/* Fails if the journal of a deleted file exists, because SQLite would replay it in the new file. */
 static arc_status check_left(const arc_store *store, arc_error *error) {
   if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -106,7 +107,8 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
-/* If several programs create one file at once, the first creates it and the others open it. */
+/* Creates a file and opens it. If several programs create one file at once, the first creates it
+ * and the others open it. */
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
@@ -115,8 +117,8 @@ static arc_status create(arc_store *store, arc_error *error) {
                           : status;
 }
 
-/* Converts a file of an older format: in place for a writer, as a copy for a reader.
- */
+/* Converts a file of an older format. With write access the file itself is converted, otherwise a
+ * copy. */
 static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_error *error) {
   long long format;
   arc_status status = arc_schema_format(store, &format, error);
@@ -125,8 +127,8 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
   return status == ARC_OK ? arc_schema_update(store, error) : status;
 }
 
-/* A reader opens for writing too if possible, as SQLite can only then roll back the transaction of
- * a killed program. It writes nothing itself. */
+/* Opens a file. If possible, it is opened for writing even in read mode, because only then can
+ * SQLite roll back the transaction of a killed program. Read mode itself writes nothing. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->file, W_OK) == 0;
   arc_status status = arc_database_open(store->file, store->path, writable, 0, &store->db, error);
@@ -162,7 +164,8 @@ static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
   return status;
 }
 
-/* A program killed at its start leaves an empty file without a kind. */
+/* Checks the kind of a file. A program that is killed at its start creates an empty file without a
+ * kind. */
 static arc_status check_kind(arc_store *old, const char *kind, arc_error *error) {
   char *found = NULL;
   int empty = 0;
@@ -175,7 +178,7 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
   return status;
 }
 
-/* Checks the path of a new file: no file, or one of the same kind. */
+/* Checks the path of a new file. There must be no file, or one of the same kind. */
 static arc_status check_replaced(const arc_store *store, const char *kind, arc_error *error) {
   if (access(store->file, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;

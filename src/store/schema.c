@@ -1,9 +1,9 @@
-/* The tables of a run file, the views for people, and how a file of an older format becomes one of
- * today's. Leans on columns.c for the names.
+/* The tables of a run file, the views for users, and the conversion of older formats. The names of
+ * columns are from columns.c.
  *
- * A file that is opened for writing is brought up to date in one transaction; a reader never
- * changes a file (an older program may still be at work on it, or it may be write-protected) and
- * brings a temporary copy up to date instead. */
+ * A file opened for writing is converted in one transaction. A reader never changes a file, because
+ * an older program may still use it, or it may be write-protected. A reader converts a temporary
+ * copy instead. */
 #include "store/store.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #define TEXT_OF(number) TEXT(number)
 #define TEXT(number)    #number
 
-/* Columns of numbers have no type: REAL would lose the sign of zero. */
+/* Columns of numbers have no type, because the type REAL would lose the sign of zero. */
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
 #define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
@@ -30,7 +30,7 @@ static const char tables[] =
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
     "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;" MAKE_ARRAYS;
 
-/* Views are recreated whenever the tables change. */
+/* Views are created again whenever the tables change. */
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
                                  "DROP VIEW IF EXISTS history_of;"
                                  "DROP VIEW IF EXISTS units;";
@@ -59,7 +59,8 @@ static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, st
                             "CREATE VIEW units (name, unit, text) AS VALUES @units;"
                             "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
 
-/* Conversion to format 5, from a table with a row per node and one with the state of a body. */
+/* Conversion to format 5. The older tables have one row for each node, and one row for the state of
+ * a body. */
 #define PACKED(name, column)                                                                       \
   "INSERT INTO arrays SELECT case_id, 'surface', updates, max(distance_mm), body, '" name          \
   "', count(*), 1, array_of(" column ") FROM older_surfaces GROUP BY case_id, updates, body;"
@@ -83,8 +84,9 @@ static const char to_arrays[] =
     "DROP TABLE older_surfaces; DROP TABLE older_state;";
 /* clang-format on */
 
-/* Conversion from each format to the next; never changed after a release. `names` renames tables
- * and columns for the present SQL, `values` adds values that the checksums include. */
+/* Conversions from each format to the next, never changed after a release. `names` renames tables
+ * and columns to the names in the present SQL texts; `values` adds values that the checksums
+ * include. */
 static const struct migration {
   int from;
   const char *names, *values;
@@ -127,7 +129,7 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* "auto" was a separate value; a case without steps meant 100 cycles. */
+    /* "auto" was a separate value; without a setting of steps a case used 100 cycles */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
@@ -158,19 +160,20 @@ arc_status arc_schema_make(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_database_run(store->db, "COMMIT", error) : status;
 }
 
-/* Before format 5 the surfaces were a table. */
+/* Removes the views. Before format 5 `surfaces` was a table and is kept. */
 static arc_status forget_views(arc_store *store, long long format, arc_error *error) {
   const arc_status status = arc_database_run(store->db, drop_views, error);
   if (status != ARC_OK || format < 5) return status;
   return arc_database_run(store->db, "DROP VIEW IF EXISTS surfaces", error);
 }
 
-/* Cases with a correct checksum get a new one with the commit; damaged ones keep theirs. */
+/* Converts the tables. A case with a correct checksum gets a new one with the commit; a damaged
+ * case keeps its wrong checksum. */
 static arc_status migrate(arc_store *store, long long format, arc_error *error) {
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
-  store->older = format < 5; /* surfaces and state were tables then */
+  store->older = format < 5; /* surfaces and state were separate tables */
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
@@ -181,7 +184,7 @@ static arc_status migrate(arc_store *store, long long format, arc_error *error) 
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* Views of another version are recreated. */
+/* Creates the views again if another version created them. */
 static arc_status renew_views(arc_store *store, arc_error *error) {
   query *q;
   int row = 0;
@@ -198,8 +201,8 @@ static arc_status renew_views(arc_store *store, arc_error *error) {
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* If several programs open a file at once, the first converts it.
- */
+/* The conversion is one transaction: if several programs open a file at once, the first converts
+ * it. */
 arc_status arc_schema_update(arc_store *store, arc_error *error) {
   long long format = 0;
   arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);

@@ -1,4 +1,4 @@
-/* Executes SQL patterns with column names inserted, for a store or one of its cases. */
+/* Runs SQL patterns with names of columns inserted, for a whole store or for one of its cases. */
 #include "store/store.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Members of arc_store, and functions of this layer. */
+/* The struct arc_store, and functions used only inside this folder. */
 #ifndef STORE_STORE_H
 #define STORE_STORE_H
 
@@ -8,65 +8,67 @@
 
 #include <stdint.h>
 
-/* The file's application_id, "arch"; at byte 68. */
+/* "arch" as SQLite's application_id, at byte 68 of the file. */
 #define ARC_STORE_APPLICATION 1634886504
 
-/* The time stamps of cases. */
+/* SQL expression for the time stamps of cases. */
 #define ARC_STORE_NOW "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')"
 
 struct arc_store {
   database *db;
   char *path, *file;          /* the name given by the user, and the absolute path */
-  arc_atomic_file *temporary; /* where a new file is written until it is published; NULL: none */
-  int older;                  /* 1 if the tables still have an older format */
-  int verified;               /* the case whose checksum was compared last; 0: none */
-  int *open; /* [opened] cases changed in this transaction, whose checksums the commit writes */
+  arc_atomic_file *temporary; /* a new file before it is published, or NULL */
+  int older;                  /* 1 while the tables have a format before 5 */
+  int verified;               /* case whose checksum was compared last; 0: none */
+  int *open; /* [opened] cases changed in this transaction, which need new checksums */
   size_t opened;
 };
 
-/* Fails with ARC_FORMAT: "PATH: the file is damaged: " and the damage of a case. */
+/* Sets the error ARC_FORMAT with the text "PATH: the file is damaged: " and the damage of a
+ * case. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
                              ...) __attribute__((format(printf, 4, 5)));
-/* The same for errors of the engine about a case; other statuses are kept. */
+/* Reports an error of the engine about a case as damage of the file. Statuses that can also occur
+ * with an intact file are kept. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why);
 
 /* --- rows.c ----------------------------------------------------------------------------------- */
 
-/* Enlarges a block [count] for one more item of `size` bytes. NULL: out of memory, the block is
- * unchanged. */
+/* Enlarges an array of `count` items for one more item of `size` bytes. Returns NULL without
+ * memory; the array is then unchanged. */
 void *arc_store_grown(void *block, size_t count, size_t size);
 
-/* Reads the id of a case from the first column of a row. ARC_FORMAT: invalid. */
+/* Reads the id of a case from the first column of a row. ARC_FORMAT: the id is invalid. */
 arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error);
 
 /* --- transaction.c ---------------------------------------------------------------------------- */
 
-/* Opens a transaction unless one is open; *own: 1 if it did. */
+/* Opens a transaction unless one is open. *own is 1 if this call opened it. */
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
-/* Ends the transaction of arc_store_enter: commits after ARC_OK, else rolls back. Returns the total
- * status. */
+/* Ends the transaction of arc_store_enter: commits if `status` is ARC_OK, otherwise rolls back.
+ * Returns the total status. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* The same for readers: until arc_store_look_away they read one snapshot. Writers wait meanwhile,
- * so it must be short. */
+/* Begin and end a transaction of a reader, which reads one snapshot of the file. It must be short,
+ * because writers wait. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
-/* Columns of the table of arrays after the id of the case. */
+/* Columns of the table `arrays` after the id of the case. */
 #define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
 
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
 
-/* The pattern with these words replaced: @columns by ", NAME" for each column of the history,
- * @values by as many ", ?", @results by the columns that are results, @settings by the expressions
- * of the settings, @bytes by all bytes in hexadecimal, @numbers by the columns of `surfaces`,
- * @units by the rows of `units`. To be freed; NULL: out of memory. */
+/* Returns a pattern in which words are replaced: @columns by ", NAME" for each column of the
+ * history, @values by the same number of ", ?", @results by the columns that are results, @settings
+ * by the expressions of the settings, @bytes by all bytes in hexadecimal, @numbers by the columns
+ * of `surfaces`, @units by the rows of `units`. The caller frees it; NULL: out of memory. */
 char *arc_columns_sql(const char *pattern);
 
-/* Runs statements without results; `sql` is a pattern here and below. */
+/* Runs statements without results. Here and below `sql` is a pattern of arc_columns_sql. */
 arc_status arc_store_script(arc_store *store, const char *sql, arc_error *error);
 
-/* A query of one case, with its id as parameter 1. */
+/* Opens a query with the id of a case as parameter 1. */
 arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error);
 
 /* Runs a statement with the id of the case as parameter 1. */
@@ -74,7 +76,7 @@ arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *e
 
 /* --- format.c, schema.c: the number of a format; tables and views ----------------------------- */
 
-/* Fails with ARC_FORMAT for an unknown format. */
+/* Fails with ARC_FORMAT if the format is unknown. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
 /* Reads and checks the format of the file. */
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error);
@@ -85,23 +87,23 @@ arc_status arc_schema_update(arc_store *store, arc_error *error);
 
 /* --- digest.c: checksums of finished cases ---------------------------------------------------- */
 
-/* To be called before a case is changed: removes its checksum. The commit writes new ones for these
- * cases, if finished or with a run. Other cases without a checksum were not written by archard and
- * never get one. */
+/* Removes the checksum of a case; must be called before the case is changed. The commit writes a
+ * new checksum for these cases if they are finished or have a run. Other cases without a checksum
+ * were not written by archard and never get one. */
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
-/* The same for all cases of the query `ids`. */
+/* Removes the checksums of all cases in the result of the query `ids`. */
 arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error);
 arc_status arc_store_seal_changed(arc_store *store, arc_error *error);
-/* Removes correct checksums before the tables change; wrong ones are kept, and missing ones become
- * wrong ones. */
+/* Removes correct checksums before the tables are changed. Wrong checksums are kept, and missing
+ * ones are replaced by wrong ones. */
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
-/* Checks the checksum of a case: ARC_FORMAT if it does not match, or is missing in a finished case;
- * the same to read a run, which must have one; the same for all cases. */
+/* Compare the checksum of a case, of a case whose run is read (which must have a checksum), or of
+ * all cases. ARC_FORMAT: a checksum does not match, or a finished case has none. */
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
-/* Extends a checksum over some bytes. */
+/* Adds bytes to a checksum, which begins with ARC_STORE_CHECKSUM. */
 #define ARC_STORE_CHECKSUM 14695981039346656037u
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
@@ -109,14 +111,14 @@ uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
 enum { ARC_TEXT_NAME = 24 }; /* size of a name with its final zero */
 
-/* Stores a long text under `name`; "" for a short text, which is stored in place.
- */
+/* Stores a long text and returns its name. For a short text the name is "", and the caller stores
+ * the text itself. */
 arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
                               arc_error *error);
-/* The text of a name, released by free(); NULL if it is not a name. ARC_FORMAT: the text is missing
- * or does not match. */
+/* Returns the text with this name, which the caller frees. NULL: the string is not the name of a
+ * text. ARC_FORMAT: the text is missing or does not match its name. */
 arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
-/* ARC_FORMAT if a text does not match its name. */
+/* Compares all texts with their names, which contain a checksum. ARC_FORMAT: one does not match. */
 arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ---------------------------- */

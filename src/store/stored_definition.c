@@ -1,6 +1,7 @@
-/* Definitions as named values. One table, made from the lists of settings, has the kind and address
- * of each value for writing, reading and checking: a new setting needs no code here. A setting NAME
- * may also have NAME_function (a mark only), NAME_series.distance and NAME_series.value. */
+/* Definitions as named values. One table, made from the lists of settings, has the type and address
+ * of each value for writing, reading and checking, so that a new setting needs no code here. A
+ * setting NAME may also have NAME_function (a flag, because functions are not stored),
+ * NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
 
@@ -18,15 +19,15 @@ typedef struct slot {
   char name[LONGEST_NAME];
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
-  void *at;     /* double, int, int, char [ARC_TEXT_SIZE], const char *, char, const double * */
-  int *count;   /* for an array: length shared with other arrays; 0: all are absent */
-  int optional; /* an array that may be absent */
+  void *at;     /* address of a value with the type of `kind` */
+  int *count;   /* length of an array, shared by arrays; 0: they are absent */
+  int optional; /* true for an array that may be absent */
 } slot;
 
 typedef struct slots {
   slot *slot;
   size_t count;
-  int failed; /* out of memory */
+  int failed; /* true if out of memory */
 } slots;
 
 static void add(slots *list, const char *name, const char *ending, slot added) {
@@ -45,7 +46,7 @@ static void add_series(slots *list, const char *path, arc_series *series) {
       (slot){.kind = SLOT_ARRAY, .at = &series->value, .count = &series->count});
 }
 
-/* A definition whose settings are added. */
+/* Context of add_setting: the table, and the definition with the values. */
 typedef struct added {
   slots *list;
   char *def;
@@ -87,8 +88,8 @@ static void add_settings(slots *list, const arc_setting *settings, const char *p
   arc_settings_walk(settings, prefix, def, add_setting, &a);
 }
 
-/* Adds all values of a run (with allocated blocks of loading) and the Gmsh text of imported meshes,
- * or NULL. */
+/* Returns a table of all values of a run. The blocks of loading must be allocated. `msh` has the
+ * Gmsh text of imported meshes, or is NULL. */
 static slots table_of(arc_stored_run *run, arc_loading *loading, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
@@ -195,10 +196,10 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 
 /* --- values in the file ----------------------------------------------------------------------- */
 
-/* Values of a case by name, and its blocks of loading, which point to the arrays. */
+/* A value of a case, with its name. */
 typedef struct kept {
   arc_value value;
-  void *memory; /* owner of the memory of the value */
+  void *memory; /* memory that the value points to */
 } kept;
 
 typedef struct stock {
@@ -234,7 +235,7 @@ static int copy_value(const arc_value *from, kept *to) {
   return 1;
 }
 
-/* A case being read. */
+/* State of reading a case. */
 typedef struct reading {
   const arc_store *store;
   int id;
@@ -299,7 +300,7 @@ static int read_text(const slot *s, const arc_value *value) {
   return fits;
 }
 
-/* The first array sets the length of those that share it. */
+/* Reads an array. The first array sets the length of all arrays that share it. */
 static int read_array(const slot *s, const arc_value *value) {
   if (value->kind != ARC_VALUE_ARRAY || value->count == 0 || value->count > 1000000) return 0;
   if (*s->count != 0 && (size_t)*s->count != value->count) return 0;
@@ -308,7 +309,7 @@ static int read_array(const slot *s, const arc_value *value) {
   return 1;
 }
 
-/* Returns 0 if the value is invalid here. */
+/* Reads a value. Returns 0 if it is invalid for this setting. */
 static int read_value(const slot *s, const arc_value *value) {
   switch (s->kind) {
   case SLOT_WHOLE:
@@ -340,7 +341,8 @@ static int is_called(const void *name, const void *s) {
   return strcmp(name, ((const slot *)s)->name);
 }
 
-/* Allocates the blocks of loading: each has at least two values. */
+/* Allocates the blocks of loading. Each block has at least two values, which limits their
+ * number. */
 static arc_status make_blocks(const reading *r) {
   stock *s = r->stock;
   int blocks = 0;
@@ -387,7 +389,7 @@ static arc_status fill(reading *r) {
 
 static void stand_in(void) {}
 
-/* The reader of Gmsh files refuses invalid meshes. */
+/* Reads the imported meshes; the reader of Gmsh files rejects invalid ones. */
 static arc_status read_meshes(const reading *r) {
   arc_error why = {0};
   if (!r->msh) return ARC_OK;
@@ -403,7 +405,7 @@ static arc_status check_model(const reading *r, arc_error *why) {
   return arc_model_check_given(&r->run->model, r->run->given, why);
 }
 
-/* Checks the definition with the engine, without its functions. */
+/* Checks the definition by the engine, without its functions. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
   arc_wear_def def = r->run->def;

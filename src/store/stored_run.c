@@ -1,5 +1,5 @@
-/* Runs in a run file: history, surfaces and state. All data is checked before use, as files are not
- * trusted. */
+/* Runs in a run file: history, surfaces and state. All data is checked before use, because files
+ * are not trusted. */
 #include "store/store.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* Use of a set of arrays. */
+/* The two uses of arrays in a file. */
 static const char surface[] = "surface", state[] = "state";
 
 static arc_status save_arrays(arc_store *store, int id, const char *part, const arc_array *arrays,
@@ -72,7 +72,8 @@ static arc_status forget(arc_store *store, int id, arc_error *error) {
   return arc_store_run(store, "DELETE FROM arrays WHERE case_id = ?1", id, error);
 }
 
-/* Checks data before saving like a reader, so that it can be opened. */
+/* Checks data before it is saved, with the checks of the reader, so that the file can be opened
+ * later. */
 static arc_status check_run(const arc_store *store, const arc_wear *wear, const arc_array *surfaces,
                             size_t count, arc_error *error) {
   size_t rows;
@@ -101,7 +102,7 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const 
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Reads numbers of a row from a column on, NaN for NULL. Returns 0 for other types. */
+/* Reads numbers of a row from a column on; NULL becomes NaN. Returns 0 for other types. */
 static int read_numbers(query *q, int column, double *to, int count) {
   for (int i = 0; i < count; i++) {
     const column_kind kind = arc_query_kind(q, column + i);
@@ -159,7 +160,7 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
 
 /* --- arrays ----------------------------------------------------------------------------------- */
 
-/* Arrays read so far, each with its values and name in one block. */
+/* Arrays read so far. Values and name of an array are in one block of memory. */
 typedef struct array_list {
   arc_array *array;
   size_t count;
@@ -179,7 +180,8 @@ static int body_named(const char *name, arc_body *body) {
   return 0;
 }
 
-/* Reads two sizes, whose product is the length of the following blob. */
+/* Reads the two sizes of an array. Their product must be the length of the array in the next
+ * column. */
 static int read_size(query *q, int column, size_t size[2]) {
   const long long rows = arc_query_whole(q, column), columns = arc_query_whole(q, column + 1);
   const size_t values = arc_query_array_count(q, column + 2);
@@ -189,7 +191,7 @@ static int read_size(query *q, int column, size_t size[2]) {
          size[0] == values / size[1] && values % size[1] == 0;
 }
 
-/* Reads a row of the columns ARC_ARRAYS, without the values. */
+/* Reads a row of the table `arrays` without its values. */
 static int read_head(query *q, arc_array *array) {
   double at[2] = {0, 0};
   const int sound = read_numbers(q, 1, at, 2) && isfinite(at[0]) && isfinite(at[1]) &&
@@ -217,7 +219,8 @@ static arc_status read_array(arc_store *store, int id, query *q, array_list *lis
   return ARC_OK;
 }
 
-/* The arrays of a case for one purpose, by update, body and name; one block, to be freed. */
+/* Reads the arrays of a case for one use (`part`), sorted by update, body and name. They are one
+ * block of memory, which the caller frees. */
 static arc_status read_arrays(arc_store *store, int id, const char *part, arc_array **arrays,
                               size_t *count, arc_error *error) {
   query *q;
@@ -267,14 +270,15 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 
 /* --- continuing a stored run ------------------------------------------------------------------ */
 
-/* A stored run: history and state. */
+/* History and state of a stored run. */
 typedef struct stored_run {
   arc_wear_record *history;
   arc_array *state;
   size_t rows, arrays;
 } stored_run;
 
-/* Reads history and state in one transaction, as another program may be storing the run. */
+/* Reads history and state in one transaction, because another program may store the run at the same
+ * time. */
 static arc_status read_stored(arc_store *store, int id, stored_run *run, arc_error *error) {
   int own = 0;
   arc_status status = arc_store_look(store, &own, error);

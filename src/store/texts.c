@@ -1,5 +1,5 @@
-/* Long texts, such as imported meshes: each is stored once, under a name made from its checksum,
- * and values refer to the name. Names are equal in all files. */
+/* Long texts, such as imported meshes. Each text is stored once under a name made from its
+ * checksum, and values refer to this name. A text has the same name in all files. */
 #include "store/store.h"
 
 #include <inttypes.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shorter texts are stored in the row itself, unless they have the form of a name. */
+/* Shorter texts are stored in the row of the value, unless they have the form of a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 
@@ -37,7 +37,7 @@ arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_
   return status;
 }
 
-/* True if the text in a column matches its name. */
+/* True if the checksum of the text in this column matches the name of the text. */
 static int is_sound(query *q, int column, const char *name) {
   char expected[ARC_TEXT_NAME];
   find_name(arc_query_text(q, column), expected);

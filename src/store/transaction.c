@@ -1,9 +1,9 @@
-/* Transactions: begin checks that the format is still supported, commit writes the checksums of
- * finished cases. */
+/* Transactions. Their begin checks that the format is still supported; their commit writes the
+ * checksums of finished cases. */
 #include "store/store.h"
 
-/* A newer version may have converted the file since it was opened, and the sandbox may have used up
- * its part of the disk. */
+/* Begins a transaction. It checks the format, because a newer version may have converted the file
+ * since it was opened, and whether the disk space of the sandbox is used up. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
   long long format;
   arc_status status = arc_file_allowed(store->path, store->file, ARC_FILE_WRITE, error);
