@@ -1,4 +1,4 @@
-/* Protected calls of chunks, with messages, tracebacks and interrupts. */
+/* Protected calls of chunks, with error messages, tracebacks and interrupts. */
 #include "cli/chunk.h"
 
 #include "lua/base/error.h"
@@ -17,7 +17,7 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* True if the stack from `level` on has a function other than the chunk, so that a traceback is
+/* True if the stack from `level` on has a Lua function other than the chunk, so that a traceback is
  * useful. */
 static int has_callers(lua_State *L, int level) {
   lua_Debug frame;
@@ -28,8 +28,9 @@ static int has_callers(lua_State *L, int level) {
   return 0;
 }
 
-/* Message handler: adds the traceback. For an interrupt it adds none and calls nothing, as the hook
- * is still active. For error objects the frames inside the program's own scripts are omitted. */
+/* Message handler that adds the traceback. After an interrupt it adds none and calls no Lua code,
+ * because the hook is still active. For an error object the frames of the program's own scripts are
+ * omitted. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
   const int level = lua_istable(L, 1) ? error_user_level(L) : 1;
@@ -38,13 +39,13 @@ static int describe(lua_State *L) {
   return 1;
 }
 
-/* Length of `text` without `foot` at its end. */
+/* Returns the length of `text` without `foot` at its end. */
 static size_t without(const char *text, size_t length, const char *foot) {
   size_t tail = strlen(foot);
   return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
 }
 
-/* Removes the last lines of a traceback, which are the program's own. */
+/* Returns the length of a traceback without its last lines, which are frames of the program. */
 static size_t without_foot(const char *text) {
   size_t length = without(text, strlen(text), "\n\t[C]: in ?");
   return without(text, length, "\n\t(...tail calls...)");

@@ -1,4 +1,4 @@
-/* cli/chunk.h - protected calls of all chunks of the user. */
+/* cli/chunk.h - protected calls for all chunks of the user. */
 #ifndef CLI_CHUNK_H
 #define CLI_CHUNK_H
 
@@ -7,12 +7,12 @@
 typedef enum run_status { RUN_OK, RUN_FAILED, RUN_INTERRUPTED } run_status;
 
 /* Calls the function below the `arguments` values on top of the stack, as lua_call does. On failure
- * the function is removed from the stack, message and traceback are printed on standard error, and
- * a pending interrupt is cleared. */
+ * it removes the function from the stack, prints message and traceback on standard error, and
+ * clears a pending interrupt. */
 run_status run_call(lua_State *L, int arguments, int results);
 
-/* Pops the error value on top of the stack and prints it like a failed call: for a chunk that could
- * not be loaded. */
+/* Pops the error value on top of the stack and prints it, like run_call after a failure. For chunks
+ * that could not be loaded. */
 run_status run_refused(lua_State *L);
 
 #endif

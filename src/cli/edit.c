@@ -1,6 +1,6 @@
-/* The line editor: the one file that includes readline. It uses the callback interface, as signals
- * can then be handled between keys, without a jump out of readline. history_file.c reads and writes
- * the history file. */
+/* The line editor; no other file includes readline. It uses readline's callback interface, so that
+ * signals can be handled between keys, without a jump out of readline. history_file.c reads and
+ * writes the history file. */
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
@@ -26,7 +26,7 @@ static struct {
   char *path;         /* path of the history file, or NULL */
   char *line;         /* argument of on_line */
   int done;           /* 1 after on_line was called */
-  sigset_t kept_back; /* signals that are unblocked only while waiting for a key */
+  sigset_t kept_back; /* signals blocked except while waiting for a key */
 } editor;
 
 static volatile sig_atomic_t continued;
@@ -44,7 +44,7 @@ static void forget_proposal(void) {
   memset(&editor.proposal, 0, sizeof editor.proposal);
 }
 
-/* Returns the next word that begins with `text`; readline frees it. */
+/* Returns the next word that begins with `text`. readline frees it. */
 static char *next_word(const char *text, int state) {
   static size_t next;
   if (state == 0) next = 0;
@@ -101,8 +101,7 @@ static void choose_signals(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   action.sa_handler = on_continue;
-  action.sa_flags =
-      SA_RESTART; /* a process that waits for gnuplot, for example, need not handle SIGCONT */
+  action.sa_flags = SA_RESTART; /* SIGCONT must not interrupt waiting for gnuplot */
   sigaction(SIGCONT, &action, NULL);
 }
 
@@ -115,7 +114,7 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* Set before the inputrc is read, which may change it. */
+  /* The inputrc of the user is read later and may change this variable. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();
@@ -149,8 +148,8 @@ static void abandon_line(void) {
   rl_callback_handler_remove();
 }
 
-/* Lets readline process a caught signal: it restores the terminal, then calls the previous handler
- * or default action. */
+/* Lets readline process a caught signal. readline restores the terminal, then calls the previous
+ * handler or the default action. */
 static void treat_signals(const sigset_t *normal) {
   do {
     sigprocmask(SIG_SETMASK, normal, NULL);
@@ -161,8 +160,8 @@ static void treat_signals(const sigset_t *normal) {
   continued = 0;
 }
 
-/* Waits for a key with signals unblocked. Returns zero after a signal, which is handled before a
- * key that is already there. */
+/* Waits for a key with signals unblocked. Returns 0 after a signal, which is handled before a key
+ * that is already available. */
 static int wait_for_key(const sigset_t *normal) {
   fd_set input;
   FD_ZERO(&input);
@@ -173,7 +172,7 @@ static int wait_for_key(const sigset_t *normal) {
   return ready && rl_pending_signal() == 0;
 }
 
-/* Processes keys received during a query of the terminal; keys after the end of a line are kept for
+/* Processes keys received during a query of the terminal. Keys after the end of a line are kept for
  * the next prompt. */
 static void replay_typed(void) {
   for (int key; !editor.done && (key = term_query_next_key()) >= 0;) {

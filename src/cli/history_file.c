@@ -1,7 +1,7 @@
-/* The history file: it is read completely, split into entries, and rewritten without duplicates if
- * necessary. A lock on its folder separates two sessions. An entry is a line "#TIME" and its text;
- * a line of the text of this form has a backslash before it. Remains of a crash (half a line, a
- * line of time only, zeros) do not affect other entries. */
+/* The history file. It is read completely, split into entries, and rewritten without duplicates if
+ * necessary. Sessions lock its folder while they use the file. An entry is a line "#TIME" and its
+ * text. A line of the text with this form has a backslash before it. Remains of a crash (half a
+ * line, a line of time only, zero bytes) do not affect other entries. */
 #include "cli/history_file.h"
 
 #include "archard/base.h"
@@ -17,14 +17,14 @@
 #include <time.h>
 #include <unistd.h>
 
-/* An entry: its header line "#TIME" and its text, both within the text of the file. */
+/* An entry. Its header "#TIME" and its text point into the text of the file. */
 typedef struct entry {
   char *header, *text;
-  int position, copy; /* copy: the same text follows later */
+  int position, copy; /* copy: true if the same text follows later */
 } entry;
 
 typedef struct history {
-  char *text; /* the file, with a '\0' behind every header and entry */
+  char *text; /* text of the file, with a '\0' after every header and entry */
   entry *entries;
   int count;
 } history;
@@ -38,8 +38,7 @@ static char *join(const char *folder, const char *name) {
   return path;
 }
 
-/* Creates every missing folder of `path`, with access for the user only. Returns zero on failure.
- */
+/* Creates all missing folders of `path`, with access for the user only. Returns 0 on failure. */
 static int make_folders(char *path) {
   for (char *slash = path + 1;; slash++) {
     if (*slash != '/' && *slash != '\0') continue;
@@ -67,7 +66,7 @@ char *history_file_open(void) {
   return path;
 }
 
-/* Returns the descriptor of the lock; closing it releases the lock. */
+/* Locks the folder and returns a descriptor. Closing the descriptor releases the lock. */
 static int lock_folder(const char *path) {
   char *folder = strdup(path);
   if (folder == NULL) return -1;
@@ -89,7 +88,7 @@ static int is_header(const char *line) {
   return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
 }
 
-/* True for a header after any number of backslashes. */
+/* True if a line is a header, apart from backslashes before it. */
 static int looks_like_header(const char *line) {
   return is_header(line + strspn(line, "\\"));
 }
@@ -117,7 +116,7 @@ static void put_entry(FILE *file, const char *header, const char *text) {
   }
 }
 
-/* Ends an incomplete last line. */
+/* Adds a newline if the last line is incomplete. */
 static void mend_end(FILE *file) {
   struct stat facts;
   char last;
@@ -126,7 +125,7 @@ static void mend_end(FILE *file) {
     fputc('\n', file);
 }
 
-/* Errors of writing the history are ignored. */
+/* Errors during writing are ignored. */
 void history_file_append(const char *path, const char *text) {
   int lock = lock_folder(path);
   FILE *file = open_private(path);
@@ -140,7 +139,7 @@ void history_file_append(const char *path, const char *text) {
   unlock_folder(lock);
 }
 
-/* Returns zero if not all of it could be written. */
+/* Writes the entries from `first` on. Returns 0 if they could not be written completely. */
 static int put_entries(const char *path, const history *self, int first) {
   FILE *file = fopen(path, "w");
   if (file == NULL) return 0;
@@ -160,7 +159,7 @@ static void rewrite(const char *path, const history *self, int first) {
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-/* Copies all bytes except zeros, which would end the string. */
+/* Reads the file without its zero bytes, which would end the string. */
 static char *read_text(const char *path) {
   char *text;
   size_t size, kept = 0;
@@ -177,7 +176,7 @@ static int count_headers(char *text) {
   return count;
 }
 
-/* Removes the backslashes of put_entry. */
+/* Removes the backslashes added by put_entry. */
 static void restore_lines(char *text) {
   char *to = text;
   for (char *line = text, *after; line; line = after) {
@@ -190,7 +189,7 @@ static void restore_lines(char *text) {
   *to = '\0';
 }
 
-/* Replaces the newline before `line` by a zero. */
+/* Ends the text before `line`: replaces the newline by a zero. */
 static void cut_before(char *line) {
   line[-1] = '\0';
 }
@@ -220,7 +219,8 @@ static int by_text(const void *left, const void *right) {
   return order ? order : a->position - b->position;
 }
 
-/* Marks entries that are repeated later. Returns the number of others, or -1 without memory. */
+/* Marks entries whose text is repeated later. Returns the number of entries that are not marked, or
+ * -1 without memory. */
 static int mark_copies(history *self) {
   entry **sorted = malloc((size_t)self->count * sizeof *sorted);
   if (sorted == NULL) return -1;
@@ -235,7 +235,7 @@ static int mark_copies(history *self) {
   return kept;
 }
 
-/* Index of the first of the last `limit` entries that are not copies. */
+/* Returns the index of the first of the last `limit` entries that are not copies. */
 static int first_kept(const history *self, int limit) {
   int i = self->count;
   while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;

@@ -1,5 +1,5 @@
-/* The command: reads options, opens Lua and the module `archard`, runs scripts or the prompt, and
- * returns the exit status. */
+/* The command `archard`: reads options, opens Lua and the module `archard`, runs scripts or the
+ * prompt, and returns the exit status. */
 #include "archard/base.h"
 #include "cli/repl.h"
 #include "cli/chunk.h"
@@ -22,16 +22,16 @@
 
 enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/* The options. `steps` are -e and -l in their order. */
+/* The options. `steps` has the options -e and -l in their order. */
 typedef struct command {
   struct step {
     int kind;         /* 'e' or 'l' */
-    const char *text; /* the chunk, or the module */
+    const char *text; /* the chunk (-e) or the module (-l) */
   } * steps;
   int step_count;
   int interactive, lax, version, help, wrong;
   sandbox sandbox;
-  int script; /* index of the script in argv, or argc */
+  int script; /* index of the script in argv; argc without a script */
   int argc;
   char **argv;
 } command;
@@ -107,7 +107,8 @@ static void read_options(command *self) {
   if (self->sandbox.wanted ? idle || self->interactive : limits) self->wrong = 1;
 }
 
-/* arg[0] is the script; arguments before it have negative indices, as in the stock interpreter. */
+/* Sets the global `arg`. arg[0] is the script; arguments before it have negative indices, as in the
+ * standard interpreter. */
 static void set_arg_table(lua_State *L, const command *self) {
   int zero = self->script < self->argc ? self->script : 0;
   lua_createtable(L, self->argc - zero, zero + 1);
@@ -151,7 +152,7 @@ static run_status run_script(lua_State *L, const command *self) {
   return run_call(L, count, 0);
 }
 
-/* Standard input: the prompt if it is a terminal. */
+/* Runs the prompt if standard input is a terminal, otherwise the text from standard input. */
 static run_status run_input(lua_State *L) {
   if (!isatty(STDIN_FILENO)) return repl_run_pipe(L);
   signals_install(1);
@@ -165,7 +166,7 @@ static run_status run_command(lua_State *L, const command *self) {
   run_status status = run_steps(L, self);
   if (status == RUN_OK && has_script) status = run_script(L, self);
   int idle = !has_script && self->step_count == 0 && !self->version;
-  /* -i opens the prompt also after a failure. */
+  /* -i opens the prompt even after a failure. */
   if (self->interactive || (idle && status == RUN_OK)) {
     run_status session = run_input(L);
     if (status == RUN_OK || isatty(STDIN_FILENO)) status = session;
@@ -173,7 +174,8 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
-/* warn() of Lua and of the binding, on standard error; "@..." are control messages of Lua. */
+/* Prints warnings of warn() and of the program on standard error. "@..." are control messages of
+ * Lua. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;
@@ -188,13 +190,13 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
-/* Path of the script; NULL without one or for standard input. */
+/* Returns the path of the script; NULL without a script or for standard input. */
 static const char *script_path(const command *self) {
   const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
   return name && strcmp(name, "-") != 0 ? name : NULL;
 }
 
-/* All code that may raise a Lua error. */
+/* Runs all code that may raise a Lua error. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
   luaL_checkversion(L);
@@ -220,7 +222,7 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* Finalizers run after the script, within the same limits. */
+/* Returns the status after the finalizers, which run after the script, within the same limits. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());
@@ -244,15 +246,15 @@ static int run_state(command *self) {
   return finalizers_status(status);
 }
 
-/* Output that could not be written (a full disk) is a failure. */
+/* Closes standard output. An error of writing, such as a full disk, is a failure. */
 static int close_output(int status) {
   if (fflush(stdout) == 0 && !ferror(stdout)) return status;
   perror("archard: standard output");
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
-/* _exit, as a stopped computation may still run on its thread and would crash when exit() closes
- * its libraries. */
+/* Calls _exit if a computation was stopped. It may still run on its thread and would crash when
+ * exit() closes its libraries. */
 static void leave_at_once(int status, void *unused) {
   (void)unused;
   if (!interrupt_ever()) return;

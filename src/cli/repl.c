@@ -16,7 +16,7 @@
 
 /* Lines of an incomplete chunk. */
 typedef struct pending {
-  char *text; /* NULL when empty */
+  char *text; /* NULL if empty */
   size_t length;
 } pending;
 
@@ -25,7 +25,7 @@ static void pending_clear(pending *self) {
   *self = (pending){NULL, 0};
 }
 
-/* Adds a line; returns zero without memory. */
+/* Adds a line. Returns 0 without memory. */
 static int pending_add(pending *self, const char *line, size_t size) {
   char *text = realloc(self->text, self->length + size + 2);
   if (text == NULL) return 0;
@@ -47,7 +47,8 @@ static void push_module_function(lua_State *L, const char *module, const char *n
 
 enum { CHUNK_READY, CHUNK_OPEN, CHUNK_WRONG };
 
-/* Compiles the chunk; pushes the function (ready), the message (wrong) or nothing (open). */
+/* Compiles the chunk. Pushes the function (CHUNK_READY), the error message (CHUNK_WRONG), or
+ * nothing (CHUNK_OPEN). */
 static int compile(lua_State *L, const pending *chunk, const char *name, int line) {
   push_module_function(L, "archard.lib.prompt", "compile");
   lua_pushlstring(L, chunk->text, chunk->length);
@@ -64,7 +65,7 @@ static int compile(lua_State *L, const pending *chunk, const char *name, int lin
   return state;
 }
 
-/* Runs the function on top of the stack, then shows its values. */
+/* Runs the function on top of the stack, then prints its values. */
 static run_status evaluate(lua_State *L) {
   int base = lua_gettop(L);
   run_status status = run_call(L, 0, LUA_MULTRET);
@@ -81,13 +82,14 @@ static run_status evaluate(lua_State *L) {
 
 /* --- completion ------------------------------------------------------------------------------- */
 
-/* Context of the completion callback. */
+/* The prompt, also the context of the completion callback. */
 typedef struct prompt {
   lua_State *L;
   pending chunk;
 } prompt;
 
-/* (prompt, before) -> a list of words or "files", and the character after a single word */
+/* Lua function (prompt, text before the cursor). Returns a list of words or "files", and the
+ * character after a single word. */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
   push_module_function(L, "archard.session.complete", "words");
@@ -114,7 +116,7 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
   lua_pushcfunction(L, find_words);
   lua_pushlightuserdata(L, self);
   lua_pushstring(L, before);
-  /* An error here is an internal one: then there are no completions. */
+  /* After an internal error there are no completions. */
   if (lua_pcall(L, 2, 2, 0) == LUA_OK) {
     const char *append = lua_tostring(L, -1);
     proposal->append = append ? *append : '\0';
@@ -127,7 +129,8 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
 
 /* --- the prompt ------------------------------------------------------------------------------- */
 
-/* Returns a text of scripts/lib/prompt.lua ("first", "more", "banner"), in colours if allowed. */
+/* Pushes a text of scripts/lib/prompt.lua ("first", "more", "banner"), in colours if they are
+ * allowed. */
 static void push_text(lua_State *L, const char *which) {
   push_module_function(L, "archard.lib.prompt", "text");
   lua_pushstring(L, which);
@@ -136,8 +139,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls a function of scripts/session/leave.lua with the text on top of the stack and replaces it
- * by the result, nil on failure. */
+/* Calls a function of scripts/session/leave.lua with the text on top of the stack and replaces the
+ * text by the result. The result is nil on failure. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
@@ -146,8 +149,8 @@ static run_status ask(lua_State *L, const char *name) {
   return status;
 }
 
-/* Evaluates the answer to the question: 1 leave, 0 stay, -1 neither. On error, stay at the prompt.
- */
+/* Evaluates the user's answer to the question: 1 quit, 0 stay, -1 unclear. After an error the
+ * session stays at the prompt. */
 static int understand(lua_State *L, const char *line) {
   lua_pushstring(L, line);
   const run_status status = ask(L, "answer");
@@ -156,7 +159,8 @@ static int understand(lua_State *L, const char *line) {
   return answer;
 }
 
-/* Asks before unsaved runs are lost. A second Ctrl-D leaves. */
+/* Requests a confirmation if there are unsaved runs. Returns true if the session may end. A second
+ * Ctrl-D ends it. */
 static int may_leave(lua_State *L) {
   lua_pushnil(L);
   int answer = ask(L, "question") == RUN_OK && lua_isstring(L, -1) ? -1 : 1;
@@ -213,7 +217,7 @@ static void take_line(prompt *self, const char *line) {
   interrupt_clear();
 }
 
-/* Reads a line and executes it. Returns 1 if the user leaves. */
+/* Reads a line and runs it. Returns 1 if the user ends the session. */
 static int next_line(prompt *self) {
   char *line = NULL;
   const edit_result result = read_line(self, &line);
@@ -243,7 +247,8 @@ void repl_run(lua_State *L) {
 
 /* --- piped input ------------------------------------------------------------------------------ */
 
-/* Returns if the chunk that began at line `first` is complete, wrong or incomplete. */
+/* Compiles the chunk that began at line `first`, and runs it if it is complete. `last_line` is true
+ * at the end of the input. */
 static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
   int state = compile(L, chunk, "=stdin", first);
   if (state == CHUNK_OPEN && !last_line) return RUN_OK;
@@ -255,7 +260,7 @@ static run_status take_piped(lua_State *L, pending *chunk, int first, int last_l
   return state == CHUNK_READY ? evaluate(L) : run_refused(L);
 }
 
-/* Length of a line without its newline. Lua refuses zero bytes. */
+/* Returns the length of a line without its newline. Zero bytes are kept; Lua rejects them. */
 static size_t line_length(const char *line, size_t length) {
   if (length > 0 && line[length - 1] == '\n') length--;
   if (length > 0 && line[length - 1] == '\r') length--;
@@ -271,7 +276,7 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    const int is_note = number == 1 && line[0] == '#'; /* as in a script */
+    const int is_note = number == 1 && line[0] == '#'; /* first line with #, as in scripts */
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
     if (pending_add(&chunk, line, size)) {

@@ -6,11 +6,11 @@
 
 #include <lua.h>
 
-/* Runs the prompt until the user leaves. Errors are printed and do not end it. */
+/* Runs the prompt until the user ends it. Errors are printed and do not end the prompt. */
 void repl_run(lua_State *L);
 
-/* Runs standard input like typed lines, without banner, prompt or colour, up to the first error;
- * messages have the line number of the input. */
+/* Runs standard input like typed lines up to the first error, without banner, prompt or colours.
+ * Messages have the line number of the input. */
 run_status repl_run_pipe(lua_State *L);
 
 #endif

@@ -21,8 +21,8 @@
 
 static const double mebi = 1048576;
 
-/* A file may be as large as the memory limit; all files together this many times as large, and at
- * most half of the free disk space. */
+/* One file may be as large as the memory limit. All files together may have this many times the
+ * size of the memory limit, and at most half of the free disk space. */
 enum { FILES_AT_ONCE = 4 };
 
 sandbox sandbox_usual(void) {
@@ -41,7 +41,8 @@ int sandbox_set(sandbox *self, const char *name, const char *text) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* lua_Alloc: for a new block `old` is the type of the object, not a size. */
+/* Allocator of Lua (lua_Alloc) with the memory limit. For a new block `old` is the type of the
+ * object, not a size. */
 static void *allocate(void *context, void *block, size_t old, size_t size) {
   sandbox *self = context;
   const size_t held = block ? old : 0;
@@ -62,14 +63,14 @@ lua_State *sandbox_new_state(sandbox *self) {
 
 /* --- enabling the sandbox --------------------------------------------------------------------- */
 
-/* Folder of a path, "." without one. */
+/* Computes the folder of a path, "." for a name without folder. */
 static void folder_of(const char *path, char folder[PATH_MAX]) {
   const char *slash = path ? strrchr(path, '/') : NULL;
   const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
   snprintf(folder, PATH_MAX, "%.*s", (int)length, slash ? path : ".");
 }
 
-/* Path of a program in PATH; its name if it is not found. */
+/* Returns the path of a program in PATH, or its name if there is none. */
 static const char *find(const char *name, char path[PATH_MAX]) {
   const char *folders = getenv("PATH");
   while (folders && *folders && !strchr(name, '/')) {
@@ -91,7 +92,8 @@ static void report_missing(int missing) {
       fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);
 }
 
-/* Marks a program that was restarted inside the jail. */
+/* Environment variable of a program that was restarted inside the jail; its value is the process
+ * id. */
 static const char mark[] = "ARCHARD_CONFINED";
 
 static int is_confined(void) {
@@ -101,7 +103,7 @@ static int is_confined(void) {
   return confined;
 }
 
-/* Temporary files are created in the working folder, by a variable for child programs. */
+/* Sets the mark, and the working folder as folder for temporary files, also of child programs. */
 static void set_environment(const char *folder) {
   char number[24];
   snprintf(number, sizeof number, "%ld", (long)getpid());

@@ -1,36 +1,38 @@
 /* cli/sandbox.h - restrictions of an untrusted script. Lua's libraries are loaded without functions
- * that reach outside the script (scripts/lib/sandbox.lua). Files can be read below the script's
- * folder and written below the working folder, as the system enforces (system/jail.h). The memory
- * limit covers Lua, the engine and all started programs; seconds are elapsed time. A script that
- * exceeds a limit is stopped as by Ctrl-C, and ended if it does not stop within a grace period. */
+ * that reach outside the script (scripts/lib/sandbox.lua). The operating system permits reading
+ * files only below the script's folder, and writing only below the working folder (system/jail.h).
+ * The memory limit applies to Lua, the engine and all started programs. The limit in seconds is
+ * elapsed time. A script beyond a limit is stopped as by Ctrl-C; if it does not stop within a grace
+ * period, the program ends. */
 #ifndef CLI_SANDBOX_H
 #define CLI_SANDBOX_H
 
 #include <lua.h>
 
 typedef struct sandbox {
-  int wanted, strict;  /* strict: refuse to run if the system cannot enforce everything */
+  int wanted, strict;  /* strict: do not run if the system cannot enforce all restrictions */
   double memory;       /* [MiB] */
-  double seconds;      /* 0: no limit */
-  double instructions; /* limit of Lua's memory; 0: none */
-  size_t used;         /* bytes used by Lua */
+  double seconds;      /* [s] 0: no limit */
+  double instructions; /* limit of the number of Lua instructions */
+  size_t used;         /* memory used by Lua [bytes] */
 } sandbox;
 
-/* The default limits. */
+/* Returns the default limits. */
 sandbox sandbox_usual(void);
 
-/* Sets the limit `name` to the number in `text`. Returns zero unless it is > 0. */
+/* Sets the limit `name` to the number in `text`. Returns 0 if the number is not positive. */
 int sandbox_set(sandbox *self, const char *name, const char *text);
 
-/* Creates a state with limited memory; NULL without memory. `self` must outlive it. */
+/* Creates a Lua state with limited memory; NULL without memory. `self` must exist longer than the
+ * state. */
 lua_State *sandbox_new_state(sandbox *self);
 
-/* Confines this program and restarts it. Returns non-zero inside; zero on failure, with the reason
- * on standard error. */
+/* Restricts this program and restarts it. Returns 1 in the restarted program. Returns 0 on failure
+ * and prints the reason on standard error. */
 int sandbox_confine(const sandbox *self, const char *script, char **argv);
 
-/* Enters the sandbox: restricts libraries, files and resources. `script` is the path of the script,
- * or NULL. May raise a Lua error. */
+/* Restricts libraries, files and resources of a Lua state. `script` is the path of the script, or
+ * NULL. May raise a Lua error. */
 void sandbox_enter(lua_State *L, const sandbox *self, const char *script);
 
 #endif

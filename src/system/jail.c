@@ -1,5 +1,5 @@
 /* Restrictions of the process by Linux: Landlock for files, a filter of system calls, limits.
- * Constants newer than the headers of Debian 12 are defined here; the kernel reports the features
+ * Constants newer than the headers of Debian 12 are defined here. The kernel reports which features
  * it supports. */
 #define _GNU_SOURCE /* O_PATH, dl_iterate_phdr, syscall */
 #include "system/jail.h"
@@ -60,8 +60,8 @@ typedef struct rules {
   uint64_t handled;
 } rules;
 
-/* Rules for files, for connections (version 4), for signals and abstract sockets outside (version
- * 6). */
+/* Rules for files, for connections (version 4), and for signals and abstract sockets of other
+ * processes (version 6). */
 typedef struct ruleset {
   uint64_t files, net, scoped;
 } ruleset;
@@ -70,7 +70,7 @@ static rules begin_rules(void) {
   const int version =
       (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
   rules r = {.set = -1, .failed = 1};
-  if (version < 3) return r; /* files outside could be truncated */
+  if (version < 3) return r; /* any file could be truncated */
   r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
   const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
   const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
@@ -79,7 +79,7 @@ static rules begin_rules(void) {
   return r;
 }
 
-/* Missing files need no rule. */
+/* Adds a rule for a file or folder. A missing file needs no rule. */
 static void allow(rules *r, const char *path, uint64_t rights) {
   struct stat facts;
   const int file = path && !r->failed ? open(path, O_PATH | O_CLOEXEC) : -1;
@@ -91,8 +91,8 @@ static void allow(rules *r, const char *path, uint64_t rights) {
   close(file);
 }
 
-/* Files that programs need to start, and fonts for gnuplot; no personal files. Landlock allows the
- * public data of other processes. */
+/* Allows files that programs need to start, and fonts for gnuplot, but no personal files. Landlock
+ * itself allows the public data of other processes. */
 static void allow_system(rules *r) {
   static const char *const looked_at[] = {
       "/usr/lib",
@@ -125,8 +125,8 @@ static void allow_system(rules *r) {
     allow(r, devices[i], READ_FILE | WRITE_FILE);
 }
 
-/* A library of this program, in any folder; the first is the program itself, which names its
- * loader. */
+/* Allows a library of this program, in any folder. The first one is the program itself, which
+ * contains the name of its loader. */
 static int allow_library(struct dl_phdr_info *library, size_t size, void *context) {
   rules *r = context;
   (void)size;
@@ -138,7 +138,8 @@ static int allow_library(struct dl_phdr_info *library, size_t size, void *contex
   return 0;
 }
 
-/* Folder of a program outside the system folders: its neighbours lib and share. */
+/* Allows a program, and the folders lib and share beside its folder if it is outside the system
+ * folders. */
 static void allow_program(rules *r, const char *path) {
   char whole[PATH_MAX], beside[PATH_MAX + 8];
   if (!path || !realpath(path, whole)) return;
@@ -188,15 +189,16 @@ static int confine_files(const arc_jail *jail) {
 
 #ifdef MACHINE
 
-/* The sanitizers stop their threads to search for leaks. */
+/* Sanitizers need ptrace, because they stop their threads to search for leaks. */
 #ifdef __SANITIZE_ADDRESS__
 #define HOLD SYS_kcmp
 #else
 #define HOLD SYS_ptrace
 #endif
 
-/* Connections; other processes; execution of files without a name; rights, owners, times and
- * attributes of files, which Landlock does not cover, and notifications of them; the system. */
+/* Denied calls. They concern connections, other processes, execution of files without a name,
+ * settings of the system, and properties of files that Landlock does not cover (rights, owners,
+ * times, attributes, notifications of changes). */
 static const unsigned denied[] = {SYS_socket,
                                   SYS_bind,
                                   SYS_connect,
@@ -261,7 +263,7 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_msgget,
                                   SYS_semget};
 
-/* Older names of the same calls, if the architecture has them. */
+/* Older calls with the same effects, if the architecture has them. */
 #ifdef SYS_chmod
 static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod,
                                  SYS_utime, SYS_utimes, SYS_futimesat, SYS_inotify_init,
@@ -270,13 +272,13 @@ static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod
 static const unsigned older[] = {SYS_chroot};
 #endif
 
-/* Calls without names in older headers, by number, which is the same on all architectures:
- * io_uring, mounts, pidfd_getfd, fchmodat2, attributes. */
+/* Calls without names in older headers. Their numbers are the same on all architectures: io_uring,
+ * mounts, pidfd_getfd, fchmodat2, attributes. */
 static const unsigned newer[] = {425, 426, 427, 428, 429, 430, 431, 432, 433,
                                  438, 442, 452, 463, 464, 465, 466, 467, 469};
 
-/* For these calls programs have an alternative, so they fail as if unknown to the kernel (clone3,
- * memfd_secret). */
+/* Calls for which programs have an alternative (memfd_create, clone3, memfd_secret). They fail as
+ * if the kernel did not support them. */
 static const unsigned unknown[] = {SYS_memfd_create, 435, 447};
 
 typedef struct filter {
@@ -304,7 +306,7 @@ static void refuse(filter *f, const unsigned *calls, size_t count, int why) {
   }
 }
 
-/* Refuses a call where `test` of the lower half of an argument and `value` is `when`. */
+/* Refuses a call if `test` of `value` and the lower half of an argument has the result `when`. */
 static void refuse_where(filter *f, unsigned call, int argument, unsigned short test,
                          uint32_t value, int when) {
   load(f, offsetof(struct seccomp_data, nr));
@@ -314,13 +316,13 @@ static void refuse_where(filter *f, unsigned call, int argument, unsigned short 
   end(f, SECCOMP_RET_ERRNO | EPERM);
 }
 
-/* Calls of this architecture, by their 64-bit numbers. */
+/* Allows only calls of this architecture with their 64-bit numbers. */
 static void begin(filter *f) {
   load(f, offsetof(struct seccomp_data, arch));
   add(f, BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0);
   end(f, SECCOMP_RET_KILL_PROCESS);
   load(f, offsetof(struct seccomp_data, nr));
-  add(f, BPF_JMP | BPF_JGE | BPF_K, 1u << 30, 0, 1); /* the second set of numbers of x86 */
+  add(f, BPF_JMP | BPF_JGE | BPF_K, 1u << 30, 0, 1); /* x32 numbers */
   end(f, SECCOMP_RET_ERRNO | EPERM);
 }
 
@@ -332,11 +334,11 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* for the connections with children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to connect children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* input injected into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
-  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of others */
+  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of other processes */
 }
 
 static int install(filter *f) {
@@ -351,7 +353,8 @@ static int confine_calls(void) {
   return install(&f);
 }
 
-/* clone3 and its flags in memory are unknown here already. */
+/* Prevents new processes. clone3 needs no rule here, because the first filter already refuses
+ * it. */
 int arc_jail_alone(void) {
   filter f = {.length = 0};
   begin(&f);
@@ -377,7 +380,7 @@ static int confine_calls(void) {
 
 /* --- rights of root --------------------------------------------------------------------------- */
 
-/* All capabilities except those on files, whose mode bits are not restricted here. */
+/* Drops all capabilities except those on files, because mode bits are not restricted here. */
 static void drop_rights(void) {
   const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH | 1u << CAP_FOWNER;
   struct __user_cap_header_struct head = {_LINUX_CAPABILITY_VERSION_3, 0};
@@ -392,7 +395,7 @@ static void drop_rights(void) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Sets the soft and the hard limit, which cannot be raised again. */
+/* Sets the soft and the hard limit, so that the limit cannot be raised again. */
 static int limit(enum __rlimit_resource what, double most) {
   struct rlimit l;
   if (getrlimit(what, &l) != 0) return 0;
@@ -401,7 +404,7 @@ static int limit(enum __rlimit_resource what, double most) {
   return setrlimit(what, &l) == 0;
 }
 
-/* Threads of the user's processes; the limit counts them all. */
+/* Returns the number of threads of all processes of the user, which the limit includes. */
 static double threads_of_user(void) {
   double count = 0;
   DIR *list = opendir("/proc");
@@ -415,11 +418,12 @@ static double threads_of_user(void) {
   return count;
 }
 
-/* In addition to the user's present ones: workers, gnuplot, and threads of numerical libraries,
- * which end the program if they get none, on a machine with many processors. */
+/* Threads allowed in addition to the present threads of the user: workers, gnuplot, and numerical
+ * libraries on a machine with many processors. These libraries end the program if they cannot start
+ * threads. */
 enum { MORE_THREADS = 512 };
 
-/* The system does not count processes of root. */
+/* Returns false for root, whose processes the system does not count. */
 static int confine_processes(void) {
   return limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
 }

@@ -1,5 +1,5 @@
-/* Memory limit of this process and its children. The size of a process is read from /proc (Linux).
- */
+/* Memory limit of this process and its children. The size of the process is read from /proc
+ * (Linux). */
 #include "system/memory_limit.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static struct {
   } reservations[MOST_CHILDREN];
 } state;
 
-/* Mapped memory and data of this process [bytes]; 0 if unknown. */
+/* Returns the mapped memory of this process and the size of its data [bytes]; 0 if unknown. */
 static double mapped(double *data) {
   double all = 0, private = 0;
   FILE *file = fopen("/proc/self/statm", "r");
