@@ -1,5 +1,5 @@
 /* Registers all classes and functions in the module `archard` and as globals. Each class has its
- * own file; archard.h describes how to add one. */
+ * own file. archard.h describes how to add a class. */
 #include "lua/base/archard.h"
 
 #include "archard/base.h"
@@ -9,7 +9,7 @@
 
 #include <lauxlib.h>
 
-/* Classes in C: name of the global, and the function that pushes its value. */
+/* Classes written in C: name of the global, and the function that pushes its value. */
 static const luaL_Reg classes[] = {
     {"material", luaopen_archard_material},
     {"hertz", luaopen_archard_hertz},
@@ -20,7 +20,7 @@ static const luaL_Reg classes[] = {
     {NULL, NULL},
 };
 
-/* Modules in C without a global: loaded by require only. */
+/* Modules written in C without a global; only require loads them. */
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
     {"archard.gnuplot", luaopen_archard_gnuplot},
@@ -41,7 +41,7 @@ static const luaL_Reg modules[] = {
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"
 
-/* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
+/* Classes written in Lua: name of the global, and the module in scripts/ that returns its value. */
 static const char *const scripted[][2] = {
     {"help", "archard.help"},         {"plot", "archard.plot"},
     {"study", "archard.study"},       {"fit", "archard.fit"},
@@ -53,8 +53,8 @@ static const char *const scripted[][2] = {
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
-/* Functions in Lua, loaded at their first call: name of the global, the module, and the field of
- * the module if the module is a table (else NULL). */
+/* Functions written in Lua, loaded at their first call: name of the global, the module, and the
+ * field of the module (NULL if the module is the function). */
 static const char *const functions[][3] = {
     {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
     {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
@@ -62,8 +62,8 @@ static const char *const functions[][3] = {
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
-/* Pops a value and stores it as field `name` of the module table below, as global of the user and
- * as global of the built-in scripts. */
+/* Pops a value and stores it as field `name` of the module table below it, as a global of the user
+ * and as a global of the built-in scripts. */
 static void publish(lua_State *L, const char *name) {
   if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
@@ -102,13 +102,14 @@ static void open_functions(lua_State *L) {
 int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
-  lua_warning(L, "@on", 0); /* the stock interpreter starts with warnings off */
+  lua_warning(L, "@on", 0); /* the standard interpreter starts with warnings off */
   script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);
   lua_setfield(L, -2, "version");
 
-  /* Registered before the classes open, so that their scripts can require "archard". */
+  /* The module is registered before the classes are opened, because their scripts require
+   * "archard". */
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_pushvalue(L, -2);
   lua_setfield(L, -2, "archard");

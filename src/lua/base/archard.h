@@ -1,16 +1,15 @@
-/* lua/archard.h - the Lua module `archard`.
+/* lua/base/archard.h - the Lua module `archard`.
  *
- * To add a class in C: write `int luaopen_archard_NAME(lua_State *L)`, which pushes one value (a
- * constructor function or a table), and add it to the list in archard.c. The value becomes the
- * global NAME and the field NAME of `require "archard"`. A class written in Lua is listed there by
- * the name of its script.
+ * To add a class in C, write `int luaopen_archard_NAME(lua_State *L)`, which pushes one value (a
+ * constructor function or a table), and add the function to the list in archard.c. The value
+ * becomes the global NAME and the field NAME of `require "archard"`. A class in Lua is listed there
+ * by the name of its script.
  *
- * Completion and help read these fields of an object's metatable (they never call __index):
+ * Completion and help read these fields of an object's metatable, without calling __index:
  *   __name     "archard.NAME" or "NAME": name of the class as in the help topics
  *   __index    the table of methods, or a function; with a function also:
  *   __methods  the table of methods
- *   __fields   names of the fields that __index computes: a list, or function(object) -> list
- */
+ *   __fields   names of the fields that __index computes: a list, or function(object) -> list */
 #ifndef LUA_ARCHARD_H
 #define LUA_ARCHARD_H
 
@@ -18,15 +17,14 @@
 
 /* Registers the scripts and modules in package.preload, sets the globals, and pushes the module
  * table (also stored in package.loaded.archard). The standard libraries must be open. Switches
- * warnings on, and the threads of BLAS and OpenMP off.
- * The stock interpreter calls this function for `require "archard"` from archard.so; there, Ctrl-C
- * keeps the interpreter's own handling. */
+ * warnings on, and the threads of BLAS and OpenMP off. The standard interpreter calls this function
+ * for `require "archard"` from archard.so and then handles Ctrl-C itself. */
 int luaopen_archard(lua_State *L);
 
 /* The module `archard.term`: properties of the terminal. */
 int luaopen_archard_term(lua_State *L);
 
-/* The module `archard.gnuplot`: draws figures, given as tables, with gnuplot
+/* The module `archard.gnuplot`: draws figures by gnuplot. Figures are tables
  * (scripts/plot/init.lua). */
 int luaopen_archard_gnuplot(lua_State *L);
 
@@ -42,7 +40,7 @@ int luaopen_archard_warnings(lua_State *L);
 /* The module `archard.files`: writes texts and numbers in the format of all exports. */
 int luaopen_archard_files(lua_State *L);
 
-/* The module `archard.random`: sample points by design and seed, quantiles. */
+/* The module `archard.random`: sample points for a design and a seed, and quantiles. */
 int luaopen_archard_random(lua_State *L);
 
 /* The module `archard.least_squares`: nonlinear least squares. */
@@ -51,8 +49,8 @@ int luaopen_archard_least_squares(lua_State *L);
 /* The module `archard.measure`: measures of wear profiles. */
 int luaopen_archard_measure(lua_State *L);
 
-/* The module `archard.names`: shows values in messages, finds the nearest known name, raises
- * errors. */
+/* The module `archard.names`: shows values in messages, searches the most similar valid name,
+ * raises errors. */
 int luaopen_archard_names(lua_State *L);
 
 /* The module `archard.strict`: errors for unknown names. */
@@ -61,7 +59,7 @@ int luaopen_archard_strict(lua_State *L);
 /* The module `archard.sphere`: ball joints, for scripts/joint. */
 int luaopen_archard_sphere(lua_State *L);
 
-/* The module `archard.settings`: all settings of definitions, and the columns of the history. */
+/* The module `archard.settings`: all settings of definitions, and all columns of the history. */
 int luaopen_archard_settings(lua_State *L);
 
 #endif

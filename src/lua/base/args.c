@@ -17,7 +17,7 @@ const char *args_show_number(lua_State *L, double value) {
   return lua_pushstring(L, text);
 }
 
-/* The value is on top of the stack; near: what may be meant, or NULL. */
+/* Raises an error for the value on top of the stack. `near` is a similar valid text, or NULL. */
 static void refuse_field(lua_State *L, args_location location, const char *name,
                          const char *expected, const char *near) __attribute__((noreturn));
 
@@ -91,12 +91,12 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 
 /* --- reading arguments ------------------------------------------------------------------------ */
 
-enum { LONGEST_TEXT = 240 }; /* bytes of the description of a setting's values */
+enum { LONGEST_TEXT = 240 }; /* longest description of the values of a setting [bytes] */
 
 static void refuse(lua_State *L, args_location location, const arc_setting *s)
     __attribute__((noreturn));
 
-/* The choice with the nearest name to the text on top of the stack, or NULL. */
+/* Returns the choice most similar to the text on top of the stack, or NULL. */
 static const char *nearest_choice(lua_State *L, const arc_setting *s) {
   if (s->kind != ARC_CHOICE || s->choices == arc_switch_names || lua_type(L, -1) != LUA_TSTRING)
     return NULL;
@@ -120,7 +120,7 @@ double args_number(lua_State *L, args_location location, const arc_setting *s) {
   return value;
 }
 
-/* Index of the text at `index` in `choices`, or -1. "plane" means "plane strain". */
+/* Returns the index in `choices` of the text at `index`, or -1. "plane" means "plane strain". */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
   if (choices == arc_switch_names) return lua_isboolean(L, index) ? lua_toboolean(L, index) : -1;
   if (lua_type(L, index) != LUA_TSTRING) return -1;
@@ -151,7 +151,7 @@ static void set_number(const arc_setting *s, void *definition, double value) {
 }
 
 /* True if the value on top of the stack is "auto", a function or a series, and the setting allows
- * that form. "auto" is stored as 0. */
+ * this form. "auto" is stored as 0. */
 static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   const int type = lua_type(L, -1);
   int automatic = 0;
@@ -175,7 +175,7 @@ static void read_text(lua_State *L, args_location location, const arc_setting *s
   memcpy(to, text, length + 1);
 }
 
-/* Reads a group from a table of its fields or from an object of its class. */
+/* Reads a group of settings from a table of its fields or from an object of its class. */
 static void read_group(lua_State *L, args_location location, const arc_setting *s,
                        void *definition) {
   void *member = arc_setting_member(s, definition);
@@ -186,7 +186,7 @@ static void read_group(lua_State *L, args_location location, const arc_setting *
   lua_pop(L, 1);
 }
 
-/* Reads the value on top of the stack into the member of the setting. */
+/* Reads the value on top of the stack into the struct member of the setting. */
 static void read_value(lua_State *L, args_location location, const arc_setting *s,
                        void *definition) {
   switch (s->kind) {

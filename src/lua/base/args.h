@@ -1,7 +1,7 @@
-/* lua/args.h - reads a table of named fields into a definition struct according to its list of
- * settings (archard/setting.h). An unknown name, a wrong type or a value out of range raises
- * ARC_ARGUMENT; the message has the field, the expected and the given value, and the nearest known
- * name. */
+/* lua/base/args.h - reads a table of named fields into a definition struct, according to its list
+ * of settings (archard/setting.h). An unknown name, a wrong type or a value out of range raises
+ * ARC_ARGUMENT. The message has the field, the expected and the actual value, and the most similar
+ * valid name. */
 #ifndef LUA_ARGS_H
 #define LUA_ARGS_H
 
@@ -10,32 +10,33 @@
 #include <lua.h>
 #include <math.h>
 
-/* Context of a field in error messages: "wear: field 'mesh.size': ...". */
+/* Names in error messages such as "wear: field 'mesh.size': ...". */
 typedef struct args_location {
-  const char *where;  /* name of the function: "wear" */
-  const char *prefix; /* prefix of the field's name: "mesh." or "" */
+  const char *where;  /* name of the function, such as "wear" */
+  const char *prefix; /* prefix of the field's name, such as "mesh.", or "" */
 } args_location;
 
-/* Rows of a list of settings for values that exist only in scripts: a number above 0, and a name
- * whose value the caller reads. */
+/* Settings for values that exist only in scripts. ARGS_ABOVE_0 is a number above 0. For the other
+ * one the caller reads the value. */
 #define ARGS_ABOVE_0(owner, member)                                                                \
   { .name = #member, .offset = offsetof(owner, member), ARC_RANGE_ABOVE(0) }
 #define ARGS_OTHER(field)                                                                          \
   { .name = (field), .kind = ARC_OTHER }
 
 /* Reads the table at `index` (nil or none: no change) into `definition`, which contains the
- * defaults. Reads numbers, choices, texts, "auto" and groups (a group also from an object of its
- * class). For functions and series only the type is checked; the caller reads them. */
+ * defaults. Reads numbers, choices, texts, "auto" and groups; a group may also be an object of its
+ * class. For functions and series only the type is checked, and the caller reads them. */
 void args_read(lua_State *L, int index, args_location location, const arc_setting *list,
                void *definition);
 
-/* Checks only the names of the fields; the value at `index` must be a table. */
+/* Checks only the names of the fields. The value at `index` must be a table. */
 void args_check_names(lua_State *L, int index, args_location location, const arc_setting *list);
 
 /* Raises an error if the value at `index` is not a table. */
 void args_check_table(lua_State *L, int index, const char *where);
 
-/* Raises the error for a field without a name; its key is below the top of the stack. */
+/* Raises the error for a field without a name. The key of the field is below the top of the
+ * stack. */
 void args_refuse_position(lua_State *L, args_location location) __attribute__((noreturn));
 
 /* Raises the error for a name that is not in the list. */
@@ -45,8 +46,8 @@ void args_unknown(lua_State *L, args_location location, const arc_setting *list,
 /* Returns the number on top of the stack; raises an error if it is not finite or out of range. */
 double args_number(lua_State *L, args_location location, const arc_setting *setting);
 
-/* Returns the index in `choices` of the text at `index`. Returns `otherwise` for nil or none if
- * `otherwise` >= 0. `name` is the field's name in the error message. */
+/* Returns the index in `choices` of the text at `index`. For nil or none it returns `otherwise` if
+ * this is >= 0. `name` is the field's name in the error message. */
 int args_choice(lua_State *L, int index, args_location location, const char *name,
                 const char *const *choices, int otherwise);
 
@@ -54,16 +55,17 @@ int args_choice(lua_State *L, int index, args_location location, const char *nam
 void args_refuse(lua_State *L, args_location location, const char *name, const char *expected)
     __attribute__((noreturn));
 
-/* Pushes field `name` of the table at `index`, or nil if that is not a table. Returns the type. */
+/* Pushes field `name` of the table at `index`, or nil if the value is not a table. Returns the
+ * type. */
 int args_get(lua_State *L, int index, const char *name);
 
-/* Pushes a shallow copy of the table at `index` (raw access). */
+/* Pushes a shallow copy of the table at `index`, made without metamethods. */
 void args_push_copy(lua_State *L, int index);
 
 /* True if the value at `index` is a table whose field `name` is not nil. */
 int args_given(lua_State *L, int index, const char *name);
 
-/* Pushes a number as text with 14 digits, integers without a decimal point. */
+/* Pushes a number as text with up to 14 digits; integers have no decimal point. */
 const char *args_show_number(lua_State *L, double value);
 
 #endif

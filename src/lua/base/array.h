@@ -1,4 +1,4 @@
-/* lua/array.h - arrays of doubles as Lua tables (indices from 1). */
+/* lua/base/array.h - arrays of doubles as Lua tables (indices from 1). */
 #ifndef LUA_ARRAY_H
 #define LUA_ARRAY_H
 
@@ -14,7 +14,7 @@ void array_set(lua_State *L, const char *name, const double *values, size_t coun
 /* Sets field `name` of the table on top of the stack to one number. */
 void array_set_number(lua_State *L, const char *name, double value);
 
-/* Pushes a userdata with `count` doubles, uninitialised, and returns its address. The garbage
+/* Pushes a userdata with `count` uninitialised doubles and returns its address. The garbage
  * collector frees it. */
 double *array_buffer(lua_State *L, size_t count);
 

@@ -5,7 +5,7 @@
 #include <lauxlib.h>
 #include <math.h>
 
-/* A test of the items of a list, and its description for the error message. */
+/* A test for the items of a list, and its description for the error message. */
 typedef struct kind {
   int (*fits)(double value);
   const char *expected;

@@ -1,4 +1,4 @@
-/* Boxes: metatables, methods and fields, closing. */
+/* Boxes: metatables, methods, fields and closing. */
 #include "lua/base/box.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -9,13 +9,13 @@
 #include <stdint.h>
 #include <string.h>
 
-static const char class_key[] = "archard.class %s"; /* registry key of a class, by its name */
+static const char class_key[] = "archard.class %s"; /* registry key of a class */
 
 static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Raises an error for the unknown name at index 2 if the user's text reads it. Upvalue 4: all
+/* Raises an error for the unknown name at index 2 if the user's code reads it. Upvalue 4: all
  * names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
@@ -23,7 +23,8 @@ static int unknown_field(lua_State *L) {
   return 0;
 }
 
-/* Returns the value at index 3. A table without metatable becomes a strict table "CLASS.FIELD". */
+/* Returns the value at index 3. A table without a metatable becomes a strict table
+ * "CLASS.FIELD". */
 static int guarded(lua_State *L) {
   if (!lua_istable(L, 3)) return 1;
   if (lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
@@ -40,8 +41,8 @@ static int setting_field(lua_State *L) {
   return 1;
 }
 
-/* __index(object, name): the value of a field, or a method. Upvalues: class, methods, fields, all
- * names. */
+/* Metamethod __index(object, name): returns the value of a field, or a method. Upvalues: class,
+ * methods, fields, all names. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
@@ -80,8 +81,8 @@ static void last_use(call_held *held) {
   if (self->closing && !self->busy) box_empty(self, self->class);
 }
 
-/* __gc and __close. Ignores values that are not boxes of this class (a script may have moved the
- * metatable). */
+/* Metamethods __gc and __close: destroy the object. They ignore values that are not boxes of this
+ * class, because a script may have set the metatable on another value. */
 static int class_gc(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
@@ -89,7 +90,7 @@ static int class_gc(lua_State *L) {
   return 0;
 }
 
-/* object:close(). A second call does nothing. */
+/* Lua method object:close(). A second call has no effect. */
 static int class_close(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
@@ -115,7 +116,7 @@ static int class_tostring(lua_State *L) {
   return 1;
 }
 
-/* Two boxes are equal if they contain the same thing, as for shared models. */
+/* Two boxes are equal if they contain the same object of the engine, such as a shared model. */
 static int class_eq(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const box *a = box_test(L, 1, class), *b = box_test(L, 2, class);
@@ -123,12 +124,12 @@ static int class_eq(lua_State *L) {
   return 1;
 }
 
-/* Lua's light userdata are not const: what is pushed here is only read. */
+/* The light userdata of Lua are not const, but these objects are only read. */
 static void push_pointer(lua_State *L, const void *pointer) {
   lua_pushlightuserdata(L, (void *)(uintptr_t)pointer);
 }
 
-/* Sets field `name` of the table on top to a C function with the class as upvalue. */
+/* Sets field `name` of the table on top of the stack to a C function with the class as upvalue. */
 static void set_function(lua_State *L, const char *name, const box_class *class,
                          lua_CFunction function) {
   push_pointer(L, class);
@@ -142,8 +143,8 @@ static void push_methods(lua_State *L, const box_class *class) {
   if (class->destroy) set_function(L, "close", class, class_close);
 }
 
-/* Pushes the table of functions that read fields, by name. Computed fields replace settings of the
- * same name. */
+/* Pushes the table of functions that read fields, with the names as keys. A computed field replaces
+ * the setting with the same name. */
 static void push_readers(lua_State *L, const box_class *class) {
   lua_newtable(L);
   for (const arc_setting *s = class->settings; s && s->name; s++) {
@@ -156,7 +157,7 @@ static void push_readers(lua_State *L, const box_class *class) {
   if (class->fields) luaL_setfuncs(L, class->fields, 0);
 }
 
-/* Pushes the list of the fields' names. */
+/* Pushes the list of the names of the fields. */
 static void push_field_names(lua_State *L, const box_class *class) {
   lua_newtable(L);
   int count = 0;
@@ -214,7 +215,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
-  lua_pushfstring(L, "archard.%s", class->name); /* key by which help finds the class of a method */
+  lua_pushfstring(L, "archard.%s", class->name); /* key for the help on methods */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
@@ -237,7 +238,7 @@ box *box_push(lua_State *L, const box_class *class) {
   return made;
 }
 
-/* Compares the metatable too: a script may have set a class's metatable on another userdata. */
+/* Compares the metatable as well, because a script may have set it on another userdata. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
   if (!found || lua_rawlen(L, index) < sizeof *found || found->class != class ||
@@ -248,7 +249,7 @@ box *box_test(lua_State *L, int index, const box_class *class) {
   return same ? found : NULL;
 }
 
-/* Name of the type of the value at `index`: its __name or the Lua type. */
+/* Returns the name of the type of the value at `index`: its __name or the Lua type. */
 static const char *kind_of(lua_State *L, int index) {
   int type = luaL_getmetafield(L, index, "__name");
   if (type == LUA_TSTRING) return lua_tostring(L, -1);

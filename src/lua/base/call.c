@@ -1,15 +1,16 @@
-/* Frames on the C stack list the objects that each running function holds. Functions end in the
- * reverse order of their start: nothing yields across them, and errors stop at each frame. */
+/* Each running function has a frame on the C stack, with a list of the objects that it uses.
+ * Functions end in the reverse order of their start, because nothing yields across them and errors
+ * stop at each frame. */
 #include "lua/base/call.h"
 
 #include <assert.h>
 
-enum { MOST_HELD = 16 }; /* objects held by one function */
+enum { MOST_HELD = 16 }; /* most objects used by one function */
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* the first argument, alive as long as the frame */
-  int count, keeps;  /* keeps: the registry has a table of kept values at the frame's address */
+  const void *first; /* first argument; it is alive as long as the frame */
+  int count, keeps;  /* keeps: true if the registry has a table of values kept for this frame */
   call_held *held[MOST_HELD];
 } frame;
 
@@ -23,7 +24,7 @@ static int is_held(const frame *f, const call_held *held) {
   return 0;
 }
 
-/* Stores the object in the registry until no function holds it. */
+/* Stores the object in the registry until no function uses it. */
 static void keep_alive(lua_State *L, int index, call_held *held) {
   luaL_checkstack(L, 2, "objects");
   lua_pushvalue(L, index);
@@ -57,7 +58,7 @@ void call_keep(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Removes a value from the registry. Returns 0 if the Lua stack is full; the value then stays
+/* Removes a value from the registry. Returns 0 if the Lua stack is full; then the value stays
  * alive. */
 static int forget(lua_State *L, const void *key) {
   if (!lua_checkstack(L, 1)) return 0;
@@ -79,7 +80,7 @@ static void release(lua_State *L, const frame *f) {
 /* --- calls ------------------------------------------------------------------------------------ */
 
 void call_now(lua_State *L, int arguments, int results) {
-  frame own; /* `held` is not cleared: this function runs at every read of a field */
+  frame own; /* not cleared, because each read of a field calls this function */
   own.outer = current;
   own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
   own.count = own.keeps = 0;
@@ -90,7 +91,7 @@ void call_now(lua_State *L, int arguments, int results) {
   if (status != LUA_OK) lua_error(L);
 }
 
-/* Calls the function in upvalue 1. A copy of the first argument stays below it. */
+/* Calls the function in upvalue 1. A copy of the first argument stays below it on the stack. */
 static int call(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments > 0)

@@ -1,10 +1,9 @@
-/* lua/call.h - wrapper of the C functions that scripts call.
+/* lua/base/call.h - wrapper of the C functions that scripts call.
  *
  * Lua code may run at any allocation (the garbage collector calls finalizers), in every callback
- * and in every metamethod. Therefore a C function holds each object that it uses until it returns
- * or fails: the object is not moved, changes are refused, and closing is deferred. Every function
- * that uses boxes (box.h) is given to scripts through this file.
- */
+ * and in every metamethod. Therefore a C function marks each object that it uses until it returns
+ * or fails. A marked object is not moved, changes are refused, and closing is deferred. All
+ * functions that use boxes (box.h) are wrapped by this file before scripts can call them. */
 #ifndef LUA_CALL_H
 #define LUA_CALL_H
 
@@ -17,26 +16,26 @@ void call_wrap(lua_State *L);
 /* Pushes the wrapped version of a C function. */
 void call_push(lua_State *L, lua_CFunction function);
 
-/* lua_call of a function as if it were wrapped. The first argument must stay on the caller's stack.
- */
+/* Calls a function as lua_call does, as if the function were wrapped. The first argument must stay
+ * on the caller's stack. */
 void call_now(lua_State *L, int arguments, int results);
 
-/* luaL_setfuncs and luaL_newlib with wrapped functions. */
+/* luaL_setfuncs and luaL_newlib for wrapped functions. */
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 
-/* Member of each object that can be held. count: functions that hold it; kept: the registry keeps
- * it alive; last: called when the last function releases it. */
+/* Member of each object that can be marked. count: number of functions that use the object; kept:
+ * the registry keeps it alive; last: called when the last function ends its use. */
 typedef struct call_held {
   int count, kept;
   void (*last)(struct call_held *self);
 } call_held;
 
-/* Holds the object at `index`, whose member is `held`, until the running function returns. Repeated
+/* Marks the object at `index`, whose member is `held`, until the running function returns. Repeated
  * calls in one function count once. */
 void call_hold(lua_State *L, int index, call_held *held);
 
-/* True if a function outside the running one holds the object. */
+/* True if a function other than the running one uses the object. */
 int call_is_held_outside(const call_held *held);
 
 /* Pops a value and keeps it alive until the running function returns. */

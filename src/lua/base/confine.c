@@ -1,5 +1,5 @@
-/* Restricts file access to two folders, and writing to a part of the disk: replaces
- * arc_file_allowed of the library, which allows all files. Applies to the whole process. */
+/* Restricts file access to two folders, and writing to a part of the disk. It replaces
+ * arc_file_allowed of the library, which allows all files, and applies to the whole process. */
 #include "lua/base/confine.h"
 
 #include <limits.h>
@@ -7,10 +7,10 @@
 #include <string.h>
 #include <sys/statvfs.h>
 
-/* Absolute paths without symbolic links; "" if not confined. */
+/* Absolute paths without symbolic links; "" without restriction. */
 static struct {
   char read[PATH_MAX], write[PATH_MAX];
-  double least; /* free bytes that the disk keeps; 0: any */
+  double least; /* free bytes that must remain on the disk; 0: no limit */
 } confined;
 
 static arc_status no_folder(const char *folder, arc_error *error) {

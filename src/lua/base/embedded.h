@@ -3,8 +3,8 @@
 #define LUA_EMBEDDED_H
 
 typedef struct embedded_script {
-  const char *name; /* module name without "archard.": "plot.draw"; NULL ends the list */
-  const char *path; /* path of the file: "scripts/plot/draw.lua" */
+  const char *name; /* module name without "archard.", such as "plot.draw"; NULL ends the list */
+  const char *path; /* path of the file, such as "scripts/plot/draw.lua" */
   const char *text;
 } embedded_script;
 

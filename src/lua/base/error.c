@@ -1,4 +1,5 @@
-/* Creates error objects and their text. A stop requested by the user raises plain "interrupted". */
+/* Creates error objects and their text. A stop requested by the user raises the plain text
+ * "interrupted". */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
@@ -9,7 +10,7 @@
 
 static const char kind[] = "archard.error";
 
-/* Pushes field `name` of the error at index 1; "" if it is not a text. */
+/* Pushes field `name` of the error at index 1, or "" if it is not a text. */
 static const char *push_text(lua_State *L, const char *name) {
   if (lua_getfield(L, 1, name) != LUA_TSTRING) {
     lua_pop(L, 1);
@@ -18,7 +19,7 @@ static const char *push_text(lua_State *L, const char *name) {
   return lua_tostring(L, -1);
 }
 
-/* "file:line: where: message (update 12)" */
+/* Returns the text "file:line: where: message (update 12)". */
 static int error_tostring(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const char *position = push_text(L, "position");
@@ -32,7 +33,7 @@ static int error_tostring(lua_State *L) {
   return 1;
 }
 
-/* Allows "failed: " .. err, as with plain messages. */
+/* Allows "failed: " .. err for error objects, as for plain messages. */
 static int error_concat(lua_State *L) {
   luaL_tolstring(L, 1, NULL);
   luaL_tolstring(L, 2, NULL);
@@ -83,7 +84,7 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setmetatable(L, -2);
 }
 
-/* lua_error never returns, but its declaration does not say so. */
+/* Declared as noreturn, because the declaration of lua_error is not. */
 __attribute__((noreturn)) static void throw(lua_State * L) {
   lua_error(L);
   abort();
@@ -118,7 +119,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes the text of the value on top; its __tostring may be the user's. */
+/* Pushes the text of the value on top of the stack. The value may have a __tostring of the user, so
+ * the call is protected. */
 static void push_error_text(lua_State *L) {
   lua_pushcfunction(L, to_text);
   lua_pushvalue(L, -2);
@@ -139,7 +141,7 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   throw(L);
 }
 
-/* Pushes the text at index 1 without its lines of our own scripts' frames. */
+/* Pushes the traceback at index 1 without the lines of built-in scripts. */
 static int without_own(lua_State *L) {
   luaL_Buffer kept;
   luaL_buffinit(L, &kept);
@@ -152,7 +154,8 @@ static int without_own(lua_State *L) {
   return 1;
 }
 
-/* Adds a traceback to plain text, since the frames are lost later; error objects stay unchanged. */
+/* Adds a traceback to plain text, because the frames are lost later. Error objects stay
+ * unchanged. */
 static int add_traceback(lua_State *L) {
   if (lua_type(L, 1) != LUA_TSTRING) return 1;
   luaL_traceback(L, L, lua_tostring(L, 1), 1);

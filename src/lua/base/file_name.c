@@ -1,11 +1,12 @@
-/* Checks file names that scripts pass. */
+/* Checks file names from scripts. */
 #include "lua/base/file_name.h"
 
 #include "lua/base/args.h"
 
 #include <string.h>
 
-/* Description of what is expected if the file name at `index` is invalid, else NULL. */
+/* Returns a description of the expected value if the file name at `index` is invalid, otherwise
+ * NULL. */
 static const char *trouble_with(lua_State *L, int index) {
   size_t length = 0;
   const char *path = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &length) : NULL;

@@ -1,11 +1,11 @@
-/* lua/file_name.h - file names passed by scripts. */
+/* lua/base/file_name.h - file names from scripts. */
 #ifndef LUA_PATH_H
 #define LUA_PATH_H
 
 #include <lua.h>
 
-/* The file name at `index`: not empty and without zero bytes, which would end a C string. Raises
- * ARC_ARGUMENT, "field 'NAME': expected a file name, got ...". */
+/* Returns the file name at `index`, which must not be empty or contain zero bytes, because these
+ * end a C string. Raises ARC_ARGUMENT, "field 'NAME': expected a file name, got ...". */
 const char *path_argument(lua_State *L, int index, const char *where, const char *name);
 
 #endif

@@ -6,26 +6,28 @@
 #include <signal.h>
 #include <stdio.h>
 
-/* File scope, since a signal handler has no arguments for state. */
+/* These variables are static, because a signal handler has no argument for them. */
 static volatile sig_atomic_t requests, ever;
 static lua_State *volatile running;
 
-/* Instruction limit of the sandbox: remaining instructions, and the reached limit. */
+/* Instruction limit of the sandbox: remaining instructions, function called at the limit, and text
+ * of the exceeded limit. */
 static double instructions_left;
 static void (*limit_reached)(void);
 static const char *volatile exceeded;
 enum { PERIOD = 10000 }; /* instructions between two checks */
 
-/* Texts of the error; `explained` is set outside the signal handler. */
+/* Texts of the error. `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
-/* Progress of a search over many runs; replaces the progress of the present run in the error. */
+/* Progress of a search over many runs. In the error it replaces the progress of the present run. */
 static char report[240];
 
 static void rest(lua_State *L);
 
-/* Pushes "file:line: " of the running Lua function, or of the caller of a C function. */
+/* Pushes the position "file:line: " of the running Lua function, or of the caller of a C
+ * function. */
 static void push_place(lua_State *L) {
   luaL_where(L, 0);
   if (lua_rawlen(L, -1) > 0) return;
@@ -33,7 +35,7 @@ static void push_place(lua_State *L) {
   luaL_where(L, 1);
 }
 
-/* Raises the text with the progress; it has no "file:line:". */
+/* Raises the error text with the progress, without "file:line:". */
 static void raise_explained(lua_State *L) {
   lua_pushstring(L, explained);
   lua_error(L);
@@ -41,7 +43,7 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* the hook of a suspended coroutine was not removed */
+  if (!interrupt_pending(NULL)) { /* the hook was set before the coroutine yielded */
     rest(L);
     return;
   }
@@ -53,7 +55,7 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
   lua_error(L);
 }
 
-/* lua_sethook may be called from signal handlers. */
+/* Installs the stop hook. Signal handlers may call lua_sethook. */
 static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
@@ -65,7 +67,7 @@ static void charge(void) {
   if (limit_reached) limit_reached();
 }
 
-/* Hook for the instruction limit, while no request is pending. */
+/* Hook that counts instructions while no request is pending. */
 static void count_hook(lua_State *L, lua_Debug *event) {
   charge();
   if (exceeded) stop_hook(L, event);
@@ -124,7 +126,7 @@ void interrupt_clear(void) {
   explained[0] = report[0] = '\0';
 }
 
-/* Installs the hook in the coroutine that starts to run if a request is pending. */
+/* Sets the running coroutine. Installs the hook in it if a request is pending. */
 static void switch_to(lua_State *L) {
   running = L;
   if (interrupt_pending(NULL)) arm(L);
@@ -139,8 +141,8 @@ void interrupt_detach(lua_State *L) {
   rest(L);
 }
 
-/* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or -1
- * with the error value on top of `co`, where closing `co` needs it. */
+/* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L. After
+ * an error returns -1; the error value stays on top of `co`, because closing `co` needs it. */
 static int resume(lua_State *L, lua_State *co, int count) {
   if (!lua_checkstack(co, count)) return luaL_error(L, "too many arguments to resume");
   lua_xmove(L, co, count);
@@ -169,7 +171,7 @@ static int tracked_resume(lua_State *L) {
   return count + 1;
 }
 
-/* Closes a coroutine that failed. Does nothing for one that could not be resumed. */
+/* Closes a coroutine that failed. Has no effect on a coroutine that could not be resumed. */
 static void close_failed(lua_State *L, lua_State *co) {
   int status = lua_status(co);
   if (status == LUA_OK || status == LUA_YIELD) return;
@@ -178,7 +180,8 @@ static void close_failed(lua_State *L, lua_State *co) {
   switch_to(L);
 }
 
-/* Raises errors of a wrapped coroutine in its caller; text gets the caller's position in front. */
+/* Calls a wrapped coroutine and raises its errors in the caller. An error text gets the caller's
+ * position as prefix. */
 static int call_wrapped(lua_State *L) {
   lua_State *co = lua_tothread(L, lua_upvalueindex(1));
   int results = resume(L, co, lua_gettop(L));
@@ -193,7 +196,8 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-/* Each coroutine counts its own periods, so one period is charged when it is created. */
+/* Each coroutine counts its own periods of instructions, so one period is subtracted when it is
+ * created. */
 static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);
@@ -216,7 +220,7 @@ static int tracked_wrap(lua_State *L) {
   return 1;
 }
 
-/* coroutine.close, with the pending __close methods running under the hook. */
+/* coroutine.close; pending __close methods run under the hook. */
 static int tracked_close(lua_State *L) {
   lua_State *co = check_coroutine(L);
   lua_pushvalue(L, lua_upvalueindex(1));

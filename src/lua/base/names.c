@@ -1,5 +1,5 @@
-/* Shows values in messages and finds the nearest known name, for C and as the module
- * `archard.names`, by which scripts raise errors too. */
+/* Shows values in messages and searches the most similar valid name. This is for C and for the
+ * module `archard.names`, by which scripts also raise errors. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -18,8 +18,8 @@ static int least(int a, int b, int c) {
   return low < c ? low : c;
 }
 
-/* Edit distance of two names: letters to change, insert, delete or swap. LONGEST if one is too
- * long. */
+/* Returns the edit distance of two names: the number of letters to change, insert, delete or swap.
+ * LONGEST if a name is too long. */
 static int distance_of(const char *a, const char *b) {
   int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
   if (la > LONGEST || lb > LONGEST) return LONGEST;
@@ -35,7 +35,8 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
-/* Known names for symbols and terms of textbooks and other programs; "" if none. */
+/* Returns the valid name for a symbol or term of textbooks and other programs, "" if there is
+ * none. */
 static const char *meaning_of(const char *name) {
   static const char *const pairs[][2] = {
       {"mu", "friction"},
@@ -70,7 +71,7 @@ static const char *meaning_of(const char *name) {
   return "";
 }
 
-/* No letter may differ for names of one letter. */
+/* In names of one letter no letter may differ. */
 names_search names_begin(const char *name) {
   const size_t length = strlen(name);
   return (names_search){name, NULL, length > LONGEST || length < 2 ? 0 : 1 + (int)length / 4};
@@ -88,23 +89,23 @@ void names_offer(names_search *search, const char *known) {
   search->limit = distance;
 }
 
-/* nearest(name, list of known names) -> the nearest name, or nil if none is near */
+/* nearest(name, list of valid names) -> the most similar name, or nil if none is similar */
 static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
-  /* the list keeps the text alive */
+  /* The list keeps the texts alive. */
   for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; i++) {
     names_offer(&search, lua_tostring(L, -1));
     lua_pop(L, 1);
   }
-  lua_pushstring(L, search.best); /* NULL gives nil */
+  lua_pushstring(L, search.best); /* nil for NULL */
   return 1;
 }
 
 /* --- values ----------------------------------------------------------------------------------- */
 
-/* C strings end at a zero byte, so zero bytes are shown as \0. */
+/* Zero bytes are shown as \0, because they would end a C string. */
 const char *names_push_text(lua_State *L, int index) {
   size_t length;
   const char *text = lua_tolstring(L, index, &length);
@@ -120,14 +121,15 @@ const char *names_push_text(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* A string in quotes; of a long one the start of its first line, and its length. */
+/* Pushes a string in quotes. A long string is shortened to the start of its first line, with its
+ * length. */
 static const char *push_quoted(lua_State *L, int index) {
   enum { most = 200 };
   size_t length, shown;
   const char *text = lua_tolstring(L, index, &length);
   for (shown = 0; shown < length && shown < most && text[shown] != '\n'; shown++) continue;
   if (length <= most) return lua_pushfstring(L, "\"%s\"", names_push_text(L, index));
-  while (shown > 0 && ((unsigned char)text[shown] & 0xC0) == 0x80) shown--; /* a whole character */
+  while (shown > 0 && ((unsigned char)text[shown] & 0xC0) == 0x80) shown--; /* full character */
   lua_pushlstring(L, text, shown);
   return lua_pushfstring(L, "\"%s...\" (%d characters)", names_push_text(L, -1), (int)length);
 }
@@ -151,14 +153,14 @@ const char *names_push_shown(lua_State *L, int index) {
   return lua_pushfstring(L, lua_isnil(L, index) ? "%s" : "a %s", luaL_typename(L, index));
 }
 
-/* shown(value) -> 3, "text", "a wear object", "a table" */
+/* shown(value) -> description such as 3, "text", "a wear object", "a table" */
 static int names_shown(lua_State *L) {
   lua_settop(L, 1);
   names_push_shown(L, 1);
   return 1;
 }
 
-/* plain(text) -> the text with control characters as \xNN */
+/* plain(text) -> the text with control characters written as \xNN */
 static int names_plain(lua_State *L) {
   luaL_checkstring(L, 1);
   error_push_plain(L, names_push_text(L, 1));

@@ -1,12 +1,12 @@
-/* Loads the embedded Lua files (lua/embedded.h) as modules "archard.NAME", and creates the globals
- * for these scripts. */
+/* Loads the embedded Lua files (lua/base/embedded.h) as modules "archard.NAME", and creates the
+ * globals for these scripts. */
 #include "lua/base/scripts.h"
 
 #include "lua/base/embedded.h"
 
 #include <string.h>
 
-/* Registry keys (by address): modules by name, and the globals of scripts. */
+/* Registry keys (their addresses) of the table of modules and of the globals of scripts. */
 static const char modules_key = 0, globals_key = 0;
 
 /* --- globals ---------------------------------------------------------------------------------- */
@@ -21,8 +21,8 @@ static void copy_into(lua_State *L, int from, int into) {
   }
 }
 
-/* Replaces Lua's libraries in the table on top by copies. _G and package stay the user's: scripts
- * read the user's globals there. */
+/* Replaces Lua's libraries in the table on top of the stack by copies. _G and package are not
+ * copied, because scripts read the user's globals there. */
 static void copy_libraries(lua_State *L) {
   static const char *const names[] = {"coroutine", "debug", "io",     "math",
                                       "os",        "table", "string", "utf8"};
@@ -34,8 +34,8 @@ static void copy_libraries(lua_State *L) {
   }
 }
 
-/* print of scripts: calls the user's print, or Lua's if the user's is not a function. Upvalue:
- * Lua's print. */
+/* print for scripts: calls the user's print, or Lua's print if the user's is not a function.
+ * Upvalue: Lua's print. */
 static int user_print(lua_State *L) {
   lua_pushglobaltable(L);
   lua_pushliteral(L, "print");
@@ -49,8 +49,8 @@ static int user_print(lua_State *L) {
   return 0;
 }
 
-/* __index(io, name): the user's io.NAME if it is a table or userdata, else Lua's stream. Upvalue:
- * table of Lua's streams. */
+/* Metamethod __index(io, name): returns the user's io.NAME if it is a table or userdata, otherwise
+ * Lua's stream. Upvalue: table of Lua's streams. */
 static int user_stream(lua_State *L) {
   if (lua_getfield(L, lua_upvalueindex(1), luaL_checkstring(L, 2)) == LUA_TNIL) return 1;
   lua_pushglobaltable(L);
@@ -64,8 +64,8 @@ static int user_stream(lua_State *L) {
   return 1;
 }
 
-/* Removes the streams from the copy of io in the table on top, so that reading them calls
- * user_stream. */
+/* Removes the streams from the copy of io in the table on top of the stack, so that reading a
+ * stream calls user_stream. */
 static void follow_streams(lua_State *L) {
   static const char *const names[] = {"stdin", "stdout", "stderr"};
   lua_getfield(L, -1, "io");
@@ -83,7 +83,7 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* pairs and ipairs without metamethods of the user's tables. */
+/* pairs and ipairs that ignore metamethods of the user's tables. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -107,7 +107,8 @@ static int raw_ipairs(lua_State *L) {
   return 3;
 }
 
-/* Sets pairs, ipairs and getmetatable of the globals on top to versions without metamethods. */
+/* Sets pairs, ipairs and getmetatable in the globals on top of the stack to versions that ignore
+ * metamethods. */
 static void set_raw_functions(lua_State *L) {
   lua_getfield(L, -1, "next");
   lua_pushcclosure(L, raw_pairs, 1);
@@ -130,7 +131,7 @@ static int no_global(lua_State *L) {
   return luaL_error(L, "unknown global '%s' in a built-in script", luaL_tolstring(L, 2, NULL));
 }
 
-/* Makes reading or assigning an unknown global an error in built-in scripts. */
+/* Makes it an error to read or assign an unknown global in built-in scripts. */
 static void refuse_others(lua_State *L) {
   static const luaL_Reg events[] = {
       {"__index", no_global}, {"__newindex", no_global}, {NULL, NULL}};
@@ -183,7 +184,7 @@ static const embedded_script *find_script(const char *name) {
   return script->name ? script : NULL;
 }
 
-/* __index(modules, name): loads the module. Upvalue: the list of modules in C. */
+/* Metamethod __index(modules, name): loads the module. Upvalue: the list of modules in C. */
 static int open_module(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   const luaL_Reg *module = lua_touserdata(L, lua_upvalueindex(1));
@@ -208,7 +209,7 @@ void script_require(lua_State *L, const char *name) {
   lua_remove(L, -2);
 }
 
-/* Calls the module's function. Stack: name, arguments. */
+/* Calls the function that a module returns. Stack: name, arguments. */
 static int call_module(lua_State *L) {
   script_require(L, lua_touserdata(L, 1));
   lua_replace(L, 1);
@@ -242,7 +243,7 @@ static void make_modules(lua_State *L, const luaL_Reg *modules) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
 }
 
-/* Registers all modules in package.preload, with the same values for the user's require. */
+/* Registers all modules in package.preload, so that the user's require returns the same values. */
 static void fill_preload(lua_State *L, const luaL_Reg *modules) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
   lua_pushcfunction(L, own_require);

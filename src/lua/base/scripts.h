@@ -1,31 +1,30 @@
-/* lua/scripts.h - loads the Lua scripts embedded in the binary and the modules in C.
+/* lua/base/scripts.h - loads the Lua scripts embedded in the binary and the modules in C.
  *
  * Built-in scripts have separate globals: copies of Lua's libraries and of the classes, made at the
  * start. If the user redefines require, string.gsub, package.loaded or wear, built-in scripts are
- * not affected. Their pairs, ipairs and getmetatable ignore metamethods.
- */
+ * not affected. Their pairs, ipairs and getmetatable ignore metamethods. */
 #ifndef LUA_SCRIPTS_H
 #define LUA_SCRIPTS_H
 
 #include <lauxlib.h>
 #include <lua.h>
 
-/* Registers every script and every one of `modules` (ends with NULL) as module: require
+/* Registers all scripts and all `modules` (a list that ends with NULL) as Lua modules. require
  * "archard.plot.draw" runs scripts/plot/draw.lua once, require "archard.plot" runs
  * scripts/plot/init.lua. Lua's libraries must be open. */
 void script_preload(lua_State *L, const luaL_Reg *modules);
 
-/* Pushes the value of a built-in module. Raises the errors of its script. */
+/* Pushes the value of a built-in module. Errors of its script are raised. */
 void script_require(lua_State *L, const char *name);
 
-/* Calls the function that a module returns with the arguments on top. Returns a status as
- * lua_pcall; on failure of the module or the function the error value is on top. */
+/* Calls the function that a module returns, with the arguments on top of the stack. Returns a
+ * status as lua_pcall does. If the module or the function fails, the error value is on top. */
 int script_pcall(lua_State *L, const char *name, int arguments, int results);
 
 /* Pops a value and registers it as module `name` for built-in scripts. */
 void script_set_module(lua_State *L, const char *name);
 
-/* Pops a value and sets it as global `name` of built-in scripts. */
+/* Pops a value and sets it as global `name` of the built-in scripts. */
 void script_set_global(lua_State *L, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/* lua/settings.h - pushes the values of a definition as Lua values. */
+/* lua/base/settings.h - pushes the values of a definition as Lua values. */
 #ifndef LUA_SETTINGS_H
 #define LUA_SETTINGS_H
 
@@ -7,7 +7,7 @@
 #include <lua.h>
 
 /* Pushes the value of one setting: a number, a text, "auto", { distance=, value= } or the table of
- * a group; nil if it is not set. */
+ * a group. Pushes nil if the setting is not set. */
 void settings_push(lua_State *L, const arc_setting *setting, const void *definition);
 
 /* Sets all values of the list as fields of the table on top of the stack. */

@@ -1,4 +1,4 @@
-/* Errors for unknown names in globals, tables, objects and Lua's libraries. */
+/* Errors for unknown names of globals, and in tables, objects and Lua's libraries. */
 #include "lua/base/strict.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char lax_key = 0; /* registry key, by its address */
+static const char lax_key = 0; /* its address is a registry key */
 
 void strict_lax(lua_State *L) {
   lua_pushboolean(L, 1);
@@ -39,7 +39,7 @@ int strict_reads_called(lua_State *L) {
 
 /* --- valid names ------------------------------------------------------------------------------ */
 
-/* Offers the text keys of the table at `index` and the text values of its list part. */
+/* Adds the text keys of the table at `index`, and the texts in its list part, to a search. */
 static void offer_all(lua_State *L, int index, names_search *search) {
   if (!lua_istable(L, index)) return;
   index = lua_absindex(L, index);
@@ -55,8 +55,8 @@ static int by_text(const void *a, const void *b) {
   return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Pushes " (known: cylinder, plate)" with the text keys of the table at `index`; "" without any or
- * for more than eight. */
+/* Pushes " (known: cylinder, plate)" with the text keys of the table at `index`. Pushes "" if there
+ * are none or more than eight. */
 static const char *push_few(lua_State *L, int index) {
   enum { most = 8 };
   const char *keys[most];
@@ -81,7 +81,7 @@ static const char *push_few(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Names of other programs that stand for something elsewhere. */
+/* Returns advice for a term that belongs to another class, or NULL. */
 static const char *elsewhere(const char *where, const char *name) {
   static const char *const list[][3] = {
       {"body", "cup", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"},
@@ -110,7 +110,7 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-/* __index(table, name). Upvalues: the table's name, aliases of its fields or nil. */
+/* Metamethod __index(table, name). Upvalues: name of the table, aliases of its fields or nil. */
 static int table_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -126,7 +126,8 @@ static int table_index(lua_State *L) {
   return 0;
 }
 
-/* __tostring: as the prompt prints the table, in the width of the terminal. */
+/* Metamethod __tostring: formats the table as the prompt prints it, in the width of the
+ * terminal. */
 static int table_tostring(lua_State *L) {
   lua_settop(L, 1);
   script_require(L, "archard.lib.pretty");
@@ -136,7 +137,8 @@ static int table_tostring(lua_State *L) {
   return 1;
 }
 
-/* Sets __index of the metatable on top. `words`: absolute index of the aliases, 0: none. */
+/* Sets __index of the metatable on top of the stack. `words`: absolute index of the aliases, 0
+ * without aliases. */
 static void set_index(lua_State *L, const char *where, int words) {
   lua_pushstring(L, where);
   if (words)
@@ -147,8 +149,8 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* __table: name of the kind of table (strict_is). __plain: the prompt prints it as an ordinary
- * table. */
+/* Fills a metatable. __table is the name of the type of table (strict_is). With __plain the prompt
+ * prints the table as an ordinary table. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
   lua_pushstring(L, where);
@@ -198,8 +200,8 @@ void strict_module(lua_State *L, const char *where) {
 
 /* --- globals ---------------------------------------------------------------------------------- */
 
-/* Names that Lua programs test to detect their environment, and `_`, the prompt's last value.
- * Reading them gives nil. */
+/* Globals that Lua programs read to detect their environment, and `_`, the last value of the
+ * prompt. Reading them returns nil. */
 static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "setfenv",
                                         "getfenv", "module",   "jit",        "bit",
                                         "bit32",   "newproxy", "ngx",        NULL};
@@ -216,7 +218,8 @@ static int was_assigned(lua_State *L) {
   return found;
 }
 
-/* __index(globals, name). Upvalue: the set of assigned names (their values may be nil). */
+/* Metamethod __index(globals, name). Upvalue: the set of assigned names, whose values may be
+ * nil. */
 static int global_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
@@ -254,12 +257,12 @@ void strict_globals(lua_State *L) {
 
 /* --- Lua's own libraries ---------------------------------------------------------------------- */
 
-/* Library functions of other Lua versions, which programs test for. Reading them gives nil. */
+/* Library functions of other Lua versions, which programs test for. Reading them returns nil. */
 static const char *const asked_of_libraries[] = {
     "pow",  "ldexp", "frexp",   "cosh",     "sinh",    "tanh",    "log10", "mod",   "maxn", "getn",
     "setn", "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",   "clear", NULL};
 
-/* __index(library, name). Upvalue: the library's name. */
+/* Metamethod __index(library, name). Upvalue: name of the library. */
 static int library_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -292,7 +295,7 @@ void strict_libraries(lua_State *L) {
 
 /* --- the module archard.strict ---------------------------------------------------------------- */
 
-/* table(t, where) -> t */
+/* table(t, where) -> t, made strict with the name `where` */
 static int module_table(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const char *where = luaL_checkstring(L, 2);
@@ -312,17 +315,17 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known): called by an __index function in Lua, so the reader is two levels up.
- * Returns nil if the reader is not the user's text or the name is in the list (its value may be
- * nil). */
+/* refuse(where, name, known): raises the error for an unknown name. An __index function in Lua
+ * calls it, so the code that reads the name is two levels up. Returns nil if this is not code of
+ * the user, or if the name is in the list (its value may be nil). */
 static int module_refuse(lua_State *L) {
   luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }
 
-/* Pushes the field `name` (index 2) of the object at index 1: of a read-only one, a userdata, from
- * its table. */
+/* Pushes the field `name` (index 2) of the object at index 1. A read-only object is a userdata, and
+ * its fields are in a table. */
 static int push_own(lua_State *L) {
   if (lua_type(L, 1) != LUA_TUSERDATA) return lua_pushnil(L), LUA_TNIL;
   lua_getiuservalue(L, 1, 1);
@@ -330,7 +333,8 @@ static int push_own(lua_State *L) {
   return lua_rawget(L, -2);
 }
 
-/* __index(object, name). Upvalues: methods of the class, names of all its fields, its name. */
+/* Metamethod __index(object, name). Upvalues: methods of the class, names of all its fields, name
+ * of the class. */
 static int object_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -342,7 +346,8 @@ static int object_index(lua_State *L) {
   return 1;
 }
 
-/* __newindex(object, name, value) of read-only objects: for our own scripts. Upvalue: its name. */
+/* Metamethod __newindex(object, name, value) of read-only objects. Only built-in scripts can set
+ * fields. Upvalue: name of the class. */
 static int object_newindex(lua_State *L) {
   lua_settop(L, 3);
   if (strict_reads(L)) {
@@ -357,7 +362,7 @@ static int object_newindex(lua_State *L) {
   return 0;
 }
 
-/* Pops a table and appends its text keys and list values to the list below. */
+/* Pops a table and appends its text keys and list values to the list below it. */
 static void gather(lua_State *L) {
   for (lua_pushnil(L); lua_istable(L, -2) && lua_next(L, -2); lua_pop(L, 1)) {
     lua_pushvalue(L, lua_type(L, -2) == LUA_TSTRING ? -2 : -1);
@@ -366,7 +371,8 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
-/* A checked method of objects made in Lua. Upvalues: the method, the metatable of its class. */
+/* A method of objects made in Lua, which checks the class of the object. Upvalues: the method, the
+ * metatable of its class. */
 static int object_method(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -402,8 +408,8 @@ static int module_methods(lua_State *L) {
 
 static const char lua_classes[] = "archard.lua_classes"; /* registry key: metatables by __name */
 
-/* class(metatable) -> metatable for objects made in Lua, with an __index for the methods in
- * __methods and strict names; fields in __fields may be nil. */
+/* class(metatable) -> metatable for objects made in Lua. Its __index returns the methods in
+ * __methods and raises errors for unknown names. Fields in __fields may be nil. */
 static int module_class(lua_State *L) {
   module_methods(L);
   lua_newtable(L);
@@ -431,7 +437,7 @@ static int module_class(lua_State *L) {
   return 1;
 }
 
-/* class_named(name) -> the metatable that class() was given with this __name, or nil. */
+/* class_named(name) -> the metatable with this __name that was an argument of class(), or nil */
 static int module_class_named(lua_State *L) {
   luaL_checkstring(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
@@ -440,7 +446,7 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
-/* is(value, name) -> whether a value is an object of the class with this __name */
+/* is(value, name) -> true if a value is an object of the class with this __name */
 static int module_is(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   lua_settop(L, 1);
@@ -450,7 +456,7 @@ static int module_is(lua_State *L) {
   return 1;
 }
 
-/* object(fields, class) -> a read-only object of a class with the fields of a table */
+/* object(fields, class) -> a read-only object of the class, with the fields of a table */
 static int module_object(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checktype(L, 2, LUA_TTABLE);

@@ -1,6 +1,6 @@
-/* Uses two metatables for strings: the real one, which user scripts cannot reach, and a proxy shown
- * instead, whose reads and writes are forwarded to the real one. The user's __index is used only
- * for names that are not methods of Lua's string library. */
+/* Strings have two metatables. User scripts cannot reach the real one. getmetatable returns a
+ * proxy, which forwards reads and writes to the real one. The user's __index is used only for names
+ * that are not methods of Lua's string library. */
 #include "lua/base/strings.h"
 
 #include "lua/base/strict.h"
@@ -8,7 +8,7 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/* Registry keys (by address): the real metatable, the proxy, the protected methods, the user's
+/* Registry keys (their addresses): the real metatable, the proxy, the protected methods, the user's
  * __index. */
 static const char real_key = 0, shown_key = 0, methods_key = 0, index_key = 0;
 
@@ -22,7 +22,8 @@ static int is_text(lua_State *L, int index, const char *text) {
 
 /* --- methods ---------------------------------------------------------------------------------- */
 
-/* Looks up the name at index 2 in the user's __index on top. Upvalue 2: the string library. */
+/* Pushes the value for the name at index 2 from the user's __index on top of the stack. Upvalue 2:
+ * the string library. */
 static int call_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -41,7 +42,7 @@ static int call_user(lua_State *L) {
   return 1;
 }
 
-/* __index(string or methods, name). Upvalue 1: the protected methods. */
+/* Metamethod __index(string or methods, name). Upvalue 1: the protected methods. */
 static int string_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
@@ -50,8 +51,9 @@ static int string_index(lua_State *L) {
   return call_user(L);
 }
 
-/* Pops the user's __index. A table as __index of strings is much faster than a function, but only a
- * function receives the string, which a user's function needs. */
+/* Pops the user's __index and installs it. A table as __index of strings is much faster than a
+ * function. A function is used only if the user's __index is a function, because only a function
+ * receives the string. */
 static void take_index(lua_State *L) {
   const int wants_string = lua_isfunction(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
@@ -64,7 +66,7 @@ static void take_index(lua_State *L) {
 
 /* --- the proxy metatable ---------------------------------------------------------------------- */
 
-/* __index(shown, name) */
+/* Metamethod __index(proxy, name). */
 static int shown_index(lua_State *L) {
   lua_settop(L, 2);
   if (is_text(L, 2, "__index")) return push(L, &index_key), 1;
@@ -75,7 +77,7 @@ static int shown_index(lua_State *L) {
   return 1;
 }
 
-/* __newindex(shown, name, value) */
+/* Metamethod __newindex(proxy, name, value). */
 static int shown_newindex(lua_State *L) {
   lua_settop(L, 3);
   if (is_text(L, 2, "__index")) {
@@ -88,7 +90,8 @@ static int shown_newindex(lua_State *L) {
   return 0;
 }
 
-/* Replaces all user's entries of the metatable by those of the table (or nil) at index 2. */
+/* Replaces all entries of the user in the metatable by the entries of the table (or nil) at index
+ * 2. */
 static void replace_shown(lua_State *L) {
   push(L, &real_key);
   for (lua_pushnil(L); lua_next(L, 3); lua_settop(L, 4)) {
@@ -140,7 +143,8 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
 
 /* --- installation ----------------------------------------------------------------------------- */
 
-/* Copies the string library on top, except string.dump, which a sandbox removes. */
+/* Stores a copy of the string library on top of the stack, without string.dump, which a sandbox
+ * removes. */
 static void keep_methods(lua_State *L) {
   const int library = lua_gettop(L);
   lua_newtable(L);
@@ -169,7 +173,7 @@ static void push_shown(lua_State *L) {
   lua_setmetatable(L, -2);
 }
 
-/* Replaces the metatable on top by the proxy for getmetatable. */
+/* Stores the metatable on top of the stack as the real one, and a new proxy for getmetatable. */
 static void hide(lua_State *L) {
   push_shown(L);
   lua_pushvalue(L, -1);
