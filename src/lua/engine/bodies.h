@@ -1,4 +1,4 @@
-/* Reads and pushes the bodies of a model definition. */
+/* Reads the bodies of a model definition from Lua tables, and pushes them as tables. */
 #ifndef LUA_BODIES_H
 #define LUA_BODIES_H
 
@@ -10,7 +10,7 @@
  * returns. */
 void body_read(lua_State *L, int index, args_location location, arc_model_def *def);
 
-/* Reads only kind and name of the bodies, without errors, for code that runs before the model is
+/* Reads only kind and name of the bodies, without errors. For code that runs before the model is
  * built. */
 void body_read_names(lua_State *L, int index, arc_model_def *def);
 

@@ -1,5 +1,5 @@
-/* Module body: body.cylinder{}, body.block{}, ... return checked tables that describe a body for
- * model{}. */
+/* Module body: body.cylinder{}, body.block{} and other functions return checked tables that
+ * describe a body for model{}. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/body_points.h"
 #include "lua/base/array_read.h"
@@ -23,7 +23,8 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* True if the surface of this kind is given by points over x (by a map over x and z: has_map). */
+/* True if the surface of this kind of body is given by points over x. has_map is true for a map
+ * over x and z. */
 static int has_points(arc_solid kind) {
   return is_own(kind, "y") && !is_own(kind, "z");
 }
@@ -48,7 +49,7 @@ static void add_name(name_list *to, const char *name) {
   if (to->count < MOST_NAMES) to->name[to->count++] = name;
 }
 
-/* Adds the settings but `name`, which is that of the body or layer. */
+/* Adds the names of all settings except `name`. */
 static void add_settings(name_list *to, const arc_setting *list) {
   for (const arc_setting *s = list; s->name; s++)
     if (s->kind != ARC_TEXT) add_name(to, s->name);
@@ -57,7 +58,7 @@ static void add_settings(name_list *to, const arc_setting *list) {
 static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
                         const name_list *known) __attribute__((noreturn));
 
-/* of: "" or the body, as " of a ring" */
+/* Raises the error for an unknown field. `of` is "", or names the body (" of a ring"). */
 static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
                         const name_list *known) {
   names_search search = names_begin(name);
@@ -82,7 +83,7 @@ static void refuse_body_name(lua_State *L, args_location location, arc_solid kin
   for (const char *const *own = arc_body_fields(kind); *own; own++) add_name(&known, *own);
   add_name(&known, "name");
   add_settings(&known, arc_material_settings);
-  add_settings(&known, common + 2); /* without kind and name */
+  add_settings(&known, common + 2); /* + 2: without kind and name */
   refuse_name(L, location, name, lua_pushfstring(L, " of a %s", arc_solid_names[kind]), &known);
 }
 
@@ -95,8 +96,8 @@ static void check_names(lua_State *L, int index, args_location location, arc_sol
   }
 }
 
-/* Reads the fields of the table at `index` that are in the list, except groups and lists
- * (materials, layers), which have their own functions. */
+/* Reads the fields of the table at `index` that are in the list. Groups and lists (materials,
+ * layers) are omitted, because they have their own functions. */
 static void read_part(lua_State *L, int index, args_location location, const arc_setting *list,
                       void *definition) {
   lua_newtable(L);
@@ -111,7 +112,7 @@ static void read_part(lua_State *L, int index, args_location location, const arc
 
 /* --- materials and layers --------------------------------------------------------------------- */
 
-/* Raises an error if both `material` and one of E, nu and k are given. */
+/* Raises an error if both `material` and one of E, nu and k are set. */
 static void refuse_both(lua_State *L, int index, args_location location) {
   if (!args_given(L, index, "material")) return;
   for (const arc_setting *s = arc_material_settings; s->name; s++)
@@ -121,7 +122,7 @@ static void refuse_both(lua_State *L, int index, args_location location) {
                   location.prefix, s->name);
 }
 
-/* Reads the material in field `name`. */
+/* Reads a complete material from the field `name`. */
 static void read_whole(lua_State *L, int index, args_location location, const char *name,
                        arc_material *to) {
   const arc_setting whole[] = {ARC_MATERIAL_SETTING(0, name, ""), {.name = NULL}};
@@ -141,8 +142,8 @@ static void read_material(lua_State *L, int index, args_location location, arc_m
       read_part(L, index, location, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
-/* True for the settings of a layer in `layers`: all but its name (for `materials`) and its
- * material. */
+/* True for the settings of a layer in `layers`: all settings except the name, which is for
+ * `materials`, and the material. */
 static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
 }
@@ -182,7 +183,8 @@ static void read_layer(lua_State *L, args_location location, arc_layer *layer) {
 
 static const char a_list[] = "a list { { thickness=, material= } }";
 
-/* Counts the layers of the list on top of the stack; raises an error if a key is not an index. */
+/* Returns the number of layers in the list on top of the stack. Raises an error if a key is not an
+ * index. */
 static int count_layers(lua_State *L, args_location location) {
   if (!lua_istable(L, -1)) args_refuse(L, location, "layers", a_list);
   const int count = (int)array_length(L, location, "layers", ARC_MOST_LAYERS);
@@ -214,14 +216,14 @@ static void read_layers(lua_State *L, int index, args_location location, arc_bod
 
 /* --- materials of a mesh by name -------------------------------------------------------------- */
 
-/* Inserts a name into the `count` sorted names. */
+/* Inserts a name into the first `count` names, which are sorted. */
 static void enter_name(arc_body_def *def, int count, const char *name) {
   for (; count > 0 && strcmp(def->layer[count - 1].name, name) > 0; count--)
     def->layer[count] = def->layer[count - 1];
   snprintf(def->layer[count].name, sizeof def->layer[count].name, "%s", name);
 }
 
-/* Reads the keys of the table at `index` as names of materials; returns their number. */
+/* Reads the keys of the table at `index` as names of materials. Returns their number. */
 static int read_names(lua_State *L, int index, args_location location, arc_body_def *def) {
   int count = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
@@ -239,7 +241,7 @@ static int read_names(lua_State *L, int index, args_location location, arc_body_
   return count;
 }
 
-/* Reads `materials`, sorted by name, since Lua tables have no order. */
+/* Reads `materials`, sorted by name, because Lua tables have no order. */
 static void read_materials(lua_State *L, int index, args_location location, arc_body_def *def) {
   const int top = lua_gettop(L);
   if (lua_getfield(L, index, "materials") != LUA_TNIL) {
@@ -290,8 +292,8 @@ static void read_at(lua_State *L, int index, args_location location, double radi
   if (has_map(kind)) body_read_map(L, index, location, def);
 }
 
-/* Raises an error if the field `cylinder` or `plate` (material) is given for a body, which has its
- * own material. */
+/* Raises an error if the field `cylinder` or `plate` (a material) is set although the body has a
+ * material of its own. */
 static void refuse_pair(lua_State *L, int index, args_location location, arc_body body) {
   const char *role = arc_model_role_name(body), *usual = arc_body_name(body);
   if (args_given(L, index, usual))
@@ -347,7 +349,7 @@ static int body_tostring(lua_State *L) {
   return 1;
 }
 
-/* Sets the metatable of the table on top: a table of fields that prints as a body. */
+/* Sets the metatable of the table on top of the stack, so that it is printed as a body. */
 static void set_body_class(lua_State *L) {
   if (luaL_newmetatable(L, "archard.body")) {
     call_push(L, body_tostring);
@@ -360,15 +362,16 @@ static void set_body_class(lua_State *L) {
 
 /* --- bodies as Lua tables --------------------------------------------------------------------- */
 
-/* Sets a field of the table on top of the stack to the value of a setting, unless it is optional
- * and 0. */
+/* Sets a field of the table on top of the stack to the value of a setting, unless the setting is
+ * optional and 0. */
 static void set_given(lua_State *L, const arc_setting *s, const void *definition) {
   if (s->forms & ARC_OPTIONAL && arc_setting_number(s, definition) == 0) return;
   settings_push(L, s, definition);
   lua_setfield(L, -2, s->name);
 }
 
-/* Sets E, nu and k in the table on top; a material with a name as the object `material`. */
+/* Sets E, nu and k in the table on top of the stack, or the object `material` for a material with a
+ * name. */
 static void set_material(lua_State *L, arc_material material) {
   if (material.name[0]) {
     material_push(L, material);
@@ -403,7 +406,8 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
-/* Sets kind, name and the given fields of this kind of body in the table on top. */
+/* Sets kind, name and the fields of this kind of body in the table on top of the stack, unless they
+ * are optional and 0. */
 static void set_shape(lua_State *L, const arc_body_def *def) {
   lua_pushstring(L, arc_solid_names[def->kind]);
   lua_setfield(L, -2, "kind");
@@ -452,7 +456,7 @@ static void take_measured(lua_State *L) {
   lua_replace(L, 1);
 }
 
-/* body.KIND{...}: returns a checked copy of the table with the field `kind`. */
+/* body.KIND{...}: returns a checked copy of the table, with the field `kind`. */
 static int make(lua_State *L) {
   const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
   char where[40];

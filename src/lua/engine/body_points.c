@@ -10,7 +10,7 @@
 
 /* --- profiles --------------------------------------------------------------------------------- */
 
-enum { SAMPLES = 20001 }; /* sample points of a function */
+enum { SAMPLES = 20001 }; /* number of sample points of a function */
 
 static arc_series sample_function(lua_State *L, int function, args_location location,
                                   double width) {
@@ -63,8 +63,8 @@ void body_read_profile(lua_State *L, int index, args_location location, double r
 
 /* --- maps ------------------------------------------------------------------------------------- */
 
-/* Reads list `name` of the table at `index` as a series over the index of the point; pushes its
- * buffer. */
+/* Reads list `name` of the table at `index` as a series, whose distances are the indices from 0.
+ * Pushes the buffer of the series. */
 static arc_series push_numbers(lua_State *L, int index, args_location location, const char *name) {
   size_t count;
   if (lua_getfield(L, index, name) != LUA_TTABLE)

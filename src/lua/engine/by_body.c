@@ -1,5 +1,5 @@
-/* Results by body: tables with one field per body, named as the bodies are; roles (upper, lower),
- * kinds and the default names are aliases. */
+/* Results by body: tables with one field for each body, under the name of the body. Roles (upper,
+ * lower), kinds and the default names are aliases of these fields. */
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
@@ -21,7 +21,7 @@ int body_find(const arc_model_def *def, const char *word, arc_body *body) {
   return arc_model_find_body(def ? def : &usual, word, body);
 }
 
-/* Pushes the names of both bodies for an error message; adds the roles if the names are not the
+/* Pushes the names of both bodies for an error message. Mentions the roles if the names are not the
  * default ones. */
 static const char *push_expected(lua_State *L, const arc_model_def *def) {
   const char *upper = body_name(def, ARC_UPPER), *lower = body_name(def, ARC_LOWER);
@@ -47,7 +47,7 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* --- tables by body --------------------------------------------------------------------------- */
 
-/* Adds a word to the table on top if it identifies one body. */
+/* Adds an alias to the table on top of the stack if the word identifies one body. */
 static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;
@@ -55,7 +55,7 @@ static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   lua_setfield(L, -2, word);
 }
 
-/* Pushes a table from each word for a body to the name of its field. */
+/* Pushes a table that maps each word for a body to the name of the body's field. */
 static void push_words(lua_State *L, const arc_model_def *def) {
   lua_newtable(L);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -66,8 +66,8 @@ static void push_words(lua_State *L, const arc_model_def *def) {
   for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
 }
 
-/* Sets the metatable of the table on top, created once per pair of bodies. `push` pushes the
- * aliases of the fields. */
+/* Sets the metatable of the table on top of the stack. It is created once for each pair of bodies.
+ * `push` pushes the aliases of the fields. */
 static void set_answering(lua_State *L, const arc_model_def *def, const char *where,
                           void (*push)(lua_State *L, const arc_model_def *def)) {
   const arc_model_def *pair = def ? def : &usual;
@@ -91,7 +91,7 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
   set_answering(L, def, where, push_words);
 }
 
-/* Adds the alias "depth_WORD" (or volume_WORD) of a column if the word identifies one body. */
+/* Adds the alias "depth_WORD" (or "volume_WORD") of a column if the word identifies one body. */
 static void add_column(lua_State *L, const arc_model_def *def, const char *what, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;

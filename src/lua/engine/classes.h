@@ -1,6 +1,6 @@
-/* lua/classes.h - the classes of the engine: functions shared between the files of the binding.
- * luaopen_archard_NAME pushes the value of the global NAME: a constructor (function or callable
- * table). */
+/* lua/engine/classes.h - the classes of the engine: functions shared between the files of the
+ * binding. luaopen_archard_NAME pushes the value of the global NAME, a constructor (function or
+ * callable table). */
 #ifndef LUA_CLASSES_H
 #define LUA_CLASSES_H
 
@@ -9,8 +9,7 @@
 #include "lua/base/box.h"
 #include "lua/base/settings.h"
 
-/* Defines the function that reads a computed field whose value is a number; `expression` may use L.
- */
+/* Defines the function for a computed field that is a number. `expression` may use L. */
 #define NUMBER_FIELD(class, field, expression)                                                     \
   static int class##_##field(lua_State *L) {                                                       \
     lua_pushnumber(L, (lua_Number)(expression));                                                   \
@@ -32,31 +31,34 @@ extern const box_class wear_class;    /* thing: arc_wear; user value: the model'
 
 /* --- bodies by name (by_body.c); a NULL definition means the default bodies ------------------- */
 
-/* {"cylinder", "plate", NULL}, indexed by arc_body: names of fields in definitions and files. */
+/* {"cylinder", "plate", NULL}, indexed by arc_body. These are the names of fields in definitions
+ * and files. */
 extern const char *const body_names[];
 
-/* body_name: name of a body (arc_model_body_name). body_find: the body for a word
+/* body_name returns the name of a body (arc_model_body_name), body_find the body for a word
  * (arc_model_find_body). */
 const char *body_name(const arc_model_def *def, arc_body body);
 int body_find(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Returns the body named at `index`; `otherwise` for nil or none (-1: error). */
+/* Returns the body named at `index`. For nil or none it returns `otherwise`, or raises an error if
+ * this is -1. */
 arc_body body_argument(lua_State *L, int index, const char *where, const arc_model_def *def,
                        int otherwise);
 
-/* Pops a value and sets it as the body's field of the table below. */
+/* Pops a value and stores it in the field of the body in the table below it. */
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
-/* Sets the metatable of the table by body on top, so that all words for the bodies are aliases. */
+/* Sets the metatable of the table by body on top of the stack, so that all words for the bodies are
+ * aliases. */
 void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
-/* push_by_body pushes a table of two numbers by body; push_body_names a table of the bodies' names.
- */
+/* push_by_body pushes a table with one number for each body. push_body_names pushes a table of the
+ * bodies' names. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
-/* Adds aliases for depth_NAME and volume_NAME to the history on top, for all words for the bodies.
- */
+/* Adds aliases of depth_NAME and volume_NAME to the history on top of the stack, for all words for
+ * the bodies. */
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 void push_body_names(lua_State *L, const arc_model_def *def);
-/* Pushes a copy of the table at `index` whose keys for bodies are replaced by body_names. */
+/* Pushes a copy of the table at `index`, in which keys for bodies are replaced by body_names. */
 void push_usual_names(lua_State *L, int index, args_location location, const arc_model_def *def);
 
 /* Pushes a material object. */
@@ -64,31 +66,32 @@ void material_push(lua_State *L, arc_material material);
 
 /* --- joints (joint_module.c) ------------------------------------------------------------------ */
 
-/* If the field `model` of the definition at index 1 is a joint, calls its method ("contact",
- * "wear") with the definition without `model`; returns 1 with the result on top. Else returns 0. */
+/* If the field `model` of the definition at index 1 is a joint, calls the joint's method
+ * ("contact", "wear") with the definition without `model`, and returns 1 with the result on top of
+ * the stack. Otherwise returns 0. */
 int joint_takes(lua_State *L, const char *method);
 
 /* --- models (model_class.c) ------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones [mm] that a contact or run needs on a model; `definition`:
- * its definition. */
+/* Computes the half widths of the zones [mm] that a contact or a run with this definition needs on
+ * a model. */
 typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
                                double zone[ARC_BODIES], arc_error *error);
 
-/* Pushes the model for field `model` of the definition table at index 1: a model object, or a table
- * of its fields; if nil, the definition of the worn object's model (index `worn`), or the default.
- * "auto" values of the mesh are set from the load [N], finer with friction
- * (arc_model_fit_friction), and the zones from `zones`. */
+/* Pushes the model for field `model` of the definition table at index 1. The field is a model
+ * object or a table of its fields. If it is nil, the definition of the model of the worn object
+ * (index `worn`) or the default is used. "auto" values of the mesh are set from the load [N], finer
+ * with friction (arc_model_fit_friction), and the zones from `zones`. */
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
                           zones_fn zones, const void *definition);
 
-/* If field `model` of the definition table at index 1 is an object: pushes a model with the zones
+/* If field `model` of the definition table at index 1 is an object, pushes a model with the zones
  * that `zones` requires and prints a warning. Returns NULL and pushes nothing if `model` is a
  * table, the zones are wide enough, or the meshes were imported. */
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
                             const void *definition);
 
-/* Reads the field "mesh" of the table at `index` over the mesh of a run, for arc_wear_set; returns
+/* Changes the mesh of a run by the field `mesh` of the table at `index`, for arc_wear_set. Returns
  * 0 if the field is nil. */
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);
 
@@ -97,10 +100,10 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
 
 /* --- models shared by runs (model_share.c) ---------------------------------------------------- */
 
-/* Pushes a box with the model of this definition: a cached model or a new one. */
+/* Pushes a box with the model of this definition, from the cache or new. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
-/* model_push for two imported meshes, indexed by arc_body; a new model takes them over and sets
- * them to NULL. */
+/* model_push for two imported meshes, indexed by arc_body. A new model becomes the owner of the
+ * meshes, and the pointers are set to NULL. */
 arc_model *model_push_given(lua_State *L, const arc_model_def *def, arc_mesh **given,
                             const char *where);
 
@@ -110,59 +113,59 @@ void model_push_living(lua_State *L, arc_model *model);
 /* Pushes the mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);
 
-/* Pushes { cylinder=, plate= }: the meshes with the present nodes of the worn shape. */
+/* Pushes { cylinder=, plate= }, the meshes with the present nodes of the worn shape. */
 void mesh_push_worn(lua_State *L, const arc_shape *shape);
 
-/* Returns the mesh in the box at `index`; errors as box_check. */
+/* Returns the mesh in the box at `index`. Errors are those of box_check. */
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where);
 
-/* Pushes a flat list of the elements' nodes, four numbers (from 1) per element; the fourth of a
- * triangle is 0. */
+/* Pushes a flat list of the elements' nodes with four numbers (from 1) per element. The fourth
+ * number of a triangle is 0. */
 void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 
 /* --- worn shapes (worn.c) --------------------------------------------------------------------- */
 
-extern const box_class shape_class; /* thing: arc_shape; internal */
+extern const box_class shape_class; /* thing: arc_shape; not for scripts */
 
-/* Checks the field `worn` of the definition table at `index` and pushes it (nil: unworn). Valid: a
- * wear object, or a table by body of functions, profiles { x=, h= } or maps. */
+/* Checks the field `worn` of the definition table at `index` and pushes it; nil is an unworn shape.
+ * Valid values are a wear object, or a table by body of functions, profiles { x=, h= } or maps. */
 void worn_check(lua_State *L, int index, const char *where);
 
-/* Pushes a box with a new shape on `model`, worn as given at index `worn`, for a run of this
- * definition. */
+/* Pushes a box with a new shape on `model` for a run of this definition. The value at index `worn`
+ * gives its wear. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
-/* worn_push_shape for 3-D; the value at `worn` is a table by body (worn_map.c). */
+/* worn_push_shape for 3-D, where the value at `worn` is a table by body (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
 /* True if the table at `index` is a map or has the fields of a map (worn_map.c). */
 int worn_is_map(lua_State *L, int index);
 
-/* The model definition of the wear object at `worn`; NULL for other values. */
+/* Returns the model definition of the wear object at `worn`, NULL for other values. */
 const arc_model_def *worn_model_def(lua_State *L, int worn);
-/* The model of the wear object at `worn` if its meshes were imported (no definition can rebuild
- * it); else NULL. */
+/* Returns the model of the wear object at `worn` if its meshes were imported, because no definition
+ * can rebuild such a model. Otherwise returns NULL. */
 arc_model *worn_given_model(lua_State *L, int worn);
 
 /* --- other modules ---------------------------------------------------------------------------- */
 
-/* Pushes { x=, p= }, the pressure on a body [mm, MPa]. */
+/* Pushes { x=, p= }, positions and pressure on a body [mm, MPa]. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
 
-/* Pushes a userdata that frees an arc_array of the engine; returns the address of its pointer. */
+/* Pushes a userdata that frees an array of the engine. Returns the address of its pointer. */
 arc_array **arrays_push_holder(lua_State *L);
 
-/* contact:stress() (stress_class.c). */
+/* Lua method contact:stress() (stress_class.c). */
 int stress_new(lua_State *L);
 
-/* The contact of the stress object at `index`; NULL for other values. */
+/* Returns the contact of the stress object at `index`, NULL for other values. */
 const arc_contact *stress_contact(lua_State *L, int index, const char *where);
 
-/* Pushes a box with the stress field of one body; the field is freed when the box is collected. */
+/* Pushes a box with the stress field of one body. The field is freed with the box. */
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where);
 
-/* Writes the geometry as text: "thickness 1 mm", "axisymmetric", ... */
+/* Writes the geometry as text, such as "thickness 1 mm" or "axisymmetric". */
 const char *model_show_space(const arc_model_def *def, char *text, size_t size);
 
 #endif

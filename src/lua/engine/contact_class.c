@@ -1,4 +1,4 @@
-/* Class contact: one contact solution and its pressures. Stresses: stress_class.c. */
+/* Class contact: one contact solution and its pressures. stress_class.c has the stresses. */
 #include "archard/contact.h"
 #include "lua/base/array.h"
 #include "lua/base/call.h"
@@ -65,7 +65,8 @@ static const arc_model_def *model_of(const arc_contact *contact) {
   return arc_model_definition(arc_contact_model(contact));
 }
 
-/* contact.stick: list of the stick zones, left to right; in 3-D their share of the contact area */
+/* contact.stick: list of the stick zones from left to right; in 3-D their fraction of the contact
+ * area */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
@@ -87,7 +88,7 @@ static int contact_model(lua_State *L) {
   return 1;
 }
 
-/* Writes where the largest pressure lies, "" at the centre. */
+/* Writes the position of the largest pressure, or "" if it is at the centre. */
 static void show_peak(const arc_contact *contact, const arc_contact_result *solved, char *text,
                       size_t size) {
   arc_error error = {0};
@@ -138,7 +139,7 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
   strict_table(L, "pressure");
 }
 
-/* __gc: frees the array of the engine. */
+/* Metamethod __gc: frees the array of the engine. */
 static int free_arrays(lua_State *L) {
   arc_array **held = lua_touserdata(L, 1);
   free(*held);
@@ -157,8 +158,8 @@ arc_array **arrays_push_holder(lua_State *L) {
   return held;
 }
 
-/* Pushes shear or slip of a 3-D contact: a map of the magnitude or of the component along "x" or
- * "z", or a section with both components. */
+/* Pushes shear or slip of a 3-D contact: a map of the magnitude, a map of the component along "x"
+ * or "z", or a section with both components. */
 static int push_friction(lua_State *L, const arc_contact *contact, const char *where,
                          const char *unit, const char *size, const char *const *names) {
   size_t count;
@@ -186,7 +187,7 @@ static int push_friction(lua_State *L, const arc_contact *contact, const char *w
   return 1;
 }
 
-/* contact:pressure() -> map; contact:pressure{ z = 0 } -> section { x=, p= } */
+/* contact:pressure() returns a map, contact:pressure{ z = 0 } a section { x=, p= }. */
 static int push_spatial(lua_State *L, const arc_contact *contact) {
   static const char where[] = "contact:pressure", *const names[] = {"p", NULL};
   size_t count;
@@ -202,7 +203,8 @@ static int push_spatial(lua_State *L, const arc_contact *contact) {
   return 1;
 }
 
-/* contact:pressure(body) -> { x=, p= } in coordinates of the cylinder, for both bodies */
+/* contact:pressure(body) returns { x=, p= }, with x in the coordinates of the cylinder for both
+ * bodies. */
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
   if (arc_model_has_maps(model_of(contact))) return push_spatial(L, contact);
@@ -211,7 +213,7 @@ static int contact_pressure(lua_State *L) {
   return 1;
 }
 
-/* contact:shear(body) -> { x=, q= }; in 3-D contact:shear() -> map */
+/* contact:shear(body) returns { x=, q= }, in 3-D contact:shear() a map. */
 static int contact_shear(lua_State *L) {
   static const char *const names[] = {"q", "qz", NULL};
   const arc_contact *contact = self(L);
@@ -225,7 +227,7 @@ static int contact_shear(lua_State *L) {
   return 1;
 }
 
-/* contact:slip() -> { x=, s= } at the cylinder's nodes; in 3-D a map */
+/* contact:slip() returns { x=, s= } at the cylinder's nodes, in 3-D a map. */
 static int contact_slip(lua_State *L) {
   static const char *const names[] = {"s", "sz", NULL};
   const arc_contact *contact = self(L);
@@ -248,7 +250,7 @@ static int contact_slip(lua_State *L) {
 
 /* --- the calls that created a contact --------------------------------------------------------- */
 
-/* Pushes a copy of the table at `index`, empty where there is none; what is in it is shared. */
+/* Pushes a shallow copy of the table at `index`, or an empty table. */
 static void push_copy(lua_State *L, int index) {
   lua_newtable(L);
   if (!lua_istable(L, index)) return;
@@ -259,9 +261,9 @@ static void push_copy(lua_State *L, int index) {
   }
 }
 
-/* Keeps with the contact on top of the stack the definition at index `given`, the record of the
- * contact that it moved from (at index `from`, or 0), and the update of the run whose shape it has.
- */
+/* Stores a record with the contact on top of the stack. It has the definition at index `given`, the
+ * record of the previous contact at index `from` (0: none), and the update of the run whose worn
+ * shape is used. */
 static void keep_call(lua_State *L, int given, int from) {
   lua_createtable(L, 0, 3);
   push_copy(L, given);
@@ -278,9 +280,9 @@ static void keep_call(lua_State *L, int given, int from) {
   lua_setiuservalue(L, -2, 2);
 }
 
-/* Module contact_record: record(contact) -> { given=, update=, from= }: the fields that contact{}
- * or contact:move{} was called with, the update of the run in `worn` at that time (nil without
- * one), and the same of the contact that it moved from (nil where it did not). */
+/* Module contact_record: record(contact) returns { given=, update=, from= }. given: the arguments
+ * of contact{} or contact:move{}; update: the update of the run in `worn` at that time, or nil;
+ * from: the record of the contact before the move, or nil. */
 static int contact_record(lua_State *L) {
   box_check(L, 1, &contact_class, "contact_record");
   lua_getiuservalue(L, 1, 2);
@@ -307,15 +309,15 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
   return status;
 }
 
-/* Pushes the shape of the contact: the worn object's shape if it is on the same model, else a new
- * one. */
+/* Pushes the shape of the contact: the shape of the worn object if this is on the same model,
+ * otherwise a new shape. */
 static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, double load) {
   arc_wear_def def = arc_wear_default();
   if (arc_model_is_given(model)) def.geometry = ARC_FROZEN;
   def.refresh = 0;
   def.load = load;
   def.alpha = 1;
-  def.procedure = ARC_NSP; /* at one position */
+  def.procedure = ARC_NSP; /* for one position */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
     return worn_push_shape(L, worn, model, &def, "contact");
@@ -335,7 +337,7 @@ typedef struct request {
   const arc_motion_def *motion;
 } request;
 
-/* Pushes the requested contact; the value at `holder` keeps its model alive. */
+/* Pushes the requested contact. The value at `holder` keeps its model alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_contact *contact = NULL;
@@ -349,7 +351,7 @@ static arc_status push_contact(lua_State *L, int holder, const request *asked, a
   return status;
 }
 
-/* contact{ model=, load=, x=, worn=, friction= } */
+/* Constructor contact{ model=, load=, x=, worn=, friction= }. */
 static int contact_new(lua_State *L) {
   arc_contact_def def = arc_contact_default();
   lua_settop(L, 1);
@@ -373,7 +375,7 @@ static int contact_new(lua_State *L) {
   return 1;
 }
 
-/* contact:move{ x=, z=, load=, tangential=, tangential_z=, increments= } */
+/* contact:move{ x=, z=, load=, tangential=, tangential_z=, increments= } returns a new contact. */
 static int contact_move(lua_State *L) {
   const arc_contact *from = self(L);
   const args_location location = {"contact:move", ""};

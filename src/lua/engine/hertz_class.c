@@ -74,7 +74,7 @@ static const box_class hertz_class = {
     .definition = definition,
 };
 
-/* hertz{ radius=, load=, thickness=, cylinder=, plate= } */
+/* Constructor hertz{ radius=, load=, thickness=, cylinder=, plate= }. */
 static int hertz_new(lua_State *L) {
   arc_hertz_def def = arc_hertz_default();
   arc_error error = {0};

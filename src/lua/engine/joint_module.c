@@ -35,7 +35,7 @@ static double number_of(lua_State *L, const char *name, double otherwise) {
 
 /* --- definitions ------------------------------------------------------------------------------ */
 
-/* Reads the field `material` of the table on top. */
+/* Reads the field `material` of the table on top of the stack. */
 static arc_material read_material(lua_State *L) {
   const arc_material usual = arc_material_default();
   lua_getfield(L, -1, "material");
@@ -45,7 +45,8 @@ static arc_material read_material(lua_State *L) {
   return read;
 }
 
-/* Reads the list of { thickness=, material= } in field `layers` of the table on top. */
+/* Reads the field `layers`, a list of { thickness=, material= }, of the table on top of the
+ * stack. */
 static void read_layers(lua_State *L, arc_layer *layer) {
   memset(layer, 0, ARC_MOST_LAYERS * sizeof *layer);
   lua_getfield(L, -1, "layers");
@@ -78,7 +79,7 @@ static void read_cup(lua_State *L, arc_joint_def *def) {
 }
 
 /* create{ head={ radius=, material=, layers= }, cup={ clearance=, inclination=, cover=, layers= },
- * foundation=, order=, mesh={ size= } } */
+ * foundation=, order=, mesh={ size= } } returns a joint. */
 static int sphere_create(lua_State *L) {
   arc_joint_def def = arc_joint_default();
   arc_error error = {0};
@@ -120,7 +121,7 @@ static int increments(lua_State *L, int index) {
   return (int)n;
 }
 
-/* named(name, increments, angle, load) */
+/* named(name, increments, angle, load) returns a gait of the engine. */
 static int sphere_named(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 2);
@@ -141,7 +142,8 @@ static double *list_at(lua_State *L, int index, const char *name, size_t expecte
   return list;
 }
 
-/* angles(increments, { flexion, adduction, rotation, ... }, { Fx, Fy, Fz, ... }, order) */
+/* angles(increments, { flexion, adduction, rotation, ... }, { Fx, Fy, Fz, ... }, order) returns a
+ * gait. */
 static int sphere_angles(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 1);
@@ -162,7 +164,7 @@ static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
   return (const arc_gait_instant *)(const void *)list;
 }
 
-/* path(gait, radius) -> length of the load track [mm], work [N mm] */
+/* path(gait, radius) returns the length of the load track [mm] and the work [N mm]. */
 static int sphere_path(lua_State *L) {
   int n;
   const arc_gait_instant *gait = read_gait(L, 1, &n);
@@ -173,7 +175,8 @@ static int sphere_path(lua_State *L) {
 
 /* --- contact ---------------------------------------------------------------------------------- */
 
-/* press(joint, Fx, Fy, Fz, rotation of the head or nil) -> { p_max=, ... } */
+/* press(joint, Fx, Fy, Fz, rotation of the head or nil) solves a contact and returns { p_max=, ...
+ * }. */
 static int sphere_press(lua_State *L) {
   arc_joint *joint = joint_at(L, 1, "contact");
   const double load[] = {luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checknumber(L, 4)};
@@ -201,7 +204,7 @@ static size_t sites_of(const arc_joint *joint) {
   return 2 * (size_t)arc_joint_rows(joint) * (size_t)arc_joint_rows(joint);
 }
 
-/* map(joint, quantity) -> rows, flat list of [rows][2 rows] values */
+/* map(joint, quantity) returns the number of rows and a flat list of [rows][2 rows] values. */
 static int sphere_map(lua_State *L) {
   static const char *const what[] = {"head", "cup", "pressure", "cross shear", "creep", NULL};
   const arc_joint *joint = joint_at(L, 1, "map");
@@ -219,7 +222,7 @@ static int sphere_map(lua_State *L) {
   return 2;
 }
 
-/* set(joint, "head"|"cup", depths) */
+/* set(joint, "head" or "cup", depths) sets the wear depths. */
 static int sphere_set(lua_State *L) {
   static const char *const body[] = {"head", "cup", NULL};
   arc_error error = {0};
@@ -234,7 +237,7 @@ static int sphere_set(lua_State *L) {
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
-/* The user's functions (indices on the stack) and the name of a function that failed. */
+/* The user's functions (indices on the stack), and the name of a function that failed. */
 typedef struct called {
   lua_State *L;
   int k, alpha, creep;
@@ -242,7 +245,7 @@ typedef struct called {
   const char *failed;
 } called;
 
-/* Pushes a function and its argument table; returns 0 if a function has failed before. */
+/* Pushes a function and its argument table. Returns 0 if a function has already failed. */
 static int push_function(called *c, int function, double cycles) {
   if (c->failed) return 0;
   lua_pushvalue(c->L, function);
@@ -309,15 +312,15 @@ static int push_record(lua_State *L, const arc_joint_record *r) {
   return 1;
 }
 
-/* State of sphere_update and sphere_advance; arguments (joint, gait, k, alpha, cycles, record, ...,
- * creep). */
+/* State of sphere_update and sphere_advance. Their arguments are (joint, gait, k, alpha, cycles,
+ * record, ..., creep). */
 typedef struct worn {
   box *holder;
   arc_joint_wear_def def;
   called functions;
   arc_joint_record record;
   double cycles;
-  size_t bytes; /* of the joint before the update */
+  size_t bytes; /* size of the joint before the update */
 } worn;
 
 static const arc_callbacks interruptible = {.stop = interrupt_pending};
@@ -344,13 +347,13 @@ static void begin_wear(lua_State *L, worn *w, int arguments) {
 static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
   const size_t bytes = arc_joint_bytes(w->holder->thing);
   w->holder->busy = 0;
-  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* its window has grown */
+  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* the window has grown */
   if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);
 }
 
-/* update(joint, gait, k, alpha, cycles, record, explicit, creep) -> record */
+/* update(joint, gait, k, alpha, cycles, record, explicit, creep) returns the new record. */
 static int sphere_update(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -361,8 +364,8 @@ static int sphere_update(lua_State *L) {
   return end_wear(L, &w, status, &error);
 }
 
-/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) -> record, next step
- * [cycles] */
+/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) returns the new record and
+ * the next step [cycles]. */
 static int sphere_advance(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -376,7 +379,7 @@ static int sphere_advance(lua_State *L) {
   return 2;
 }
 
-/* state(joint) -> list of numbers; set_state(joint, list) restores it */
+/* state(joint) returns a list of numbers, from which set_state(joint, list) restores the state. */
 static int sphere_state(lua_State *L) {
   const arc_joint *joint = joint_at(L, 1, "wear");
   const size_t count = arc_joint_state_count(joint);
@@ -396,7 +399,7 @@ static int sphere_set_state(lua_State *L) {
   return 0;
 }
 
-/* limit(joint, gait, k) -> stability limit of an explicit update [cycles] */
+/* limit(joint, gait, k) returns the stability limit of an explicit update [cycles]. */
 static int sphere_limit(lua_State *L) {
   arc_joint_wear_def def = {.k = luaL_checknumber(L, 3)};
   const arc_joint *joint = joint_at(L, 1, "wear");
@@ -405,7 +408,7 @@ static int sphere_limit(lua_State *L) {
   return 1;
 }
 
-/* sensitivity(run, options) */
+/* sensitivity(run, options) returns the sensitivities of a joint's run. */
 static int sphere_sensitivity(lua_State *L) {
   lua_settop(L, 2);
   script_require(L, "archard.uncertainty.sensitivity");
@@ -421,7 +424,8 @@ static int has_field(lua_State *L, const char *name) {
   return has;
 }
 
-/* Whether the value on top is a joint, or a table of its fields, which becomes one. */
+/* True if the value on top of the stack is a joint. A table of its fields is replaced by a
+ * joint. */
 static int is_joint(lua_State *L) {
   if (luaL_getmetafield(L, -1, "__name") != LUA_TNIL) {
     const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "joint") == 0;

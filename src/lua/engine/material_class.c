@@ -46,7 +46,7 @@ void material_push(lua_State *L, arc_material material) {
   *value = material;
 }
 
-/* material{ E=, nu=, k=, name= } */
+/* Constructor material{ E=, nu=, k=, name= }. */
 static int material_new(lua_State *L) {
   arc_material material = arc_material_default();
   args_read(L, 1, (args_location){"material", ""}, arc_material_settings, &material);

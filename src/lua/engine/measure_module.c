@@ -1,5 +1,5 @@
-/* Module `archard.measure`: measures of wear profiles for scripts, and functions that push them for
- * classes. */
+/* Module `archard.measure`: measures of wear profiles for scripts, and functions that push these
+ * measures for classes. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
@@ -30,8 +30,8 @@ int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate) 
   return 1;
 }
 
-/* Reads the tables at indices `x` and `y`, which must have equal length, into buffers on the stack.
- */
+/* Reads the tables at indices `x` and `y`, which must have equal length, into buffers on the
+ * stack. */
 static arc_depths read_columns(lua_State *L, args_location location, int x, int y) {
   arc_depths read;
   size_t count;
@@ -56,23 +56,23 @@ static arc_depths read_profile(lua_State *L, const char *where, int index) {
   return read_columns(L, (args_location){where, ""}, top - 1, top);
 }
 
-/* combined(cylinder, plate) -> { x=, h= }, the sum of two profiles (Eq. 31) */
+/* combined(cylinder, plate) returns { x=, h= }, the sum of two profiles (Eq. 31). */
 static int measure_combined(lua_State *L) {
   static const char where[] = "measure.combined";
   const arc_depths cylinder = read_profile(L, where, 1);
   return measure_push_combined(L, cylinder, read_profile(L, where, 2));
 }
 
-/* local_partition(cylinder, plate) -> { x=, value= }, the cylinder's share of the combined depth
- * (Eq. 30) */
+/* local_partition(cylinder, plate) returns { x=, value= }, the cylinder's part of the combined
+ * depth (Eq. 30). */
 static int measure_local_partition(lua_State *L) {
   static const char where[] = "measure.local_partition";
   const arc_depths cylinder = read_profile(L, where, 1);
   return measure_push_partition(L, cylinder, read_profile(L, where, 2));
 }
 
-/* sawtooth(x, y, reach) -> root mean square of the sawtooth (node-to-node) part of y for |x| <=
- * reach */
+/* sawtooth(x, y, reach) returns the root mean square of the sawtooth (node-to-node) part of y for
+ * |x| <= reach. */
 static int measure_sawtooth(lua_State *L) {
   const double reach = luaL_checknumber(L, 3);
   const arc_depths y = read_columns(L, (args_location){"measure.sawtooth", ""}, 1, 2);
@@ -82,28 +82,30 @@ static int measure_sawtooth(lua_State *L) {
 
 /* --- measures of each body -------------------------------------------------------------------- */
 
-/* Reads the names of the bodies from the model table at index 1 (nil: the default bodies). */
+/* Reads the names of the bodies from the model table at index 1. For nil the bodies are the default
+ * ones. */
 static arc_model_def read_names(lua_State *L) {
   arc_model_def def = {0};
   if (lua_istable(L, 1) || lua_isuserdata(L, 1)) body_read_names(L, 1, &def);
   return def;
 }
 
-/* bodies(model) -> { upper=, lower= }, as m.bodies */
+/* bodies(model) returns { upper=, lower= }, like the field `bodies` of a model. */
 static int measure_bodies(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_body_names(L, &def);
   return 1;
 }
 
-/* by_body(model, upper, lower, where) -> table of both numbers by body, as w.depth */
+/* by_body(model, upper, lower, where) returns a table of the two numbers by body, like w.depth. */
 static int measure_by_body(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_by_body(L, &def, luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checkstring(L, 4));
   return 1;
 }
 
-/* columns(model, history, where) -> history, whose columns also have the names of the bodies */
+/* columns(model, history, where) returns the history; its columns then also have the names of the
+ * bodies. */
 static int measure_columns(lua_State *L) {
   const arc_model_def def = read_names(L);
   luaL_checktype(L, 2, LUA_TTABLE);

@@ -1,4 +1,4 @@
-/* lua/measure_module.h - pushes measures of two wear profiles as Lua tables. */
+/* lua/engine/measure_module.h - pushes measures of two wear profiles as Lua tables. */
 #ifndef LUA_MEASURE_MODULE_H
 #define LUA_MEASURE_MODULE_H
 
@@ -6,9 +6,9 @@
 
 #include <lua.h>
 
-/* Push { x=, h= }, the sum of both depths (Eq. 31), or { x=, value= }, the cylinder's share of it
- * (Eq. 30), at the plate's points. Temporary buffers stay below the table on the stack. Return 1.
- */
+/* Push { x=, h= }, the sum of both depths (Eq. 31), or { x=, value= }, the cylinder's part of the
+ * sum (Eq. 30), at the plate's points. Temporary buffers stay below the table on the stack. Return
+ * 1. */
 int measure_push_combined(lua_State *L, arc_depths cylinder, arc_depths plate);
 int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate);
 

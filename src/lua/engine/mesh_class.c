@@ -1,5 +1,5 @@
 /* Class mesh (read-only): the finite element mesh of one body of a model or of a worn run. Numbers
- * of nodes and elements start at 1 in Lua, at 0 in the engine. */
+ * of nodes and elements start at 1 in Lua and at 0 in the engine. */
 #include "archard/export.h"
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
@@ -13,9 +13,9 @@
 #include <string.h>
 
 typedef struct mesh_view {
-  arc_model *model; /* one reference */
+  arc_model *model; /* the model, with one reference of its own */
   arc_mesh mesh;    /* the model's mesh, or a shallow copy with worn nodes */
-  double *xy;       /* [mm] worn nodes; NULL: the model's nodes */
+  double *xy;       /* [mm] worn nodes; NULL: nodes of the model */
 } mesh_view;
 
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where) {
@@ -71,7 +71,7 @@ static int mesh_body(lua_State *L) {
   return 1;
 }
 
-/* Pushes a list of node numbers, from 0 in C and from 1 in Lua; -1 (no node) becomes 0. */
+/* Pushes a list of node numbers, which start at 0 in C and at 1 in Lua; -1 (no node) becomes 0. */
 static int push_numbers(lua_State *L, const int *numbers, int count) {
   lua_createtable(L, count, 0);
   for (int i = 0; i < count; i++) {
@@ -86,38 +86,39 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh) {
   push_numbers(L, mesh->element, 4 * mesh->elements);
 }
 
-/* mesh:elements() -> flat list of four node numbers per element; the fourth of a triangle is 0 */
+/* mesh:elements() returns a flat list of four node numbers per element. The fourth number of a
+ * triangle is 0. */
 static int mesh_elements(lua_State *L) {
   mesh_push_elements(L, self(L));
   return 1;
 }
 
-/* mesh:surface() -> the candidate contact nodes by increasing x */
+/* mesh:surface() returns the nodes that may be in contact, by increasing x. */
 static int mesh_surface(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->surface_node, mesh->surface);
 }
 
-/* mesh:box() -> nodes of the wear box: rows + 1 nodes, from the surface inwards, per surface node
- */
+/* mesh:box() returns the nodes of the wear box: for each surface node rows + 1 nodes from the
+ * surface inwards. */
 static int mesh_box(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
 }
 
-/* mesh:outline() -> the boundary nodes, counter-clockwise */
+/* mesh:outline() returns the boundary nodes, counter-clockwise. */
 static int mesh_outline(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->outline_node, mesh->outline);
 }
 
-/* mesh:fixed() -> the nodes that are clamped or tied to the rigid base */
+/* mesh:fixed() returns the nodes that are clamped or tied to the rigid base. */
 static int mesh_fixed(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->fixed_node, mesh->fixed);
 }
 
-/* mesh:node(i) -> x, y */
+/* mesh:node(i) returns x and y of a node. */
 static int mesh_node(lua_State *L) {
   const arc_mesh *mesh = self(L);
   int valid;
@@ -141,7 +142,7 @@ static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
   strict_table(L, "list of numbers");
 }
 
-/* mesh:coordinates() -> { x=, y= } of all nodes */
+/* mesh:coordinates() returns { x=, y= } of all nodes. */
 static int mesh_coordinates(lua_State *L) {
   const arc_mesh *mesh = self(L);
   lua_createtable(L, 0, 2);
@@ -163,8 +164,8 @@ static void push_quality(lua_State *L, arc_quality quality) {
   strict_table(L, "mesh:quality");
 }
 
-/* mesh:quality() -> the worst value of each shape measure over all elements; field box: over the
- * wear box */
+/* mesh:quality() returns the worst value of each shape measure over all elements, and in the field
+ * box the worst values over the wear box. */
 static int mesh_quality(lua_State *L) {
   push_quality(L, arc_mesh_quality(self(L), NULL));
   push_quality(L, arc_mesh_box_quality(self(L), NULL));
@@ -172,7 +173,7 @@ static int mesh_quality(lua_State *L) {
   return 1;
 }
 
-/* Writes node, x, y as columns. */
+/* Writes the columns node, x, y. */
 static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh,
                             arc_error *error) {
   static const char *const names[] = {"node", "x", "y"}, *const units[] = {"", "mm", "mm"};
@@ -193,7 +194,7 @@ static arc_status write_msh(const char *path, const arc_mesh *mesh, arc_error *e
   return arc_export_msh(path, bodies, error);
 }
 
-/* mesh:write(path): the file name's extension selects the format */
+/* mesh:write(path) writes a file, whose extension selects the format. */
 static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
   const arc_mesh *mesh = self(L);
@@ -278,7 +279,7 @@ const box_class mesh_class = {
     .value = sizeof(mesh_view),
 };
 
-/* Pushes the mesh object of a body; with the worn nodes if `shape` is not NULL. */
+/* Pushes the mesh object of a body, with the worn nodes of `shape` unless this is NULL. */
 static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
   if (!arc_model_mesh(model, body))
     error_raise(L, ARC_ARGUMENT, "mesh", "a pair of kind \"%s\" has no meshes",

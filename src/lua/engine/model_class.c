@@ -1,5 +1,5 @@
-/* Class model: two bodies, meshed and condensed. Equal definitions share one model (model_share.c).
- */
+/* Class model: two bodies, meshed and condensed. Equal definitions share one model
+ * (model_share.c). */
 #include "lua/base/array.h"
 #include "lua/engine/bodies.h"
 #include "lua/base/call.h"
@@ -14,15 +14,15 @@
 
 /* --- the definition --------------------------------------------------------------------------- */
 
-/* A definition with all values at their defaults ("auto" where possible). */
+/* Returns a definition with all values at their defaults ("auto" where possible). */
 static arc_model_def begin_definition(void) {
   arc_model_def def = {0};
   arc_settings_default(arc_model_settings, &def);
   return def;
 }
 
-/* Raises an error if both mesh.size and mesh.fineness are given. A given size switches off
- * fineness. */
+/* Raises an error if both mesh.size and mesh.fineness are set. Setting the size switches fineness
+ * off. */
 static void check_fineness(lua_State *L, int index, args_location location, arc_mesh_def *mesh) {
   if (args_get(L, index, "mesh") == LUA_TTABLE) {
     const int at = lua_gettop(L);
@@ -52,9 +52,10 @@ static void rename_zones(lua_State *L, args_location location, const arc_model_d
   lua_settop(L, top);
 }
 
-/* Pushes a copy of the table at `index` without upper and lower, which body_read reads. */
+/* Pushes a copy of the table at `index` without the fields upper and lower, which body_read
+ * reads. */
 static void push_without_bodies(lua_State *L, int index, args_location location) {
-  /* raises an error */
+  /* For other values this call raises an error. */
   if (!lua_istable(L, index)) args_read(L, index, location, arc_model_settings, NULL);
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -63,7 +64,7 @@ static void push_without_bodies(lua_State *L, int index, args_location location)
   lua_setfield(L, -2, "lower");
 }
 
-/* Reads the table at `index` into the definition; nil: no change. */
+/* Reads the table at `index` into the definition. nil changes nothing. */
 static void read_definition(lua_State *L, int index, args_location location, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
   arc_model_def called = *def;
@@ -76,8 +77,8 @@ static void read_definition(lua_State *L, int index, args_location location, arc
   check_fineness(L, index, location, &def->mesh);
 }
 
-/* Prepares reading a table of mesh settings: if a size or fineness is given, values derived from
- * the size become "auto"; others keep their value. */
+/* Prepares reading a table of mesh settings. If it has a size or fineness, the values derived from
+ * the size become "auto". Other values are kept. */
 static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
   const int size = args_given(L, at, "size"), fineness = args_given(L, at, "fineness");
   if (!size && !fineness) return;
@@ -104,7 +105,8 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 
 /* --- imported meshes -------------------------------------------------------------------------- */
 
-/* Owns two imported meshes until the model takes them over, so that Lua errors leak nothing. */
+/* Frees two imported meshes. They belong to a box until the model becomes their owner, so that Lua
+ * errors leak nothing. */
 static void free_given(void *thing) {
   arc_mesh **given = thing;
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
@@ -121,7 +123,7 @@ static const box_class given_class = {.name = "two meshes",
                                       .value = ARC_BODIES * sizeof(arc_mesh *)};
 
 /* Replaces the text on top of the stack by a box with both meshes. The text is a file name, or the
- * contents of a mesh file (it contains newlines). */
+ * contents of a mesh file if it contains newlines. */
 static arc_mesh **push_meshes(lua_State *L, args_location location) {
   const int top = lua_gettop(L);
   size_t length;
@@ -148,8 +150,8 @@ static void read_beside_mesh(lua_State *L, int index, args_location location, ar
   lua_pop(L, 1);
 }
 
-/* Pushes the model of the table at `index` if its field `mesh` is a text; else pushes nothing and
- * returns NULL. The file is read at each call, since it may have changed. */
+/* Pushes the model of the table at `index` if its field `mesh` is a text. Otherwise pushes nothing
+ * and returns NULL. The file is read at each call, because it may have changed. */
 static arc_model *push_of_mesh(lua_State *L, int index, args_location location) {
   if (!lua_istable(L, index)) return NULL;
   index = lua_absindex(L, index);
@@ -166,7 +168,7 @@ static arc_model *push_of_mesh(lua_State *L, int index, args_location location) 
   return model;
 }
 
-/* model{ radius=, cylinder=, plate=, thickness=, mesh={...} | "pair.msh" } */
+/* Constructor model{ radius=, cylinder=, plate=, thickness=, mesh={...} or "pair.msh" }. */
 static int model_new(lua_State *L) {
   const args_location location = {"model", ""};
   lua_settop(L, 1);
@@ -289,7 +291,7 @@ static int model_lower(lua_State *L) {
   return 1;
 }
 
-/* model.mesh: the mesh settings, with the mesh objects by body. */
+/* model.mesh: the mesh settings, together with the mesh objects by body. */
 static int model_mesh(lua_State *L) {
   const arc_model_def *def = arc_model_definition(self(L));
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);
@@ -331,7 +333,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   pair_add_layers(text, def, body, "\n    layer   ");
 }
 
-/* Pushes the text of a pair without meshes. */
+/* Pushes the description of two half-spaces, which have no meshes. */
 static int push_half_spaces(lua_State *L, const arc_model_def *def) {
   char line[200];
   luaL_Buffer text;

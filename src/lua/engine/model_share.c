@@ -1,5 +1,5 @@
-/* Models of equal definitions (and equal imported meshes) are built once and shared. A weak table
- * in the registry finds existing models; the most recent model is kept alive. */
+/* Models with equal definitions (and equal imported meshes) are built once and shared. A weak table
+ * in the registry refers to the existing models. The most recent model is kept alive. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-static const char cache_key = 0, last_key = 0; /* registry keys, by their addresses */
+static const char cache_key = 0, last_key = 0; /* their addresses are registry keys */
 
 /* --- building and sharing --------------------------------------------------------------------- */
 
@@ -52,8 +52,8 @@ static void push_key(lua_State *L, const arc_model_def *def, arc_mesh *const *gi
   luaL_pushresult(&text);
 }
 
-/* Pushes the weak table from keys to holders. A holder is a hidden box; it is a user value of the
- * model boxes of scripts, so it lives as long as any of them. */
+/* Pushes the weak table that maps keys to holders. A holder is a hidden box. It is a user value of
+ * the model boxes of scripts, so it is alive as long as any of them. */
 static void push_cache(lua_State *L) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &cache_key) == LUA_TTABLE) return;
   lua_pop(L, 1);
@@ -66,17 +66,17 @@ static void push_cache(lua_State *L) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
 }
 
-/* State of the progress display (archard.lib.build_progress) of a long construction. */
+/* State of the progress display (archard.lib.build_progress) during a long construction. */
 typedef struct building {
   lua_State *L;
-  int begun; /* the display function is on top of the stack */
+  int begun; /* true: the display function is on the stack */
 } building;
 
 static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* without a display the model is still built */
+  lua_pushnil(b->L); /* build without display */
 }
 
 static void tell(building *b, int arguments) {
@@ -84,7 +84,7 @@ static void tell(building *b, int arguments) {
 }
 
 static void show(void *context, const char *what, double share, double seconds) {
-  static const double patience = 1; /* [s] duration before the display starts */
+  static const double patience = 1; /* [s] time before the display starts */
   building *b = context;
   if (seconds < patience || interrupt_pending(NULL)) return;
   if (!b->begun) begin_showing(b);
@@ -114,7 +114,8 @@ static void end_build(lua_State *L, box *holder, arc_model *model, building *sho
   box_weigh(L, arc_model_bytes(model));
 }
 
-/* Pushes a holder with a new model. Takes over the meshes in `given` (or NULL). */
+/* Pushes a holder with a new model. The model becomes the owner of the meshes in `given` (or
+ * NULL). */
 static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                          const char *where) {
   arc_error error = {0};
@@ -127,7 +128,7 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   end_build(L, holder, model, &shown, status, &error, where);
 }
 
-/* Pushes the holder of the model of a definition, from the cache or new. */
+/* Pushes the holder of the model with this definition, from the cache or new. */
 static void push_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                         const char *where) {
   push_cache(L);

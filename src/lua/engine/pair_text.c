@@ -6,10 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indentation below the labels in the text of a run. */
+/* Indentation of lines below a label in the text of a run. */
 static const char *const indent = "\n            ";
 
-/* Adds "E 200000 MPa nu 0.3" and, after `before`, the wear coefficient if it is > 0. */
+/* Adds "E 200000 MPa nu 0.3", and the text `before` and the wear coefficient if this is > 0. */
 static void add_material(luaL_Buffer *to, arc_material material, const char *before) {
   char text[100];
   snprintf(text, sizeof text, "%.31s%sE %.6g MPa nu %.6g", material.name,
@@ -21,7 +21,7 @@ static void add_material(luaL_Buffer *to, arc_material material, const char *bef
   luaL_addstring(to, text);
 }
 
-/* Writes "roller (cylinder of radius 5 mm)". */
+/* Writes a body, such as "roller (cylinder of radius 5 mm)". */
 static void show_body(const arc_model_def *model, arc_body body, char *text, size_t size) {
   const arc_body_def solid = arc_model_solid(model, body);
   const double radius = fabs(arc_body_radius(&solid));

@@ -6,20 +6,21 @@
 
 #include <lauxlib.h>
 
-/* Writes "radius 10 mm" for the default bodies, "pin (disc of radius 9.95 mm) on block" for others.
- */
+/* Writes "radius 10 mm" for the default bodies, and "pin (disc of radius 9.95 mm) on block" for
+ * other bodies. */
 const char *pair_show(const arc_model_def *model, char *text, size_t size);
 
-/* Adds the line "  materials both E 200000 MPa nu 0.3", with the wear coefficients if they are set.
- */
+/* Adds a line such as "  materials both E 200000 MPa nu 0.3", with the wear coefficients if they
+ * are set. */
 void pair_add_materials(luaL_Buffer *text, const arc_model_def *model);
 
-/* Adds the layers of a body from the surface inwards, each after `before`: "0.003 mm of E 400000
- * MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)". */
+/* Adds the layers of a body from the surface inwards, each after the text `before`: "0.003 mm of E
+ * 400000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)". */
 void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body body,
                      const char *before);
 
-/* Adds "roller (cylinder of radius 5 mm): E 200000 MPa nu 0.3" and a line for each layer. */
+/* Adds a line such as "roller (cylinder of radius 5 mm): E 200000 MPa nu 0.3", and one line for
+ * each layer. */
 void pair_add_body(luaL_Buffer *text, const arc_model_def *model, arc_body body);
 
 /* Adds lines for the layers of both bodies, if there are any. */

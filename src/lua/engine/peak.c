@@ -1,10 +1,10 @@
-/* Where the largest pressure of a contact lies. */
+/* Position of the largest pressure of a contact. */
 #include "lua/engine/peak.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Relative differences of pressures and positions that count as equal. */
+/* Pressures and positions count as equal up to these relative differences. */
 static const double alike = 1e-3, same_position = 1e-6;
 
 static size_t largest(const arc_array *p) {
@@ -14,8 +14,8 @@ static size_t largest(const arc_array *p) {
   return most;
 }
 
-/* True if the pressure is as large where `along` has the other sign and `across` (or NULL) is the
- * same. */
+/* True if the pressure is equally large at the mirrored point, where `along` has the opposite sign
+ * and `across` (unless NULL) is equal. */
 static int is_mirrored(const arc_array *p, const arc_array *along, const arc_array *across,
                        size_t most) {
   const double at = along->values[most], least = (1 - alike) * p->values[most];

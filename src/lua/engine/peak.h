@@ -1,4 +1,4 @@
-/* lua/peak.h - where the largest pressure of a contact lies, for summaries. */
+/* lua/engine/peak.h - position of the largest pressure of a contact, for printed summaries. */
 #ifndef LUA_PEAK_H
 #define LUA_PEAK_H
 
@@ -6,9 +6,10 @@
 
 #include <stddef.h>
 
-/* Writes " (x = 1.8 mm)", in 3-D also z, into text [size]: the position of the largest pressure
- * p of the upper body [MPa] among `count` arrays of surfaces; "+-" where the other side has it,
- * too. Writes "" if the pressure at the centre [MPa] is as large or there are no arrays. */
+/* Writes the position of the largest pressure of the upper body, such as " (x = 1.8 mm)", in 3-D
+ * also z, into text [size]. Its pressure p [MPa] is one of the `count` arrays of surfaces. The
+ * position has "+-" if the mirrored point has the same pressure. Writes "" if the pressure at the
+ * centre [MPa] is as large, or there are no arrays. */
 void peak_position(const arc_array *arrays, size_t count, double center, char *text, size_t size);
 
 #endif

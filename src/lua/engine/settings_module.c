@@ -1,5 +1,5 @@
-/* Module `archard.settings`: lists of all settings of definitions and of the history's columns, for
- * help, the manual, completion and studies. */
+/* Module `archard.settings`: lists of all settings of definitions and of the columns of the
+ * history, for help, the manual, completion and studies. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/engine/classes.h"
@@ -34,7 +34,7 @@ static void set_flag(lua_State *L, const char *name, int flag) {
   lua_setfield(L, -2, name);
 }
 
-/* True for words; true and false are no words. */
+/* True if the values of a setting are words; true and false are not words. */
 static int is_choice(const arc_setting *s) {
   return s->kind == ARC_CHOICE && s->choices != arc_switch_names;
 }
@@ -58,7 +58,7 @@ static void set_values(lua_State *L, const arc_setting *s) {
     lua_pop(L, 1);
 }
 
-/* Sets the description of the valid values; the unit has its own field. */
+/* Sets the description of the valid values, without the unit, which has a field of its own. */
 static void set_type(lua_State *L, const arc_setting *s) {
   arc_setting bare = *s;
   char text[240];
@@ -66,7 +66,7 @@ static void set_type(lua_State *L, const arc_setting *s) {
   set_text(L, "type", arc_setting_expected(&bare, text, sizeof text));
 }
 
-/* Pushes the table of one setting; `path` is its name with the prefix of its groups. */
+/* Pushes the table of one setting. `path` is its name with the prefix of its groups. */
 static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   lua_newtable(L);
   set_text(L, "path", path);
@@ -89,8 +89,8 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
-/* Appends the settings of a list to the table on top of the stack; settings of groups follow their
- * group unless the group is a class. */
+/* Appends the settings of a list to the table on top of the stack. The settings of a group follow
+ * the group, unless the group is a class. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {
@@ -106,7 +106,7 @@ static void add_list(lua_State *L, const char *prefix, const arc_setting *list) 
   }
 }
 
-/* Pushes the table settings.NAME: list of the settings of each definition. */
+/* Pushes the table settings, which has a list of settings for each definition. */
 static void push_definitions(lua_State *L) {
   lua_newtable(L);
   for (int i = 0; i < DEFINITIONS; i++) {
@@ -124,8 +124,8 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* Pushes { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists
- * of settings, and of the columns of a history. */
+/* Pushes { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }. The
+ * fields are lists of settings, `columns` a list of the columns of the history. */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);

@@ -1,4 +1,4 @@
-/* The stress object of a contact: for each body a table of nodal arrays. */
+/* The stress object of a contact. It has a table of nodal arrays for each body. */
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
@@ -20,7 +20,7 @@ static int holder_tostring(lua_State *L) {
   return 1;
 }
 
-/* Owns a stress field of the engine while tables or files are made from it. */
+/* Class of boxes that own a stress field of the engine while it is converted to tables or files. */
 static const box_class field_class = {
     .name = "stress of a body", .tostring = holder_tostring, .destroy = destroy_field};
 
@@ -48,8 +48,8 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   lua_replace(L, -2);
 }
 
-/* Item `position` of array `name` of the table on top; NaN if a script has replaced it by another
- * type. */
+/* Returns item `position` of array `name` of the table on top of the stack, or NaN if it is not a
+ * number (scripts can change the table). */
 static double element_of(lua_State *L, const char *name, lua_Integer position) {
   double value = NAN;
   if (lua_getfield(L, -1, name) == LUA_TTABLE) {
@@ -60,7 +60,7 @@ static double element_of(lua_State *L, const char *name, lua_Integer position) {
   return value;
 }
 
-/* Index of the largest number in array `name` of the table on top. */
+/* Returns the index of the largest number in array `name` of the table on top of the stack. */
 static lua_Integer largest_of(lua_State *L, const char *name) {
   lua_Integer best = 1;
   double largest = -HUGE_VAL;
@@ -78,7 +78,8 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   return best;
 }
 
-/* Pushes a line of text: the largest value of one stress in the table on top, and its position. */
+/* Pushes a line with the largest value of one stress in the table on top of the stack, and its
+ * position. */
 static void push_largest(lua_State *L, const char *label, const char *stress) {
   char line[160];
   lua_Integer at = largest_of(L, stress);
@@ -87,7 +88,7 @@ static void push_largest(lua_State *L, const char *label, const char *stress) {
   lua_pushstring(L, line);
 }
 
-/* Pushes the weak table from stress objects to their contacts. */
+/* Pushes the weak table that maps stress objects to their contacts. */
 static void push_origins(lua_State *L) {
   if (!luaL_getsubtable(L, LUA_REGISTRYINDEX, "archard.stress origins")) {
     lua_createtable(L, 0, 1);
@@ -104,11 +105,11 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   lua_gettable(L, -2);
   const arc_contact *contact =
       lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
-  lua_pop(L, 2); /* the table keeps the contact alive */
+  lua_pop(L, 2); /* kept alive by the table */
   return contact;
 }
 
-/* Model definition of a stress object; NULL: the default bodies. */
+/* Returns the model definition of a stress object; NULL means the default bodies. */
 static const arc_model_def *pair_of(lua_State *L, int index) {
   const arc_contact *contact = stress_contact(L, index, "stress");
   return contact ? arc_model_definition(arc_contact_model(contact)) : NULL;
@@ -133,8 +134,8 @@ static int stress_tostring(lua_State *L) {
   return 1;
 }
 
-/* __index of stress objects: aliases of the bodies, and `contact`, which is not a field, so that a
- * loop over the object visits only the bodies. */
+/* Metamethod __index of stress objects: returns a body for an alias, or the `contact`. `contact` is
+ * not stored as a field, so that a loop over the object visits only the bodies. */
 static int stress_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -157,7 +158,7 @@ static int stress_index(lua_State *L) {
   return 1;
 }
 
-/* contact:stress() -> { cylinder=, plate= } of tables of nodal arrays */
+/* contact:stress() returns { cylinder=, plate= }, tables of nodal arrays. */
 int stress_new(lua_State *L) {
   static const luaL_Reg events[] = {
       {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};

@@ -1,4 +1,5 @@
-/* Stresses in half-spaces: c:stress{ y= | z= | x= } returns maps of a plane or of a section. */
+/* Stresses in half-spaces: contact:stress{ y= }, { z= } or { x= } returns maps of a plane or of a
+ * section. */
 #include "archard/space.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -10,7 +11,7 @@
 enum { COMPONENTS = 6, MISES = COMPONENTS, ARRAYS, DEPTHS = 41 };
 static const char *const names[] = {"sxx", "syy", "szz", "sxy", "syz", "sxz", "mises"};
 
-/* The requested cut: the plane y <= 0, or a section at a given x or z. */
+/* The requested cut: the plane at a depth y <= 0, or a section at a position x or z. */
 typedef struct cut {
   char axis;
   double at;
@@ -47,13 +48,13 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
   return c;
 }
 
-/* Sites of the window: row i at x[i * nz], column j at z[j]. */
+/* Grid points of the window. Row i is at x[i * nz], column j at z[j]. */
 typedef struct window {
   const double *x, *z;
   size_t nx, nz;
 } window;
 
-/* Fills value[ARRAYS][n] with the stresses in the plane at depth `y`. */
+/* Fills value[ARRAYS][n] with the stresses in the plane at `y`. */
 static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, double y, size_t n,
                        double *value, const char *where) {
   arc_error error = {0};
@@ -66,7 +67,7 @@ static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, d
   }
 }
 
-/* Creates a map of values [nx][nz] and sets it as field `name` of the table on top. */
+/* Creates a map of values [nx][nz] and sets it as field `name` of the table on top of the stack. */
 static void set_map(lua_State *L, const char *name, const double *x, size_t nx, const double *z,
                     size_t nz, const double *value) {
   script_require(L, "archard.map.made");
@@ -84,8 +85,8 @@ static void set_map(lua_State *L, const char *name, const double *x, size_t nx, 
   lua_setfield(L, -2, name);
 }
 
-/* Returns the index of the site before the position of the cut; `share`: weight of the next site.
- */
+/* Returns the index of the grid point before the position of the cut. `share` is the weight of the
+ * next grid point. */
 static size_t locate(lua_State *L, const char *where, const cut *c, const double *at, size_t n,
                      double *share) {
   size_t i = 0;
@@ -98,7 +99,8 @@ static size_t locate(lua_State *L, const char *where, const cut *c, const double
   return i;
 }
 
-/* Pushes maps over the line (x or z) and the depth, from the lowest depth to the surface. */
+/* Pushes maps over the line of the section (x or z) and the depth, from the lowest depth to the
+ * surface. */
 static void push_section(lua_State *L, const arc_contact *contact, const cut *c, const window *w,
                          const double *x, const double *z, const char *where) {
   const size_t n = w->nx * w->nz, along = c->axis == 'z' ? w->nx : w->nz;

@@ -1,4 +1,4 @@
-/* Surfaces over x and z as maps and sections. */
+/* Pushes surfaces over x and z as maps and sections. */
 #include "lua/engine/surface_maps.h"
 
 #include "lua/engine/classes.h"
@@ -16,7 +16,7 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
                 "meshes");
 }
 
-/* Sites of a map: row i at x[i * nz], column j at z[j]. */
+/* Grid points of a map. Row i is at x[i * nz], column j at z[j]. */
 typedef struct lattice {
   const double *x, *z;
   size_t nx, nz;
@@ -32,7 +32,7 @@ static lattice lattice_of(const arc_array *arrays, size_t count, arc_body body) 
   return l;
 }
 
-/* Sets the list of the x positions of a lattice as a field of the table on top. */
+/* Sets a field of the table on top of the stack to the list of the x positions of a lattice. */
 static void set_x(lua_State *L, const char *field, const lattice *l) {
   lua_createtable(L, (int)l->nx, 0);
   for (size_t i = 0; i < l->nx; i++) {
@@ -73,7 +73,8 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   lua_call(L, 1, 1);
 }
 
-/* Index of the site before the position `wanted`, and the weight `share` of the next site. */
+/* Computes the index `first` of the grid point before the position `wanted`, and the weight `share`
+ * of the next grid point. */
 static void find(lua_State *L, const char *where, const char *axis, const double *at, size_t step,
                  size_t n, double wanted, size_t *first, double *share) {
   size_t i = 0;
@@ -102,7 +103,7 @@ static void push_line(lua_State *L, const double *values, const lattice *l, int 
 
 static const arc_setting places[] = {ARGS_OTHER("x"), ARGS_OTHER("z"), {.name = NULL}};
 
-/* Reads the position of the section from the table at `index`; returns true for a section at
+/* Reads the position of the section from the table at `index`. Returns true for a section at
  * constant x. */
 static int read_place(lua_State *L, int index, const char *where, double *wanted) {
   *wanted = 0;

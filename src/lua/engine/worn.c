@@ -1,5 +1,5 @@
-/* Converts the field `worn` of contacts and wear runs to a shape of the engine: a wear object, or
- * by body a function x -> depth or a profile { x=, h= }. */
+/* Converts the field `worn` of contacts and wear runs to a shape of the engine. The field is a wear
+ * object, or a table by body of functions x -> depth or profiles { x=, h= }. */
 #include "lua/base/array_read.h"
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
@@ -31,8 +31,8 @@ static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."
 
 /* --- profiles given as arrays ----------------------------------------------------------------- */
 
-/* Pushes field `name` of the profile at `index` and a buffer with its numbers; returns the numbers.
- */
+/* Pushes field `name` of the profile at `index` and a buffer with its numbers. Returns the
+ * numbers. */
 static const double *push_column(lua_State *L, int index, args_location location, const char *name,
                                  size_t *count) {
   lua_getfield(L, index, name);
@@ -53,8 +53,8 @@ static void check_profile(lua_State *L, args_location location, arc_depths profi
   }
 }
 
-/* Reads and checks { x=, h= } at `index`, or the result of the object's __worn. The buffers stay on
- * the stack. */
+/* Reads and checks the profile { x=, h= } at `index`. For an object it reads the result of its
+ * metamethod __worn. The buffers stay on the stack. */
 static arc_depths push_profile(lua_State *L, int index, args_location location) {
   size_t depths = 0;
   arc_depths profile = {0, NULL, NULL};
@@ -88,7 +88,7 @@ static arc_model_def names_of_model(lua_State *L, int index) {
   return def;
 }
 
-/* Replaces the table by body on top by a copy with the keys body_names. */
+/* Replaces the table by body on top of the stack by a copy with the keys body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
   push_usual_names(L, -1, (args_location){where, "worn."}, &def);
@@ -142,7 +142,7 @@ static void sample_profile(lua_State *L, int index, args_location location, cons
   error_check(L, status, &error, location.where, -1);
 }
 
-/* Calls the function at `index` for the depth [mm] at `x`. */
+/* Calls the function at `index` for the depth [mm] at x. */
 static double call_depth(lua_State *L, int index, const char *where, const char *body, double x) {
   char call[80];
   snprintf(call, sizeof call, "worn.%s(%.6g)", body, x);
@@ -157,7 +157,7 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
   return depth;
 }
 
-/* Fills `depth` for one body from the table at `worn`; returns 0 if the body is not worn. */
+/* Computes the depths of one body from the table at `worn`. Returns 0 if the body is not worn. */
 static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body, double *depth,
                   const char *where) {
   const arc_profile nodes = arc_shape_profile(shape, body);

@@ -1,5 +1,5 @@
-/* The field `worn` in three dimensions: by body a function (x, z) -> depth or a map of depths,
- * sampled at the first cells of the run. */
+/* The field `worn` in three dimensions. For each body it has a function (x, z) -> depth or a map of
+ * depths, which are sampled at the first cells of the run. */
 #include "archard/space.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -29,13 +29,13 @@ int worn_is_map(lua_State *L, int index) {
 
 /* --- maps of depths --------------------------------------------------------------------------- */
 
-/* Depths on an even grid, x-major; the depth is 0 outside the grid. */
+/* Depths on a uniform grid, x-major. The depth is 0 outside the grid. */
 typedef struct depth_map {
   size_t nx, nz;
   const double *x, *z, *h;
 } depth_map;
 
-/* Reads the map at `index`, which was checked when it was made; the buffers stay on the stack. */
+/* Reads the map at `index`, which was checked at its creation. The buffers stay on the stack. */
 static depth_map push_depth_map(lua_State *L, int index, args_location location) {
   depth_map m;
   size_t count;
@@ -53,8 +53,8 @@ static depth_map push_depth_map(lua_State *L, int index, args_location location)
   return m;
 }
 
-/* Finds the grid point before a position and the weight of the next one; returns 0 outside the
- * grid. */
+/* Computes the grid point before a position and the weight of the next grid point. Returns 0
+ * outside the grid. */
 static int locate(const double *at, size_t n, double wanted, size_t *before, double *share) {
   const double step = (at[n - 1] - at[0]) / (double)(n - 1), u = (wanted - at[0]) / step;
   if (!(u >= 0 && u <= (double)(n - 1))) return 0;
@@ -71,7 +71,7 @@ static double depth_at(const depth_map *m, double x, double z) {
   return (1 - u) * ((1 - v) * h[0] + v * h[1]) + u * ((1 - v) * h[m->nz] + v * h[m->nz + 1]);
 }
 
-/* Enlarges the half widths to include all points with a depth > 0. */
+/* Enlarges the half widths so that they include all points with a depth > 0. */
 static void widen(const depth_map *m, double half[2]) {
   for (size_t i = 0; i < m->nx; i++)
     for (size_t j = 0; j < m->nz; j++)
@@ -102,7 +102,7 @@ static double call_depth(lua_State *L, int index, const char *where, arc_body bo
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Pushes the value of a body from the table at `worn`; returns its type. */
+/* Pushes the value of a body from the table at `worn`. Returns its type. */
 static int push_body(lua_State *L, int worn, const arc_model_def *def, arc_body body,
                      const char *where) {
   push_usual_names(L, worn, (args_location){where, "worn."}, def);
@@ -156,7 +156,7 @@ static arc_status wear_body(lua_State *L, int worn, arc_shape *shape, const arc_
   return status;
 }
 
-/* Fills the box with a shape whose window has at least the half widths. */
+/* Fills the box with a shape. Its window has at least these half widths. */
 static arc_status fill(lua_State *L, box *holder, int worn, arc_model *model,
                        const arc_wear_def *def, const double half[2], const char *where,
                        arc_error *error) {
@@ -171,7 +171,7 @@ static arc_status fill(lua_State *L, box *holder, int worn, arc_model *model,
   return status;
 }
 
-/* If a function is not 0 at the window's border, the window is enlarged, up to three times. */
+/* If a function is not 0 at the edge of the window, the window is enlarged, up to three times. */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where) {
   enum { most_windows = 4 };
