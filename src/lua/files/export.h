@@ -4,13 +4,13 @@
 
 #include "lua/engine/classes.h"
 
-/* The extension of the last name of a path, e.g. ".vtk"; NULL if it has none. */
+/* Returns the extension of a path's last name, such as ".vtk"; NULL if it has none. */
 const char *export_ending(const char *path);
 
-/* Pushes "file-cylinder.ending" for "file.ending"; `usual` is the extension if `path` has none. */
+/* Pushes "file-cylinder.ending" for "file.ending". `usual` is the extension if `path` has none. */
 const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual);
 
-/* export.csv (export_csv.c). */
+/* Lua function export.csv (export_csv.c). */
 int export_csv(lua_State *L);
 
 #endif

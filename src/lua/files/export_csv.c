@@ -28,14 +28,14 @@ static const char where[] = "export.csv";
 
 enum { MOST_COLUMNS = 100000 };
 
-/* Columns of a file; their arrays are on the Lua stack. */
+/* Columns of a file, whose arrays are on the Lua stack. */
 typedef struct csv_table {
   const char **names, **units;
   const double **data;
   size_t columns, rows;
 } csv_table;
 
-/* Pushes buffers for `columns` columns, without units. */
+/* Pushes buffers for `columns` columns without units. */
 static csv_table push_columns(lua_State *L, size_t columns) {
   csv_table table = {.columns = columns};
   const size_t bytes = sizeof(void *) * (columns ? columns : 1);
@@ -68,7 +68,7 @@ static void write_history(lua_State *L, const char *path, const arc_wear *wear) 
   write_columns(L, path, table);
 }
 
-/* Pushes a copy of `count` values, padded with NaN to `rows`. */
+/* Pushes a copy of `count` values, extended with NaN to `rows` values. */
 static const double *push_padded(lua_State *L, const double *values, size_t count, size_t rows) {
   double *padded = array_buffer(L, rows);
   for (size_t i = 0; i < rows; i++) padded[i] = i < count ? values[i] : NAN;
@@ -85,8 +85,8 @@ static void add_nodal(lua_State *L, csv_table *table, const char *name, const ch
   table->data[at] = push_padded(L, values, count, table->rows);
 }
 
-/* Writes the pressures of both bodies side by side; with friction also shear, and slip at the nodes
- * of the cylinder. Shorter columns are padded. */
+/* Writes the pressures of both bodies in adjacent columns, with friction also shear, and slip at
+ * the nodes of the cylinder. Shorter columns are extended with NaN. */
 static void write_contact(lua_State *L, const char *path, const arc_contact *contact) {
   enum { most_columns = 7 };
   csv_table table = push_columns(L, most_columns);
@@ -108,7 +108,7 @@ static void write_contact(lua_State *L, const char *path, const arc_contact *con
   write_columns(L, path, table);
 }
 
-/* Writes one file per body with its stress field; leaves the files' names on the stack. */
+/* Writes one file for each body with its stress field. The names of the files stay on the stack. */
 static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
 #define NAME(name, unit, text)   #name,
 #define UNIT(name, unit, text)   unit,
@@ -135,7 +135,7 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
 
 /* --- plain tables ----------------------------------------------------------------------------- */
 
-/* Sort order of the columns of a plain table: coordinates first, then by name. */
+/* Returns the position of a column in a plain table: first coordinates, then all others by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
   for (int i = 0; i < 4; i++)
@@ -148,7 +148,7 @@ static int is_before(const char *a, const char *b) {
   return ranks ? ranks < 0 : strcmp(a, b) < 0;
 }
 
-/* Inserts a name into the first `count`, which are sorted. */
+/* Inserts a name into the first `count` names, which are sorted. */
 static void insert_name(const char **names, size_t count, const char *name) {
   while (count > 0 && is_before(name, names[count - 1])) {
     names[count] = names[count - 1];
@@ -157,8 +157,8 @@ static void insert_name(const char **names, size_t count, const char *name) {
   names[count] = name;
 }
 
-/* Collects the sorted names of the columns of the table at `index`, a copy that scripts cannot
- * change between counting and collecting. */
+/* Collects the sorted names of the columns of the table at `index`. The table is a copy, which
+ * scripts cannot change between counting and collecting. */
 static csv_table push_names(lua_State *L, int index) {
   size_t columns = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
@@ -179,7 +179,7 @@ static csv_table push_names(lua_State *L, int index) {
   return table;
 }
 
-/* Unit of a column with this name in tables that objects return, or NULL. */
+/* Returns the unit of a column with this name in tables of the program, or NULL. */
 static const char *unit_of(const char *name) {
 #define KNOWN(name, unit, range, rule, text) {#name, unit},
   static const char *const known[][2] = {{"x", "mm"},
@@ -195,8 +195,7 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
-/* True if the table at `index` was returned by an object of the program, so that its units are
- * known. */
+/* True if an object of the program returned the table at `index`, so that its units are known. */
 static int is_own(lua_State *L, int index) {
   static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
                                      "case:pressure", "combined",     "mesh:coordinates",
@@ -207,12 +206,12 @@ static int is_own(lua_State *L, int index) {
   return own;
 }
 
-/* Sets the known units of columns of the program's own tables. */
+/* Sets the known units of columns in a table of the program. */
 static void set_own_units(csv_table table) {
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
 
-/* Sets the units from the table { name = unit } at `index`, or none if it is nil. */
+/* Sets the units from the table { name = unit } at `index`. nil sets none. */
 static void read_units(lua_State *L, int index, csv_table table) {
   if (lua_isnil(L, index)) return;
   if (!lua_istable(L, index))
@@ -230,7 +229,7 @@ static void read_units(lua_State *L, int index, csv_table table) {
   }
 }
 
-/* Replaces the table at `index` by a copy; does nothing for other values. */
+/* Replaces the table at `index` by a copy. Has no effect on other values. */
 static void use_copy(lua_State *L, int index) {
   if (!lua_istable(L, index)) return;
   args_push_copy(L, index);
@@ -259,7 +258,7 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
   write_columns(L, path, table);
 }
 
-/* The file name at index 2. Raises an error if its extension belongs to another format. */
+/* Returns the file name at index 2. Raises an error if its extension belongs to another format. */
 static const char *csv_path(lua_State *L) {
   static const char *const endings[] = {".csv", ".txt", ".dat", ".tsv", NULL};
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -271,8 +270,9 @@ static const char *csv_path(lua_State *L) {
               "a file name with the extension .csv, .txt, .dat or .tsv, or without extension");
 }
 
-/* csv(wear | contact | stress | table of arrays, path [, units by column name]) -> name of the
- * written file, or two names for a stress */
+/* csv(object, path, units) writes a file. The object is a wear or contact object, a stress or a
+ * table of arrays; the units by column name are optional. Returns the name of the file, for a
+ * stress two names. */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);
   const char *path = csv_path(L);

@@ -1,5 +1,5 @@
 /* Module `archard.files`: exports objects and tables to files of other tools, and reads and writes
- * text files. The global table export (scripts/export) uses it. */
+ * text files. The global table export (scripts/export) uses this module. */
 #include "archard/export.h"
 #include "lua/base/archard.h"
 #include "lua/base/call.h"
@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file name at index 2. Appends the first of the extensions if it has none (also on the stack).
- */
+/* Returns the file name at index 2, which stays on the stack. A name without extension gets the
+ * first of the extensions. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -30,8 +30,8 @@ static const char *path_ending(lua_State *L, const char *where, const char *cons
   args_refuse(L, (args_location){where, ""}, "path", expected);
 }
 
-/* The contact of the object at index 1, or NULL; pushes a value that keeps it alive. For a run: its
- * contact with the plate at x = 0. */
+/* Returns the contact of the object at index 1, or NULL, and pushes a value that keeps the contact
+ * alive. The contact of a run has the plate at x = 0. */
 static const arc_contact *push_contact(lua_State *L, const char *where) {
   const arc_contact *of_stress = stress_contact(L, 1, where);
   if (of_stress || !(box_test(L, 1, &wear_class) || box_test(L, 1, &contact_class))) {
@@ -50,7 +50,7 @@ static const arc_contact *push_contact(lua_State *L, const char *where) {
   return contact;
 }
 
-/* The model at index 1; raises an error if it has no meshes. */
+/* Returns the model at index 1. Raises an error if it has no meshes. */
 static const arc_model *meshed_model(lua_State *L, const char *where) {
   const arc_model *model = box_check(L, 1, &model_class, where)->thing;
   model_check_meshed(L, model, where);
@@ -63,10 +63,10 @@ static const arc_model *meshed_model(lua_State *L, const char *where) {
 
 static const char vtk_where[] = "export.vtk";
 
-/* Data of the VTK files of one object. */
+/* Data for the VTK files of one object. */
 typedef struct vtk_source {
   const arc_model *model;
-  const arc_contact *contact; /* NULL: only the mesh */
+  const arc_contact *contact; /* NULL: only the mesh is written */
   double time;
 } vtk_source;
 
@@ -101,8 +101,8 @@ static const char *name_in(const arc_model *model, arc_body body) {
   return body_name(arc_model_definition(model), body);
 }
 
-/* vtk(wear | contact | stress | model | mesh, path) -> names of the written files: one for a mesh,
- * else one per body */
+/* vtk(wear, contact, stress, model or mesh object, path) returns the names of the written files:
+ * one for a mesh, otherwise one for each body. */
 static int export_vtk(lua_State *L) {
   static const char *const endings[] = {".vtk", ".vtu", NULL};
   lua_settop(L, 2);
@@ -133,7 +133,7 @@ static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
   return box_check(L, -1, &contact_class, where)->thing;
 }
 
-/* inp(wear | contact | stress | model, path) -> name of the written file */
+/* inp(wear, contact, stress or model object, path) returns the name of the written input deck. */
 static int export_inp(lua_State *L) {
   static const char where[] = "export.inp";
   static const char *const endings[] = {".inp", NULL};
@@ -159,7 +159,7 @@ static int push_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes a text and frees it, also if Lua runs out of memory. */
+/* Pushes a text and frees it, even if Lua runs out of memory. */
 static int push_and_free(lua_State *L, char *text, size_t length) {
   lua_pushcfunction(L, push_text);
   lua_pushlightuserdata(L, text);
@@ -177,8 +177,8 @@ static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], con
   return push_and_free(L, text, strlen(text));
 }
 
-/* msh(model | mesh, path) -> name of the written file, with both bodies of a model; without a path
- * the text */
+/* msh(model or mesh object, path) writes a Gmsh file, with both bodies of a model, and returns its
+ * name. Without a path it returns the text. */
 static int export_msh(lua_State *L) {
   static const char where[] = "export.msh";
   static const char *const endings[] = {".msh", NULL};
@@ -207,8 +207,8 @@ static int export_msh(lua_State *L) {
 
 /* --- text files and the sandbox --------------------------------------------------------------- */
 
-/* write(where, path, text): writes a whole file; on failure no file is left, and an error of
- * `where` is raised */
+/* write(where, path, text) writes a complete file. On failure it raises an error of `where`, and
+ * there is no file. */
 static int files_write(lua_State *L) {
   size_t length;
   const char *where = luaL_checkstring(L, 1);
@@ -219,7 +219,7 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
-/* read(where, path) -> the whole text of a regular file, else an error of `where` */
+/* read(where, path) returns the text of a regular file, or raises an error of `where`. */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
   const char *path = path_argument(L, 2, where, "file");
@@ -230,7 +230,7 @@ static int files_read(lua_State *L) {
   return push_and_free(L, text, length);
 }
 
-/* is_there(path) -> true if `path` is a readable regular file (no pipe or device) */
+/* is_there(path) returns true if `path` is a readable regular file, not a pipe or device. */
 static int files_is_there(lua_State *L) {
   FILE *stream;
   const char *path = luaL_checkstring(L, 1);
@@ -240,14 +240,14 @@ static int files_is_there(lua_State *L) {
   return 1;
 }
 
-/* number(value) -> the shortest text that reads back as the same number */
+/* number(value) returns the shortest text from which the same number is read. */
 static int files_number(lua_State *L) {
   lua_pushstring(L, arc_number_to_text(luaL_checknumber(L, 1)).text);
   return 1;
 }
 
-/* find(name, "read" | "write") -> the path to use for a file name; nil and the reason if there is
- * none, or the sandbox does not allow it */
+/* find(name, "read" or "write") returns the path to use for a file name. Returns nil and the reason
+ * if there is no such file, or the sandbox does not allow it. */
 static int files_find(lua_State *L) {
   static const char *const uses[] = {"read", "write", NULL};
   char path[PATH_MAX];
@@ -259,8 +259,8 @@ static int files_find(lua_State *L) {
   return 2;
 }
 
-/* confine(folder, least): restricts reading to `folder` and the working folder, and writing to the
- * working folder while its disk has `least` free bytes */
+/* confine(folder, least) restricts reading to `folder` and the working folder. Writing is allowed
+ * only in the working folder, while its disk has `least` free bytes. */
 static int files_confine(lua_State *L) {
   arc_error error = {0};
   const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);
@@ -269,7 +269,8 @@ static int files_confine(lua_State *L) {
   return 0;
 }
 
-/* confined() -> the folder of readable files, or nil if there is no sandbox; least free bytes */
+/* confined() returns the folder of readable files, or nil without a sandbox, and the minimum of
+ * free bytes. */
 static int files_confined(lua_State *L) {
   lua_pushstring(L, confine_folder());
   lua_pushnumber(L, confine_least());

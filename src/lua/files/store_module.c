@@ -1,5 +1,5 @@
-/* Module `archard.store`: functions for run files (archard/store.h). The user's interface is study,
- * wear:save and session in scripts/. */
+/* Module `archard.store`: functions for run files (archard/store.h). The user's interfaces are
+ * study, wear:save and session in scripts/. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/base/call.h"
@@ -42,7 +42,7 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
   return store;
 }
 
-/* store.open(path, mode) */
+/* store.open(path, mode) returns a store. */
 static int store_open(lua_State *L) {
   int mode = args_choice(L, 2, (args_location){"store.open", ""}, "mode", mode_names, 0);
   const char *path = path_argument(L, 1, "store.open", "file");
@@ -50,7 +50,7 @@ static int store_open(lua_State *L) {
   return 1;
 }
 
-/* store:publish(): renames a store of store.replace to its file and closes it */
+/* store:publish() renames the temporary file of store.replace to the final name and closes it. */
 static int store_publish(lua_State *L) {
   box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
@@ -61,7 +61,7 @@ static int store_publish(lua_State *L) {
   return 0;
 }
 
-/* store.replace(path, kind) */
+/* store.replace(path, kind) returns a new store, which replaces the file when it is published. */
 static int store_replace(lua_State *L) {
   const char *path = path_argument(L, 1, "store.replace", "file");
   const char *kind = luaL_checkstring(L, 2);
@@ -94,18 +94,18 @@ static int store_rollback(lua_State *L) {
   return 0;
 }
 
-/* store:info(name) -> text or nil */
+/* store:info(name) returns the text of a note, or nil. */
 static int store_info(lua_State *L) {
   arc_error error = {0};
   char *text = NULL;
   arc_status status = arc_store_info(self(L, "store:info"), luaL_checkstring(L, 2), &text, &error);
   error_check(L, status, &error, "store:info", -1);
-  lua_pushstring(L, text); /* NULL becomes nil */
+  lua_pushstring(L, text); /* nil for NULL */
   free(text);
   return 1;
 }
 
-/* store:set_info(name, text) */
+/* store:set_info(name, text) stores a note. */
 static int store_set_info(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:set_info");
@@ -114,7 +114,7 @@ static int store_set_info(lua_State *L) {
   return 0;
 }
 
-/* store:merge(path) */
+/* store:merge(path) adds the finished cases of another file. */
 static int store_merge(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:merge");
@@ -125,7 +125,7 @@ static int store_merge(lua_State *L) {
 
 /* --- cases ------------------------------------------------------------------------------------ */
 
-/* store:add(id, label) */
+/* store:add(id, label) adds a case. */
 static int store_add(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:add");
@@ -134,7 +134,7 @@ static int store_add(lua_State *L) {
   return 0;
 }
 
-/* store:mark(id, status, message, seconds) */
+/* store:mark(id, status, message, seconds) sets the status of a case. */
 static int store_mark(lua_State *L) {
   static const char where[] = "store:mark";
   arc_error error = {0};
@@ -176,7 +176,7 @@ static int push_cases(lua_State *L) {
   return 1;
 }
 
-/* store:cases() -> list of { id=, label=, status=, message=, seconds= } */
+/* store:cases() returns a list of { id=, label=, status=, message=, seconds= }. */
 static int store_cases(lua_State *L) {
   arc_error error = {0};
   arc_case *cases;
@@ -191,7 +191,7 @@ static int store_cases(lua_State *L) {
   return failed ? lua_error(L) : 1;
 }
 
-/* store:values(id, use) -> table of names and values */
+/* store:values(id, use) returns a table of names and values. */
 static int store_values(lua_State *L) {
   static const char where[] = "store:values";
   arc_store *store = self(L, where);
@@ -201,7 +201,7 @@ static int store_values(lua_State *L) {
   return 1;
 }
 
-/* store:set_values(id, use, table) */
+/* store:set_values(id, use, table) stores named values. */
 static int store_set_values(lua_State *L) {
   static const char where[] = "store:set_values";
   arc_store *store = self(L, where);

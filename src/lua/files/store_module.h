@@ -1,4 +1,5 @@
-/* lua/store.h - run files as Lua objects, for the module `archard.store` and for wear.open. */
+/* lua/files/store_module.h - run files as Lua objects, for the module `archard.store` and for
+ * wear.open. */
 #ifndef LUA_STORE_H
 #define LUA_STORE_H
 
@@ -7,10 +8,10 @@
 
 extern const box_class store_class; /* thing: arc_store */
 
-/* Opens a run file in a new box, which is pushed. */
+/* Pushes a new box with an open run file. */
 arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const char *where);
 
-/* The case number at `index`; ARC_ARGUMENT if the value is not a case number. */
+/* Returns the case number at `index`. ARC_ARGUMENT: the value is not a case number. */
 int store_id_argument(lua_State *L, int index, const char *where);
 
 /* Pushes the wear object stored as case `id`. The table at index `given` (0: none) contains the
@@ -19,11 +20,11 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
 
 /* --- store_values.c: named values as Lua tables ----------------------------------------------- */
 
-/* Reads the table at `index`, from names to numbers, texts, booleans or arrays of numbers, and
- * stores it as values of a case. */
+/* Stores the table at `index` as values of a case. The table maps names to numbers, texts, booleans
+ * or arrays of numbers. */
 void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use use, int index,
                         const char *where);
-/* Pushes the table of a case's values. */
+/* Pushes the values of a case as a table. */
 void store_push_values(lua_State *L, arc_store *store, int id, arc_value_use use,
                        const char *where);
 

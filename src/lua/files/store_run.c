@@ -26,7 +26,8 @@ static double read_number(lua_State *L, const char *name) {
   return value;
 }
 
-/* Reads one array of the surface table on top of the stack; `anchors` keeps its numbers alive. */
+/* Reads one array of the surface table on top of the stack. The table `anchors` keeps its numbers
+ * alive. */
 static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_getfield(L, -1, array->name);
   array->values =
@@ -35,7 +36,7 @@ static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_pop(L, 1);
 }
 
-/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack; returns the
+/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack. Returns the
  * number of its arrays. */
 static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   arc_array array = {
@@ -71,7 +72,7 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc
   return status;
 }
 
-/* Reads the list of surfaces at index 4. Pushes the arrays and a table that keeps their numbers
+/* Reads the list of surfaces at index 4. Pushes the arrays, and a table that keeps their numbers
  * alive. */
 static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays) {
   enum { most_names = 16 };
@@ -91,7 +92,7 @@ static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays)
   return list;
 }
 
-/* store:save(id, wear, surfaces): saves a run and earlier surfaces */
+/* store:save(id, wear, surfaces) saves a run and earlier surfaces. */
 int store_save(lua_State *L) {
   static const char where[] = "store:save";
   lua_settop(L, 4);
@@ -107,8 +108,8 @@ int store_save(lua_State *L) {
 
 /* --- history and surfaces --------------------------------------------------------------------- */
 
-/* Calls `push` with the block and its length under lua_pcall and frees the block; the value stays
- * on top. */
+/* Calls `push` with the block and its length under lua_pcall and frees the block. The value stays
+ * on top of the stack. */
 static int push_and_free(lua_State *L, lua_CFunction push, void *block, size_t count) {
   lua_pushcfunction(L, push);
   lua_pushlightuserdata(L, block);
@@ -124,7 +125,7 @@ static int push_history(lua_State *L) {
   return 1;
 }
 
-/* store:history(id) -> columns by name, or nil if none is stored */
+/* store:history(id) returns the columns by name, or nil if no history is stored. */
 int store_history(lua_State *L) {
   arc_error error = {0};
   arc_wear_record *history;
@@ -162,7 +163,7 @@ static int push_surfaces(lua_State *L) {
   return 1;
 }
 
-/* store:surfaces(id) -> list of { body=, update=, distance=, x=, h=, y=, p= } */
+/* store:surfaces(id) returns a list of { body=, update=, distance=, x=, h=, y=, p= }. */
 int store_surfaces(lua_State *L) {
   arc_error error = {0};
   arc_array *surfaces;
@@ -185,7 +186,7 @@ static int stored_tostring(lua_State *L) {
   return 1;
 }
 
-/* Owns an arc_stored_run, so that Lua errors leak nothing. */
+/* Class of boxes that own an arc_stored_run, so that Lua errors leak nothing. */
 static const box_class stored_class = {.name = "stored run",
                                        .tostring = stored_tostring,
                                        .destroy = free_stored,
@@ -206,8 +207,8 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   list[count] = (arc_setting){.name = NULL};
 }
 
-/* Checks that exactly the settings that were functions when the run was saved are given as
- * functions again. Pushes the holder of the functions, or nil. */
+/* Checks that the user passes functions for exactly the settings that were functions in the saved
+ * run. Pushes the holder of the functions, or nil. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_location location = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
@@ -250,7 +251,7 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
   box_weigh(L, arc_wear_bytes(wear));
 }
 
-/* store:wear(id, functions) -> the stored wear object */
+/* store:wear(id, functions) returns the stored wear object. */
 int store_wear(lua_State *L) {
   int given = lua_istable(L, 3) ? 3 : 0;
   store_push_wear(L, self(L, "store:wear"), store_id_argument(L, 2, "store:wear"), given,
@@ -258,7 +259,7 @@ int store_wear(lua_State *L) {
   return 1;
 }
 
-/* store.note_saved(wear): marks the present state as saved in a file */
+/* store.note_saved(wear) marks the present state as saved in a file. */
 int store_note_saved(lua_State *L) {
   box *made = lua_touserdata(L, 1);
   box_check(L, 1, &wear_class, "store.note_saved");
@@ -284,7 +285,7 @@ static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *e
   return status == ARC_OK ? arc_store_commit(store, error) : status;
 }
 
-/* wear:save(path) -> the wear object */
+/* wear:save(path) saves the run and returns the wear object. */
 int wear_save(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:save");
   lua_settop(L, 2);
@@ -301,7 +302,7 @@ int wear_save(lua_State *L) {
   return 1;
 }
 
-/* The number of the only case; raises an error if the file has several or none. */
+/* Returns the number of the only case. Raises an error if the file has several cases or none. */
 static int only_case(lua_State *L, arc_store *store) {
   arc_error error = {0};
   arc_case *cases;
@@ -315,8 +316,8 @@ static int only_case(lua_State *L, arc_store *store) {
               arc_store_path(store), (int)count);
 }
 
-/* True for the file of a joint's run; raises an error for session files, which session.open reads.
- */
+/* True if the file has a joint's run. Raises an error for session files, which session.open
+ * reads. */
 static int is_of_joint(lua_State *L, arc_store *store) {
   arc_error error = {0};
   char *kind = NULL;
@@ -331,8 +332,8 @@ static int is_of_joint(lua_State *L, arc_store *store) {
   return joint;
 }
 
-/* Pushes a joint's run: that of a file of its own, or case `id` of a study, nil if this is a run of
- * the engine. Path and functions are at 1 and 3. */
+/* Pushes a joint's run from a file of its own (`id` 0) or from case `id` of a study. Pushes nil if
+ * it is a run of the engine. Path and functions are at indices 1 and 3. */
 static int open_joint(lua_State *L, int id) {
   script_require(L, "archard.joint.file");
   lua_getfield(L, -1, id > 0 ? "open_case" : "open");
@@ -343,8 +344,8 @@ static int open_joint(lua_State *L, int id) {
   return !lua_isnil(L, -1);
 }
 
-/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run. The case may be
- * omitted if the file has one run, the table if no setting of the run was a function. */
+/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) returns the stored run. The case may
+ * be omitted if the file has one run, and the table if no setting of the run was a function. */
 int wear_open(lua_State *L) {
   lua_settop(L, 3);
   const char *path = path_argument(L, 1, "wear.open", "path");

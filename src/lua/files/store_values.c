@@ -7,7 +7,7 @@
 
 /* --- writing named values --------------------------------------------------------------------- */
 
-/* Reads the value on top of the stack; the numbers of an array stay below it on the stack. */
+/* Reads the value on top of the stack. The numbers of an array stay below it on the stack. */
 static arc_value read_value(lua_State *L, const char *name, const char *where) {
   arc_value value = {.kind = ARC_VALUE_NUMBER, .name = name};
   switch (lua_type(L, -1)) {
@@ -43,7 +43,7 @@ static size_t count_fields(lua_State *L, int index) {
 void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use use, int index,
                         const char *where) {
   arc_error error = {0};
-  args_push_copy(L, index); /* a copy, which scripts cannot change after counting */
+  args_push_copy(L, index); /* scripts cannot change the copy after counting */
   index = lua_gettop(L);
   size_t capacity = count_fields(L, index), count = 0;
   arc_value *values = lua_newuserdatauv(L, (capacity + 1) * sizeof *values, 0);
@@ -83,7 +83,7 @@ static void push_value(lua_State *L, const arc_value *value) {
   }
 }
 
-/* Lua arguments: the table, the address of the value. */
+/* Adds a value to a table. Lua arguments: the table, the address of the value. */
 static int add_value(lua_State *L) {
   const arc_value *const *value = lua_touserdata(L, 2);
   push_value(L, *value);
@@ -91,8 +91,8 @@ static int add_value(lua_State *L) {
   return 0;
 }
 
-/* Adds a value to the table on top of the stack, protected: a Lua error must not leave
- * arc_store_values. */
+/* Adds a value to the table on top of the stack. The call is protected, because a Lua error must
+ * not jump out of arc_store_values. */
 static int see(void *context, const arc_value *value) {
   lua_State *L = context;
   lua_pushcfunction(L, add_value);

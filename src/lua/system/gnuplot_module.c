@@ -1,8 +1,7 @@
-/* Module `archard.gnuplot`: passes figures, given as Lua tables, to the plot layer
+/* Module `archard.gnuplot`: passes figures, which are Lua tables, to the plot layer
  * (archard/plot.h). scripts/plot/init.lua is the user's interface and checks the arguments; this
- * file only prevents crashes.
- * All arrays of a figure are userdata in one table that lives as long as the call, so that Lua
- * errors leak nothing. */
+ * file only prevents crashes. All arrays of a figure are userdata in one table that is alive during
+ * the call, so that Lua errors leak nothing. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/interrupt.h"
@@ -20,16 +19,16 @@ static const char session_name[] = "archard.gnuplot session";
 static const char *const styles[] = {ARC_PLOT_STYLE_LIST(WORD) NULL};
 static const char *const keys[] = {ARC_PLOT_KEY_LIST(WORD) NULL};
 
-enum { MOST_PARTS = 100000 }; /* figures, panels of a figure, curves of a panel */
+enum { MOST_PARTS = 100000 }; /* most figures, panels, or curves */
 
-/* State of reading: the anchor table, and the panel and curve for messages. */
+/* State of reading: the table of anchors, and the numbers of panel and curve for messages. */
 typedef struct reader {
   lua_State *L;
   int anchors; /* stack index of the table that keeps memory and strings alive */
   size_t panel, curve;
 } reader;
 
-/* Allocates zeroed memory that lives as long as the call. */
+/* Allocates zeroed memory that is alive during the call. */
 static void *anchored(reader *r, size_t count, size_t size) {
   void *memory = lua_newuserdatauv(r->L, count ? count * size : 1, 0);
   memset(memory, 0, count * size);
@@ -76,7 +75,7 @@ static int read_flag(reader *r, const char *name) {
   return flag;
 }
 
-/* Index of a word in a NULL-terminated list; 0 if the field is nil. */
+/* Returns the index of a word in a NULL-terminated list, 0 if the field is nil. */
 static int read_choice(reader *r, const char *name, const char *const *choices) {
   const char *word = read_string(r, name);
   for (int i = 0; word && choices[i]; i++)
@@ -163,8 +162,8 @@ static const arc_plot_field *read_field(reader *r) {
   return field;
 }
 
-/* Reads the ticks of the axis on top of the stack: places = { at = { numbers }, words = { labels }
- * }. */
+/* Reads the ticks of the axis on top of the stack from the field places = { at = { numbers }, words
+ * = { labels } }. */
 static void read_places(reader *r, arc_plot_axis *axis) {
   if (lua_getfield(r->L, -1, "places") == LUA_TTABLE) {
     axis->places = read_column(r, "at", &axis->place_count);
@@ -267,7 +266,7 @@ static arc_gnuplot *session_of(lua_State *L) {
   return *box;
 }
 
-/* Returns nil, the message and the status' name, like functions of the io library. */
+/* Returns nil, the message and the name of the status, like functions of the io library. */
 static int failed(lua_State *L, const arc_error *error) {
   lua_pushnil(L);
   lua_pushstring(L, error->message);
@@ -275,8 +274,8 @@ static int failed(lua_State *L, const arc_error *error) {
   return 3;
 }
 
-/* Pushes a picture as a string; called protected, so that the picture is freed if Lua runs out of
- * memory. */
+/* Pushes a picture as a string. The call is protected, so that the picture is freed if Lua runs out
+ * of memory. */
 static int push_picture(lua_State *L) {
   size_t length = (size_t)lua_tointeger(L, 2);
   const char *picture = lua_touserdata(L, 1);
@@ -297,7 +296,8 @@ static int hand_over(lua_State *L, char *picture, size_t length) {
   return status == LUA_OK ? 1 : lua_error(L);
 }
 
-/* draw(figure, output) -> the picture, or true if there is none; on failure nil, message, status */
+/* draw(figure, output) returns the picture, or true if there is none. On failure it returns nil,
+ * message, status. */
 static int gnuplot_draw(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -317,7 +317,7 @@ static int gnuplot_draw(lua_State *L) {
   return hand_over(L, picture, length);
 }
 
-/* animate(figures, delay, output) -> true; on failure nil, message, status */
+/* animate(figures, delay, output) returns true. On failure it returns nil, message, status. */
 static int gnuplot_animate(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   double delay = luaL_checknumber(L, 2);
@@ -343,7 +343,7 @@ static int gnuplot_animate(lua_State *L) {
   return 1;
 }
 
-/* about() -> version, terminals; on failure nil, message, status */
+/* about() returns gnuplot's version and terminals. On failure it returns nil, message, status. */
 static int gnuplot_about(lua_State *L) {
   arc_gnuplot *session = session_of(L);
   arc_error error;
@@ -364,7 +364,7 @@ static void open_session(lua_State *L, arc_gnuplot **box, const char *program) {
   *box = fresh;
 }
 
-/* use(program): sets the gnuplot program to start */
+/* use(program) sets the gnuplot program to start. */
 static int gnuplot_use(lua_State *L) {
   open_session(L, lua_touserdata(L, lua_upvalueindex(1)), luaL_checkstring(L, 1));
   return 0;

@@ -1,7 +1,7 @@
 /* Module `archard.least_squares`: nonlinear least squares (Levenberg-Marquardt with a trust region)
- * and singular values, for scripts/fit. The only file that uses GSL's fits.
- * GSL calls back into Lua. Each call is protected; its error is raised again after GSL has returned
- * and its memory is freed. */
+ * and singular values, for scripts/fit. No other file uses GSL's fits. GSL calls Lua functions.
+ * Each of these calls is protected. Its error is raised again after GSL has returned and its memory
+ * is freed. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -27,7 +27,7 @@ static double number_field(lua_State *L, int table, const char *name, double low
 
 /* --- nonlinear least squares ------------------------------------------------------------------ */
 
-enum { PROBLEM = 1 }; /* stack index of the problem's table in solve */
+enum { PROBLEM = 1 }; /* stack index of the problem's table */
 
 typedef struct callback {
   lua_State *L;
@@ -35,10 +35,10 @@ typedef struct callback {
   const gsl_vector *x;
   double *to;
   size_t count; /* length of the list that the function must return */
-  int failed;   /* the error value is on top of the stack */
+  int failed;   /* true: the error value is on top of the stack */
 } callback;
 
-/* Called by lua_pcall: calls the function with a list and copies the returned list. */
+/* Calls the function with a list and copies the returned list. lua_pcall calls this function. */
 static int call_protected(lua_State *L) {
   callback *call = lua_touserdata(L, 2);
   lua_getfield(L, PROBLEM, call->name);
@@ -93,9 +93,10 @@ static outcome minimise(gsl_multifit_nlinear_workspace *work, gsl_multifit_nline
   return end;
 }
 
-/* solve{ x=, count=, residuals=, jacobian=, iterations=, tolerance= } -> x, iterations, reason of
- * the end: "step" (the last step was small), "gradient", or GSL's message if the search failed.
- * residuals(x) -> list [count]; jacobian(x) -> flat list, row by row [count * #x]. */
+/* solve{ x=, count=, residuals=, jacobian=, iterations=, tolerance= } returns x, the number of
+ * iterations, and the reason of the end: "step" (the last step was small), "gradient", or GSL's
+ * message if the search failed. residuals(x) must return a list [count], jacobian(x) a flat list,
+ * row by row [count * #x]. */
 static int solve(lua_State *L) {
   luaL_checktype(L, PROBLEM, LUA_TTABLE);
   lua_settop(L, PROBLEM);
@@ -125,8 +126,9 @@ static int solve(lua_State *L) {
 
 /* --- singular values -------------------------------------------------------------------------- */
 
-/* svd{ a=, rows=, columns= } -> u, s, v with a = u diag(s) v', all flat, row by row; rows >=
- * columns. One-sided Jacobi: small singular values are as accurate as large ones. */
+/* svd{ a=, rows=, columns= } returns u, s, v with a = u diag(s) v', all flat, row by row, with rows
+ * >= columns. The method is one-sided Jacobi, so that small singular values are as accurate as
+ * large ones. */
 static int svd(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -150,7 +152,7 @@ static int svd(lua_State *L) {
 
 int luaopen_archard_least_squares(lua_State *L) {
   static const luaL_Reg functions[] = {{"solve", solve}, {"svd", svd}, {NULL, NULL}};
-  gsl_set_error_handler_off(); /* errors are returned as a status instead of aborting */
+  gsl_set_error_handler_off(); /* GSL returns a status instead of aborting */
   luaL_newlib(L, functions);
   return 1;
 }

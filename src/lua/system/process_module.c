@@ -25,35 +25,34 @@
 
 extern char **environ;
 
-/* Sizes [bytes] of the longest line and of the kept standard error of a worker; limits of a pool.
- */
+/* Longest line and longest stored standard error of a worker [bytes], and limits of a pool. */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
-  pid_t process; /* 0: none */
+  pid_t process; /* 0: not running */
   int input, output, errors;
-  size_t filled; /* bytes of `line` */
+  size_t filled; /* number of bytes in `line` */
   char line[LINE];
-  size_t said; /* bytes of `words`: the last output on standard error */
+  size_t said; /* number of bytes in `words`, the last output on standard error */
   char words[WORDS];
 } worker;
 
 typedef struct pool {
-  int count, counted; /* counted: among the pools of this process */
-  char **arguments;   /* NULL-terminated, for execv */
+  int count, counted; /* counted: true if the pool is included in `pools` */
+  char **arguments;   /* argument list for execv, terminated by NULL */
   char **environment;
   worker *workers;
 } pool;
 
 /* --- one worker ------------------------------------------------------------------------------- */
 
-/* Starts a worker and returns 0 or an errno. ends: pipes for input, output, errors; the child's end
- * is [0] of the first and [1] of the others. */
+/* Starts a worker. Returns 0 or an errno. `ends` are the connections for input, output and errors;
+ * the child has end [0] of the first and [1] of the other two. */
 static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  int idle = 0; /* parent and idle workers share the remaining memory equally */
+  int idle = 0; /* this process and idle workers share the remaining memory equally */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
   arc_child_def def = {"/proc/self/exe",
                        p->arguments,
@@ -134,8 +133,9 @@ static const box_class pool_class = {.name = "pool",
                                      .destroy = destroy_pool,
                                      .value = sizeof(pool)};
 
-/* Environment for workers, read by BLAS, OpenMP and glibc before main: one thread, and freed memory
- * is kept, since returning it to the system costs a tenth of the time of short cases. */
+/* Environment variables of workers, which BLAS, OpenMP and glibc read before main. Workers have one
+ * thread. They keep freed memory, because returning it to the system costs a tenth of the time of
+ * short cases. */
 static const char *const of_workers[] = {"OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1",
                                          "MALLOC_TRIM_THRESHOLD_=268435456",
                                          "MALLOC_MMAP_THRESHOLD_=33554432"};
@@ -178,7 +178,7 @@ static void use_arguments(lua_State *L, int index) {
   }
 }
 
-/* Builds the argument list: the program's name, then the checked texts of the list at `index`. */
+/* Returns the argument list: the program's name, then the checked texts of the list at `index`. */
 static char **make_arguments(lua_State *L, int index) {
   lua_Integer count = (lua_Integer)lua_rawlen(L, index);
   char **list = calloc((size_t)count + 2, sizeof *list);
@@ -198,13 +198,13 @@ static int processors(void) {
   return count > 0 ? (int)count : 1;
 }
 
-/* Largest number of workers; in a sandbox the number of processors. */
+/* Returns the largest number of workers. In a sandbox it is at most the number of processors. */
 static int most_workers(void) {
   return confine_folder() && processors() < MOST_WORKERS ? processors() : MOST_WORKERS;
 }
 
-/* process.pool(count, arguments): creates a pool of `count` workers, each run with these arguments
- */
+/* process.pool(count, arguments) returns a pool of `count` workers, which are started with these
+ * arguments. */
 static int process_pool(lua_State *L) {
   lua_Integer count = luaL_checkinteger(L, 1);
   luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
@@ -225,14 +225,14 @@ static int process_pool(lua_State *L) {
   return 1;
 }
 
-/* pool:count() -> number of workers; in a sandbox it may be less than requested */
+/* pool:count() returns the number of workers. In a sandbox it may be less than requested. */
 static int pool_count(lua_State *L) {
   lua_pushinteger(L, ((pool *)box_self_idle(L, &pool_class, "pool:count")->thing)->count);
   return 1;
 }
 
-/* pool:send(worker, line): starts the worker if it does not run, and sends it the line. pool:wait
- * returns its answer, or its end if it has died. */
+/* pool:send(worker, line) sends a line to the worker and starts the worker if it does not run.
+ * pool:wait returns the answer, or the end of the worker. */
 static int pool_send(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:send")->thing;
   lua_Integer which = luaL_checkinteger(L, 2);
@@ -247,23 +247,23 @@ static int pool_send(lua_State *L) {
   char text[1001];
   memcpy(text, line, length);
   text[length] = '\n';
-  /* The line fits into the pipe. If sending fails, the worker is dead or dies; pool:wait reports
-   * it. */
+  /* The line fits into the socket's buffer. If sending fails, the worker has ended or is ending,
+   * and pool:wait reports it. */
   if (send(w->input, text, length + 1, MSG_NOSIGNAL) < 0) arc_child_close(&w->input);
   return 0;
 }
 
 /* --- waiting ---------------------------------------------------------------------------------- */
 
-/* Reads available bytes; returns 0 at the end of the stream. */
+/* Reads the available bytes. Returns 0 at the end of the stream. */
 static int read_some(int descriptor, char *to, size_t bytes, size_t *count) {
   ssize_t got = read(descriptor, to, bytes);
   *count = got > 0 ? (size_t)got : 0;
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/* Keeps the last bytes that the worker wrote on standard error. A closed stream is not polled any
- * more, since poll would report it forever. */
+/* Stores the last bytes that the worker wrote on standard error. A closed stream is not polled any
+ * more, because poll would always report it. */
 static void hear(worker *w) {
   char text[WORDS];
   size_t count = 1;
@@ -294,7 +294,7 @@ static void split_lines(lua_State *L, int which, worker *w) {
     left -= (size_t)(end - from) + 1;
     from = end + 1;
   }
-  if (left == LINE) left = 0; /* longer than any valid line: discarded */
+  if (left == LINE) left = 0; /* too long for a valid line: discarded */
   memmove(w->line, from, left);
   w->filled = left;
 }
@@ -325,7 +325,7 @@ static void attend(lua_State *L, int which, worker *w) {
   if (!open) add_end(L, which, w);
 }
 
-/* Kills the workers after an interrupt, since no Lua code runs after it. */
+/* Kills the workers after an interrupt, because no Lua code runs after it. */
 static void check_interrupt(lua_State *L, pool *p) {
   if (!interrupt_pending(NULL)) return;
   end_all(p);
@@ -339,8 +339,8 @@ static int wait_argument(lua_State *L, int index) {
   return (int)(1000 * seconds);
 }
 
-/* pool:wait(seconds) -> list of { worker=, line= } and { worker=, ended=, words= } (words: end of
- * standard error); empty after the timeout */
+/* pool:wait(seconds) returns a list of { worker=, line= } and { worker=, ended=, words= }, where
+ * words is the end of standard error. After the timeout the list is empty. */
 static int pool_wait(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:wait")->thing;
   const int wait = wait_argument(L, 2);
@@ -360,14 +360,14 @@ static int pool_wait(lua_State *L) {
   return 1;
 }
 
-/* process.processors() -> number of online processors */
+/* process.processors() returns the number of online processors. */
 static int process_processors(lua_State *L) {
   lua_pushinteger(L, processors());
   return 1;
 }
 
-/* process.pause(seconds, stand): sleeps. An interrupt ends it with the error "<stand>:
- * interrupted", or "interrupted" without `stand`. */
+/* process.pause(seconds, stand) waits. An interrupt ends it with the error "STAND: interrupted", or
+ * "interrupted" without `stand`. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
@@ -377,14 +377,15 @@ static int process_pause(lua_State *L) {
   return 0;
 }
 
-/* process.report(text): sets the progress shown if the present work is interrupted, "<text>:
- * interrupted"; "" for none */
+/* process.report(text) sets the progress of the present work. An interrupt then raises "TEXT:
+ * interrupted". "" removes the text. */
 static int process_report(lua_State *L) {
   interrupt_report(luaL_checkstring(L, 1));
   return 0;
 }
 
-/* process.make_folder(path) -> true, also if the folder exists; nil and the reason on failure */
+/* process.make_folder(path) returns true, even if the folder already exists, or nil and the reason
+ * of the failure. */
 static int process_make_folder(lua_State *L) {
   const char *name = path_argument(L, 1, "folder", "path");
   char path[PATH_MAX];
@@ -405,7 +406,7 @@ static int process_make_folder(lua_State *L) {
   return 2;
 }
 
-/* process.program() -> path of this program, or nil */
+/* process.program() returns the path of this program, or nil. */
 static int process_program(lua_State *L) {
   char path[4096];
   const ssize_t length = readlink("/proc/self/exe", path, sizeof path);
@@ -425,7 +426,8 @@ static int list_folder(lua_State *L) {
   return 1;
 }
 
-/* process.files(folder) -> names of all entries, unsorted; nil if the folder cannot be opened */
+/* process.files(folder) returns the names of all entries, unsorted, or nil if the folder cannot be
+ * opened. */
 static int process_files(lua_State *L) {
   DIR *folder = opendir(luaL_checkstring(L, 1));
   if (!folder) return 0;

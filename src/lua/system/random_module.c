@@ -1,5 +1,5 @@
-/* Module `archard.random`: points in the unit cube by design and seed, and quantiles and
- * correlations for uncertainties. The only file that uses GSL's generators, distributions and
+/* Module `archard.random`: points in the unit cube for a design and a seed, and quantiles and
+ * correlations for uncertainties. No other file uses GSL's generators, distributions and
  * statistics. The results depend only on the arguments: the same seed gives identical points. */
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -16,7 +16,7 @@
 
 enum { SOBOL_BITS = 30, SOBOL_MOST = 40 };
 
-/* Points: coordinate d of point i is column[d * count + i], in (0, 1). */
+/* Points in the unit cube. Coordinate d of point i is column[d * count + i], in (0, 1). */
 typedef struct points {
   double *column;
   size_t count, dimensions;
@@ -32,7 +32,7 @@ static int fill_random(const points *p) {
   return 0;
 }
 
-/* Latin hypercube: one point in each of `count` slices of every axis, slices in random order. */
+/* Latin hypercube: one point in each of `count` intervals of every axis, in random order. */
 static int fill_latin(const points *p) {
   size_t *slice = malloc(p->count * sizeof *slice);
   if (!slice) return -1;
@@ -47,9 +47,10 @@ static int fill_latin(const points *p) {
   return 0;
 }
 
-/* Sobol points with a random digital shift (exclusive or) for each axis: keeps the uniformity,
- * makes every point uniform, and no coordinate is 0. The first point (the origin), which GSL omits,
- * is included, so that 2^m points are a complete net. */
+/* Sobol points with a random digital shift (exclusive or) for each axis. The shift keeps the
+ * uniformity of the set, makes the distribution of each point uniform, and makes no coordinate 0.
+ * The first point (the origin), which GSL omits, is included, so that 2^m points are a complete
+ * net. */
 static int fill_sobol(const points *p) {
   const double cells = (double)(1UL << SOBOL_BITS);
   unsigned long flip[SOBOL_MOST];
@@ -80,7 +81,8 @@ static void push_columns(lua_State *L, const points *p) {
   }
 }
 
-/* points(design, count, dimensions, seed) -> a list of `dimensions` lists of `count` numbers */
+/* points(design, count, dimensions, seed) returns a list of `dimensions` lists of `count`
+ * numbers. */
 static int random_points(lua_State *L) {
   static const char where[] = "random.points";
   const int design = args_choice(L, 1, (args_location){where, ""}, "design", designs, -1);
@@ -101,33 +103,33 @@ static int random_points(lua_State *L) {
 
 /* --- distributions ---------------------------------------------------------------------------- */
 
-/* normal_quantile(p): quantile of the standard normal distribution */
+/* normal_quantile(p) returns the quantile of the standard normal distribution. */
 static int normal_quantile(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_ugaussian_Pinv(luaL_checknumber(L, 1)));
   return 1;
 }
 
-/* normal_share(z): cumulative probability of the standard normal distribution */
+/* normal_share(z) returns the cumulative probability of the standard normal distribution. */
 static int normal_share(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_ugaussian_P(luaL_checknumber(L, 1)));
   return 1;
 }
 
-/* beta_quantile(p, a, b): quantile of the beta distribution */
+/* beta_quantile(p, a, b) returns the quantile of the beta distribution. */
 static int beta_quantile(lua_State *L) {
   lua_pushnumber(
       L, gsl_cdf_beta_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2), luaL_checknumber(L, 3)));
   return 1;
 }
 
-/* student_quantile(p, freedom): quantile of Student's t distribution */
+/* student_quantile(p, freedom) returns the quantile of Student's t distribution. */
 static int student_quantile(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_tdist_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
   return 1;
 }
 
-/* rank_correlation(a, b): Spearman's coefficient of two lists of equal length; NaN if one is
- * constant */
+/* rank_correlation(a, b) returns Spearman's coefficient of two lists of equal length. It is NaN if
+ * a list is constant. */
 static int rank_correlation(lua_State *L) {
   const args_location location = {"random.rank_correlation", ""};
   size_t count = 0, other = 0;

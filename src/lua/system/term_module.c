@@ -12,7 +12,7 @@
 
 static const char *const stream_names[] = {"stdin", "stdout", "stderr", NULL};
 
-/* The stream argument: "stdin", "stdout" (default) or "stderr". */
+/* Returns the stream of the argument: "stdin", "stdout" (default) or "stderr". */
 static int check_stream(lua_State *L) {
   return luaL_checkoption(L, 1, "stdout", stream_names);
 }
@@ -22,15 +22,15 @@ static int term_is_terminal(lua_State *L) {
   return 1;
 }
 
-/* Value of an environment variable as a number, or `otherwise` if it is not a number from 1 to
- * 9999. */
+/* Returns the number in an environment variable, or `otherwise` if it is not from 1 to 9999. */
 static int environment_number(const char *name, int otherwise) {
   const char *text = getenv(name);
   long number = text ? strtol(text, NULL, 10) : 0;
   return number > 0 && number < 10000 ? (int)number : otherwise;
 }
 
-/* size(stream) -> columns, lines of the terminal; else from COLUMNS and LINES, or 80 and 24 */
+/* size(stream) returns the columns and lines of the terminal. If these are unknown, it returns
+ * COLUMNS and LINES, or 80 and 24. */
 static int term_size(lua_State *L) {
   struct winsize size = {0};
   int columns = 0, lines = 0;
@@ -48,7 +48,7 @@ static int is_dumb(void) {
   return name == NULL || *name == '\0' || strcmp(name, "dumb") == 0;
 }
 
-/* movable(stream) -> true if the cursor can be moved and lines can be redrawn */
+/* movable(stream) returns true if the cursor can be moved and lines can be redrawn. */
 static int term_movable(lua_State *L) {
   lua_pushboolean(L, isatty(check_stream(L)) && !is_dumb());
   return 1;
@@ -61,14 +61,14 @@ static int term_colour(lua_State *L) {
   return 1;
 }
 
-/* utf8() -> true in a UTF-8 locale; the program calls setlocale(LC_CTYPE, "") at start */
+/* utf8() returns true in a UTF-8 locale. The program calls setlocale(LC_CTYPE, "") at its start. */
 static int term_utf8(lua_State *L) {
   lua_pushboolean(L, strcmp(nl_langinfo(CODESET), "UTF-8") == 0);
   return 1;
 }
 
-/* pixels() -> width and height of the screen [pixels], or nothing if the terminal does not report
- * them */
+/* pixels() returns the width and height of the screen [pixels], or nothing if the terminal does not
+ * report these. */
 static int term_pixels(lua_State *L) {
   struct winsize size = {0};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_xpixel == 0 || size.ws_ypixel == 0)
@@ -78,7 +78,8 @@ static int term_pixels(lua_State *L) {
   return 2;
 }
 
-/* pictures() -> "kitty", "sixel" or nothing: graphics protocol reported by the terminal */
+/* pictures() returns the graphics protocol that the terminal reports, "kitty" or "sixel", or
+ * nothing. */
 static int term_pictures(lua_State *L) {
   if (is_dumb()) return 0;
   term_answer answer = term_query_graphics();
@@ -87,7 +88,7 @@ static int term_pictures(lua_State *L) {
   return 1;
 }
 
-/* clock() -> seconds of a monotonic clock */
+/* clock() returns the seconds of a monotonic clock. */
 static int term_clock(lua_State *L) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);

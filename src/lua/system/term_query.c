@@ -1,8 +1,7 @@
-/* Queries the terminal for graphics support: kitty's protocol (with an image of one pixel) and
- * sixel (device attributes, DA1).
- * Every terminal answers DA1, so there is no timeout for terminals without kitty's protocol. Keys
- * typed meanwhile are pushed back to the terminal or, if the system forbids that, returned by
- * term_query_next_key. */
+/* Queries the terminal for two kinds of graphics: kitty's protocol (query with an image of one
+ * pixel) and sixel (device attributes, DA1). Every terminal answers DA1, so the program need not
+ * wait for terminals without kitty's protocol. Keys typed during the query are pushed back to the
+ * terminal. If the system forbids this, term_query_next_key returns the keys. */
 #include "lua/system/term_query.h"
 
 #include <poll.h>
@@ -25,8 +24,8 @@ static struct {
 
 /* --- reading the reply ------------------------------------------------------------------------ */
 
-/* Length of a reply at `bytes`: ESC _ ... ESC \ or ESC [ ? ... c. 0: not a reply; -1: incomplete.
- */
+/* Returns the length of a reply at `bytes`, ESC _ ... ESC \ or ESC [ ? ... c. Returns 0 if it is
+ * not a reply, -1 if it is incomplete. */
 static int answer_at(const unsigned char *bytes, size_t left) {
   if (bytes[0] != 033) return 0;
   if (left < 3) return left == 2 && bytes[1] != '_' && bytes[1] != '[' ? 0 : -1;
@@ -41,7 +40,7 @@ static int answer_at(const unsigned char *bytes, size_t left) {
   return -1;
 }
 
-/* True if the attributes in ESC [ ? 62 ; 4 c contain 4 (sixel). */
+/* True if the attributes in a reply such as ESC [ ? 62 ; 4 c contain 4 (sixel). */
 static int has_four(const unsigned char *bytes, int length) {
   for (int i = 4; i + 1 < length; i++)
     if (bytes[i] == '4' && bytes[i - 1] == ';' && (bytes[i + 1] == ';' || bytes[i + 1] == 'c'))
@@ -53,8 +52,8 @@ static void keep(unsigned char key) {
   if (asked.count < MOST_KEYS) asked.typed[asked.count++] = key;
 }
 
-/* Separates replies from typed keys. Returns the number of bytes used; sets *finished at the DA1
- * reply. */
+/* Separates replies from typed keys. Returns the number of processed bytes. Sets *finished at the
+ * DA1 reply. */
 static size_t sort_out(const unsigned char *bytes, size_t count, int *finished) {
   size_t i = 0;
   while (i < count) {
@@ -65,7 +64,7 @@ static size_t sort_out(const unsigned char *bytes, size_t count, int *finished) 
       continue;
     }
     if (bytes[i + 1] == '_')
-      asked.answer.kitty = memchr(bytes + i, 'O', (size_t)length) != NULL; /* ...;OK */
+      asked.answer.kitty = memchr(bytes + i, 'O', (size_t)length) != NULL; /* reply "...;OK" */
     else
       asked.answer.sixel = has_four(bytes + i, length), *finished = 1;
     i += (size_t)length;
@@ -102,12 +101,12 @@ static void read_answer(void) {
 
 /* --- query ------------------------------------------------------------------------------------ */
 
-/* True for a foreground process on a terminal; in the background, reading would suspend it. */
+/* True for a foreground process on a terminal. Reading would suspend a background process. */
 static int may_query(void) {
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
-/* Pushes all typed keys back into the terminal's input, or none if the system forbids it. */
+/* Pushes all typed keys back into the input of the terminal, or none if the system forbids it. */
 static void give_back(void) {
   if (asked.count > 0 && ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[0]) == 0) {
     for (size_t i = 1; i < asked.count; i++) ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[i]);
@@ -115,7 +114,7 @@ static void give_back(void) {
   }
 }
 
-/* Sends the query with canonical input and echo off; Ctrl-C still sends its signal. */
+/* Sends the query. Canonical input and echo are off, but Ctrl-C still sends its signal. */
 static void ask(const struct termios *before) {
   struct termios raw = *before;
   raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Fixed size, since warnings may occur in code that must not raise errors. */
+/* The size is fixed, because warnings may occur in code that must not raise errors. */
 static struct {
   char text[1000];
   int continued, full;
@@ -25,13 +25,13 @@ static void keep_warning(void *ignored, const char *message, int to_be_continued
   kept.continued = to_be_continued;
 }
 
-/* keep(): collects warnings from now on instead of printing them */
+/* keep() switches from printing warnings to collecting them. */
 static int warnings_keep(lua_State *L) {
   lua_setwarnf(L, keep_warning, NULL);
   return 0;
 }
 
-/* take() -> the warnings since the last call, joined by "; ", or nil */
+/* take() returns the warnings since the last call, joined by "; ", or nil. */
 static int warnings_take(lua_State *L) {
   if (kept.text[0])
     lua_pushstring(L, kept.text);

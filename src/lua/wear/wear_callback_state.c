@@ -1,5 +1,5 @@
-/* The state object passed to a user's functions: one object, reused for every call, that reads the
- * present record. It is not readable after the call. */
+/* The state object that is the argument of the user's functions. It is one object, reused for every
+ * call, that reads the present record. It is not readable after the call. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -13,8 +13,8 @@ enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
-/* The state at index 1. Checks the size too: a script may have set this metatable on another
- * userdata. */
+/* Returns the state at index 1. Checks the size as well, because a script may have set this
+ * metatable on another userdata. */
 static const callback_state *place_of(lua_State *L) {
   const callback_state *state = luaL_checkudata(L, 1, kind);
   luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);
@@ -36,7 +36,7 @@ static void push_volume(lua_State *L, const callback_state *state) {
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
-/* state.NAME. Upvalue: table from names to columns. */
+/* Metamethod __index: returns state.NAME. Upvalue: table that maps names to columns. */
 static int state_index(lua_State *L) {
   const callback_state *state = self(L);
   const arc_wear_record *record = state->record;
@@ -68,7 +68,7 @@ static int state_tostring(lua_State *L) {
   return 1;
 }
 
-/* Pushes a table from names to numbers of columns. */
+/* Pushes a table that maps names to the numbers of columns. */
 static void push_columns(lua_State *L) {
   lua_createtable(L, 0, ARC_WEAR_COLUMN_COUNT + 2);
   for (int column = 0; known[column].name; column++) {

@@ -8,8 +8,8 @@
 
 /* --- construction ----------------------------------------------------------------------------- */
 
-/* Half widths of the zones that the run needs. For worn surfaces, whose contact may be wider at the
- * start, they are computed for the whole run. */
+/* Computes the half widths of the zones that the run needs. The contact of worn surfaces may be
+ * wider at the start, so the whole run is considered. */
 static arc_status needed_zones(const void *definition, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
   const wear_request *request = definition;
@@ -21,7 +21,7 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
   return status;
 }
 
-/* Pushes the shape at the start of the run and returns it; NULL if unworn. */
+/* Pushes and returns the shape at the start of the run, NULL if it is unworn. */
 static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
                                    const arc_wear_def *def) {
   box *other = box_test(L, worn, &wear_class);
@@ -39,7 +39,8 @@ static void keep_functions(lua_State *L, int index) {
   lua_setiuservalue(L, -2, RUN_FUNCTIONS);
 }
 
-/* Pushes a new run with the worn shape at `worn`; the value at `holder` keeps its model alive. */
+/* Pushes a new run that starts with the worn shape at `worn`. The value at `holder` keeps its model
+ * alive. */
 static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
                            const wear_request *request, arc_error *error) {
   const arc_shape *start = push_start(L, worn, model, &request->def);
@@ -58,7 +59,7 @@ static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
   return status;
 }
 
-/* Raises an error for the first layer with a wear coefficient. */
+/* Raises an error for the first layer that has a wear coefficient. */
 static void refuse_layers(lua_State *L, const arc_model_def *model) {
   for (int b = 0; b < ARC_BODIES; b++)
     for (int l = 0; l < arc_body_layers(&model->body[b]); l++) {
@@ -71,7 +72,8 @@ static void refuse_layers(lua_State *L, const arc_model_def *model) {
     }
 }
 
-/* Raises an error if k or alpha are given and the bodies have their own wear coefficients. */
+/* Raises an error if the user sets k or alpha although the bodies have wear coefficients of their
+ * own. */
 static void check_coefficients(lua_State *L, const wear_request *request,
                                const arc_model_def *model) {
   arc_wear_def def = request->def;
@@ -85,7 +87,8 @@ static void check_coefficients(lua_State *L, const wear_request *request,
               args_show_number(L, model->material[ARC_PLATE].k));
 }
 
-/* wear{ model=, k=, alpha=, load=, stroke=, ... }: called as __call of the table `wear`. */
+/* Constructor wear{ model=, k=, alpha=, load=, stroke=, ... }, the metamethod __call of the table
+ * `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
@@ -121,8 +124,7 @@ void wear_note_saved(box *made) {
   made->tag = rows_of(made);
 }
 
-/* Pushes the run's model. A run with remeshing may use another model than the one in its user
- * value. */
+/* Pushes the run's model. After remeshing it may differ from the model in the run's user value. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear) {
   lua_getiuservalue(L, index, RUN_MODEL);
   const box *kept = box_test(L, -1, &model_class);
@@ -133,7 +135,7 @@ void run_push_model(lua_State *L, int index, const arc_wear *wear) {
   lua_setiuservalue(L, index, RUN_MODEL);
 }
 
-/* wear:clone() -> an independent copy on the same model */
+/* wear:clone() returns an independent copy of the run on the same model. */
 static int wear_clone(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:clone");
   arc_error error = {0};
@@ -156,15 +158,15 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* wear:set{ load=, alpha=, ..., mesh={...} } -> the wear object; other settings keep their values
- */
+/* wear:set{ load=, alpha=, ..., mesh={...} } changes these settings, keeps all others and returns
+ * the wear object. */
 static int wear_set(lua_State *L) {
   static const char where[] = "wear:set";
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   wear_request request = wear_request_read(L, 2, 1);
-  box_self_idle(L, &wear_class, where); /* a function of the request may have closed the run */
+  box_self_idle(L, &wear_class, where); /* a function may have closed the run */
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
@@ -234,7 +236,7 @@ static int class_tostring(lua_State *L) {
   return 1;
 }
 
-/* Pushes a callable table with the function `open`. */
+/* Pushes the callable table `wear` with the function `open`. */
 int luaopen_archard_wear(lua_State *L) {
   static const luaL_Reg functions[] = {{"open", wear_open}, {NULL, NULL}};
   static const luaL_Reg events[] = {

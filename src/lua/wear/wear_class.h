@@ -1,14 +1,14 @@
-/* lua/wear.h - functions shared between the files of the class wear. */
+/* lua/wear/wear_class.h - functions shared between the files of the class wear. */
 #ifndef LUA_WEAR_H
 #define LUA_WEAR_H
 
 #include "lua/engine/classes.h"
 
-/* The run at index 1. */
+/* Returns the run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
-/* True if the present state of the run is saved in a file; wear_note_saved marks it as saved. The
- * box stores the number of saved rows of the history. */
+/* wear_is_saved returns true if the present state of the run is saved in a file; wear_note_saved
+ * marks it as saved. The box stores the number of saved rows of the history. */
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
@@ -16,29 +16,29 @@ void wear_note_saved(box *made);
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles;                        /* given instead of a distance; 0: not given */
-  double distance_before, cycle_before; /* [mm], cycle: present position of the run to change */
-  int own_steps;                        /* scheme or jump were given, or the run is changed */
-  int own_k;                            /* k or alpha were given, or the run is changed */
-  int worn;                             /* starts on worn surfaces */
+  double cycles;                        /* end of the run in cycles; 0: given as a distance */
+  double distance_before, cycle_before; /* [mm], [cycles] present position of a changed run */
+  int own_steps; /* true: the user set scheme or jump, or the run is changed */
+  int own_k;     /* true: the user set k or alpha, or the run is changed */
+  int worn;      /* true: the run starts on worn surfaces */
   int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
-/* Reads and checks the definition table at `index` (or nil); buffers of its arrays stay on the
- * stack. Other settings are those of the run in the box at index `changed`, or the defaults (0).
- * Does not read the fields model and worn. */
+/* Reads and checks the definition table at `index` (or nil), except the fields model and worn.
+ * Other settings are those of the run in the box at index `changed`, or the defaults (0). Buffers
+ * of arrays stay on the stack. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* Completes the definition for a model: converts `cycles` to a distance. */
+/* Returns the definition completed for a model, with `cycles` converted to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` ------------------------------------------------------ */
 
-/* Reads `loading` from the table at `index` into the definition; blocks without load use def->load.
- * Returns false if the field is nil or false. Buffers stay on the stack. */
+/* Reads `loading` from the table at `index` into the definition. Blocks without a load have
+ * def->load. Returns false if the field is nil or false. Buffers stay on the stack. */
 int loading_read(lua_State *L, int index, args_location location, arc_wear_def *def);
 
-/* Largest load of all blocks [N]. */
+/* Returns the largest load of all blocks [N]. */
 double loading_largest(const arc_wear_def *def);
 
 /* Pushes the list of blocks with their sampled values. */
@@ -60,13 +60,13 @@ int wear_open(lua_State *L);
 
 enum { MOST_GOALS = 16 };
 
-/* The distance, targets and function at which a run ends. */
+/* End conditions of a run: distance, target values and a function. */
 typedef struct wear_goals {
   double distance; /* [mm] total distance */
   arc_wear_target target[MOST_GOALS];
-  char name[MOST_GOALS][32]; /* name of each target: "depth.cylinder" */
+  char name[MOST_GOALS][32]; /* name of each target, such as "depth.cylinder" */
   size_t count;
-  int stop_when; /* stack index of the function; 0: none */
+  int stop_when; /* stack index of the user's function; 0: none */
 } wear_goals;
 
 /* Reads the end conditions from the table at index 2 (or nil). */
@@ -91,15 +91,15 @@ void run_push_model(lua_State *L, int index, const arc_wear *wear);
 
 /* --- wear_record.c: rows of history ----------------------------------------------------------- */
 
-/* Replaces the text on top of the stack by a table of the record's columns by name, whose
- * __tostring returns the text. */
+/* Replaces the text on top of the stack by a table of the record's columns by name. __tostring of
+ * the table returns the text. */
 void record_push(lua_State *L, const arc_wear_record *record);
 
 /* Push a text: one aligned line for a record, or a table with a header for `count` records. */
 void record_push_line(lua_State *L, const arc_wear_record *record);
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count);
 
-/* Pushes the history as a table of arrays by column name. */
+/* Push the history, or `count` records, as a table of arrays by column name. */
 void history_push(lua_State *L, const arc_wear *wear);
 void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count);
 

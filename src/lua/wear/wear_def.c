@@ -14,8 +14,8 @@ static const arc_setting series_fields[] = {
     {.name = NULL},
 };
 
-/* Reads { distance=, value= } if the setting is given as a table; its buffers stay on the stack.
- * Other values clear the series. The engine checks the numbers. */
+/* Reads { distance=, value= } if the setting is a table; its buffers stay on the stack. Other
+ * values remove the series. The engine checks the numbers. */
 static void push_series(lua_State *L, int index, args_location location, const arc_setting *s,
                         arc_wear_def *def) {
   arc_series *series = (arc_series *)(void *)((char *)def + s->series);
@@ -45,8 +45,8 @@ static void read_all_series(lua_State *L, int index, args_location location, arc
 
 /* --- cycles and distance ---------------------------------------------------------------------- */
 
-/* Distributes `cycles`, the total of all blocks, when a run has loading: the last block without
- * `cycles` gets the rest. Without a distance the run ends after all blocks. */
+/* Distributes `cycles`, the total of all blocks of loading. The last block gets the remaining
+ * cycles if it has no `cycles`. Without a distance the run ends after all blocks. */
 static void share_cycles(lua_State *L, args_location location, wear_request *request,
                          int distance_given) {
   arc_wear_def *def = &request->def;
@@ -75,7 +75,7 @@ arc_wear_def wear_request_settle(const wear_request *request, const arc_model_de
 
 /* --- the definition table --------------------------------------------------------------------- */
 
-/* Raises an error for settings that only a new run may have. */
+/* Raises an error for settings that are allowed only for a new run. */
 static void refuse_changes(lua_State *L, int index, args_location location) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (s->forms & ARC_FIXED && args_given(L, index, s->name))
@@ -114,7 +114,7 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
 }
 
 /* Applies new loading, which defines the motion. The nominal load of a new run is the largest load,
- * unless it is given. */
+ * unless the user sets it. */
 static void settle_loading(lua_State *L, int index, args_location location, wear_request *request,
                            int changed) {
   if (args_given(L, index, "stroke"))
@@ -130,7 +130,7 @@ static void settle_loading(lua_State *L, int index, args_location location, wear
   if (!changed && !args_given(L, index, "load") && largest > 0) request->def.load = largest;
 }
 
-/* Lists the settings that a new run, or a changed run, may have. */
+/* Lists the settings that are allowed for a new run, or for a changed run. */
 static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int changed) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
@@ -146,7 +146,7 @@ static void read_cycles(lua_State *L, int index, args_location location, wear_re
   lua_pop(L, 1);
 }
 
-/* After a change of the scheme, resets the tolerance unless it is given. */
+/* After a change of the scheme, resets the tolerance unless the user sets it. */
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
@@ -171,7 +171,8 @@ static void refuse_both(lua_State *L, int index, args_location location, const c
                   of_couple[i], of_body);
 }
 
-/* Coefficient of a body that is not given: the present one in a changed run, else an error. */
+/* Returns the coefficient of a body that the user does not set: the present one in a changed run.
+ * For a new run it raises an error. */
 static double coefficient_now(lua_State *L, args_location location, const wear_request *request,
                               int body) {
   const arc_wear_def *def = &request->def;
@@ -184,7 +185,8 @@ static double coefficient_now(lua_State *L, args_location location, const wear_r
   return def->k * (body == ARC_CYLINDER ? def->alpha : 1 - def->alpha);
 }
 
-/* If k_cylinder and k_plate are given, replaces the table at `index` by a copy with k and alpha. */
+/* If the user sets k_cylinder and k_plate, replaces the table at `index` by a copy with k and
+ * alpha. */
 static void read_bodies(lua_State *L, int index, args_location location, wear_request *request) {
   double k[ARC_BODIES];
   int given[ARC_BODIES];
@@ -209,7 +211,7 @@ static void read_bodies(lua_State *L, int index, args_location location, wear_re
   lua_replace(L, index);
 }
 
-/* "3-D" and the like are geometries of the model. */
+/* Raises an error for "3-D" and similar names, which are geometries of the model. */
 static void refuse_space(lua_State *L, int index, args_location location) {
   if (args_get(L, index, "geometry") == LUA_TSTRING)
     for (const char *const *name = arc_space_names; *name; name++)

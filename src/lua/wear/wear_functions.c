@@ -6,8 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indices of user values of the holder and, in the same order, of values on the stack of a call:
- * index in arc_wear_settings plus 1, then state and error. */
+/* Indices of the user values of the holder, and of the values on the stack during a call, which
+ * have the same order. A function has its index in arc_wear_settings plus 1. State and error
+ * follow. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
   STATE = ARC_WEAR_SETTINGS_COUNT + 1,
@@ -22,8 +23,8 @@ static int place_of(const arc_setting *setting) {
 typedef struct wear_functions {
   functions_place now;
   callback_state *state;
-  int vector;     /* local_factor is called with arrays of all nodes */
-  char what[200]; /* description of the call that failed */
+  int vector;     /* true: local_factor is called with arrays of all nodes */
+  char what[200]; /* description of the failed call */
 } wear_functions;
 
 static const char kind[] = "archard.functions";
@@ -84,13 +85,13 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
 typedef struct local_call {
   wear_functions *held;
   arc_body body;
-  int n, at;               /* number of nodes; present node, -1: all nodes */
-  const double *x, *z, *p; /* z NULL: two-dimensional */
+  int n, at;               /* at: present node, -1 for all nodes */
+  const double *x, *z, *p; /* z is NULL in two dimensions */
   double *factor;
 } local_call;
 
-/* Computes the factors node by node. Stack: function, state. Nodes without pressure do not wear and
- * are skipped. */
+/* Computes the factors node by node. Nodes without pressure do not wear and are omitted. Stack:
+ * function, state. */
 static int each_node(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushstring(L, body_names[call->body]);
@@ -112,7 +113,7 @@ static int each_node(lua_State *L) {
   return 0;
 }
 
-/* Pushes the list of values at the nodes under pressure. */
+/* Pushes the list of the values at the nodes under pressure. */
 static void push_loaded(lua_State *L, const local_call *call, const double *values) {
   lua_Integer count = 0;
   int loaded = 0;
@@ -233,7 +234,8 @@ static wear_functions *push_holder(lua_State *L) {
   return f;
 }
 
-/* local_factor = { vector = f }: pushes f; raises an error if it is not a function. */
+/* Pushes the function f of local_factor = { vector = f }. Raises an error if f is not a
+ * function. */
 static void push_vector(lua_State *L, args_location location) {
   static const arc_setting names[] = {ARGS_OTHER("vector"), {.name = NULL}};
   char prefix[60];
@@ -244,8 +246,7 @@ static void push_vector(lua_State *L, args_location location) {
     args_refuse(L, inside, "vector", "a function(body, xs, ps, state, zs)");
 }
 
-/* Pushes the function given for a setting, or nil; returns 0 if the table does not have the
- * setting. */
+/* Pushes the function of a setting, or nil. Returns 0 if the table does not have the setting. */
 static int push_given(lua_State *L, int index, const arc_setting *s, args_location location,
                       int *vector) {
   const int type = args_get(L, index, s->name), local = place_of(s) == LOCAL;
@@ -262,7 +263,7 @@ static int push_given(lua_State *L, int index, const arc_setting *s, args_locati
   return 1;
 }
 
-/* Sets the function pointer of a setting in the definition, or clears it. */
+/* Sets the function pointer of a setting in the definition, or sets it to NULL. */
 static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
   if (place_of(s) == LOCAL)
     def->local_factor = given ? call_local_factor : NULL;

@@ -33,8 +33,8 @@ static void refuse_behind(lua_State *L, double covered, double wanted) {
                 args_show_number(L, covered), args_show_number(L, wanted));
 }
 
-/* Distance at the end of `cycles` cycles. Cycles of loading have different lengths, so that is an
- * error. */
+/* Returns the distance at the end of `cycles` cycles. Raises an error for a run with loading, whose
+ * cycles have different lengths. */
 static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycles) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const double length = arc_wear_def_sliding(def, arc_model_definition(arc_wear_model(wear)));
@@ -59,9 +59,9 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 /* --- measures --------------------------------------------------------------------------------- */
 
 typedef struct measure {
-  const char *group, *name; /* field, and name in its table (or NULL) */
+  const char *group, *name; /* field, and key in its table (or NULL) */
   int column;
-  int grows; /* never decreases: the target must exceed the present value */
+  int grows; /* true: never decreases, so the target must exceed the present value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name

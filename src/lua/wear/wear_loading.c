@@ -1,5 +1,5 @@
-/* Reads the field `loading` of a run: blocks of plate position and load over a cycle, given as
- * functions of t, arrays or numbers, which are sampled here. */
+/* Reads the field `loading` of a run: blocks with plate position and load over a cycle. Both are
+ * functions of t, arrays or numbers, and are sampled here. */
 #include "archard/measure.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -10,8 +10,8 @@
 #include <string.h>
 
 typedef struct block_def {
-  int increments; /* 0: not given */
-  double cycles;  /* 0: not given */
+  int increments; /* 0: not set */
+  double cycles;  /* 0: not set */
 } block_def;
 
 static const arc_setting definition[] = {
@@ -31,13 +31,13 @@ static const arc_setting definition[] = {
     {.name = NULL},
 };
 
-/* State of reading a block; its buffers are on the stack. */
+/* State of reading a block, whose buffers are on the stack. */
 typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
   args_location location;
-  size_t given, count;    /* number of times of the given arrays, and of the samples */
-  const double *from, *t; /* given and sampled times, 0 to 1 */
+  size_t given, count;    /* number of times in the user's arrays, and of sampled times */
+  const double *from, *t; /* times of the user's arrays and sampled times, 0 to 1 */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
@@ -50,7 +50,7 @@ static const double *push_uniform(lua_State *L, size_t count) {
   return t;
 }
 
-/* Pushes the field `t`, scaled to 0 to 1. */
+/* Pushes the field `t`, scaled to the range 0 to 1. */
 static const double *push_times(const reading *r, size_t *count) {
   lua_State *L = r->L;
   double *t = array_read(L, r->location, "t", count);
@@ -67,7 +67,7 @@ static const double *push_times(const reading *r, size_t *count) {
   return t;
 }
 
-/* Length of the array `name`, 0 if the field is not a table. */
+/* Returns the length of the array `name`, 0 if the field is not a table. */
 static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;
@@ -77,8 +77,8 @@ static size_t values_in(const reading *r, const char *name) {
   return length;
 }
 
-/* Sets the sample times of the block: t, or uniform times for the arrays, or uniform increments if
- * they are given. */
+/* Sets the sampled times of the block: uniform increments if the user sets `increments`, otherwise
+ * the times t, or uniform times for the arrays. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
   static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
@@ -117,7 +117,7 @@ static void sample_array(const reading *r, const char *name, double *value) {
                                : arc_measure_interpolate(r->from, given, count, r->t[i], given[0]);
 }
 
-/* Calls the function on top of the stack for each time. */
+/* Calls the function on top of the stack for each sampled time. */
 static void sample_function(const reading *r, const char *name, double *value) {
   lua_State *L = r->L;
   char call[80];
@@ -135,7 +135,7 @@ static void sample_function(const reading *r, const char *name, double *value) {
 }
 
 /* Samples `name` at the block's times into a buffer, which is appended to the list at `holder`. A
- * number is constant in time; if nothing is given, the value is `constant` (NaN: error). */
+ * number is constant in time. If the field is nil, the value is `constant` (NaN: error). */
 static const double *sample(const reading *r, int holder, const char *name, double constant) {
   lua_State *L = r->L;
   const int top = lua_gettop(L);
@@ -157,7 +157,7 @@ static const double *sample(const reading *r, int holder, const char *name, doub
   return value;
 }
 
-/* Returns a buffer of zeros, appended to the list at `holder`. */
+/* Returns a buffer of zeros, which is appended to the list at `holder`. */
 static const double *still(const reading *r, int holder) {
   double *value = array_buffer(r->L, r->count);
   memset(value, 0, r->count * sizeof *value);
@@ -177,8 +177,8 @@ static int read_periodic(const reading *r) {
   return periodic;
 }
 
-/* The field that drives the lower body: x, tangential or rotation. If none is given: rotation for a
- * rotating load (load_angle), else x. */
+/* Returns the field that drives the lower body: x, tangential or rotation. Without any of these, it
+ * is rotation for a rotating load (load_angle), otherwise x. */
 static const char *drive_of(const reading *r) {
   static const char *const drives[] = {"x", "tangential", "rotation", NULL};
   const char *found = NULL;
@@ -216,7 +216,7 @@ static arc_loading read_block(lua_State *L, int holder, args_location location, 
   return block;
 }
 
-/* True if the table at `index` is a list of blocks, not a block. */
+/* True if the table at `index` is a list of blocks, false if it is a block. */
 static int is_list(lua_State *L, int index) {
   int list = lua_rawgeti(L, index, 1) != LUA_TNIL;
   lua_pop(L, 1);

@@ -1,4 +1,4 @@
-/* Class wear: profiles, pressures and results computed from them. */
+/* Class wear: profiles, pressures and results computed from these. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -11,7 +11,7 @@
 
 #include <stdlib.h>
 
-/* The body at index 2; the upper body for nil or none. */
+/* Returns the body at index 2; the upper body for nil or none. */
 static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where) {
   return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
 }
@@ -30,7 +30,7 @@ static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const 
   return *held;
 }
 
-/* wear:profile(body, { z = 0 } | { x = 0 }) -> { x=, h=, y= }; also for wear:pressure */
+/* wear:profile(body, { z = 0 } or { x = 0 }) returns { x=, h=, y= }. Also for wear:pressure. */
 static int push_section(lua_State *L, const arc_wear *wear, const char *where,
                         const char *const *names) {
   size_t count;
@@ -41,7 +41,7 @@ static int push_section(lua_State *L, const arc_wear *wear, const char *where,
   return 1;
 }
 
-/* wear:map(body, quantity) -> map of "depth", "height" or "pressure" */
+/* wear:map(body, quantity) returns a map of "depth", "height" or "pressure". */
 int wear_map(lua_State *L) {
   static const char where[] = "wear:map";
   static const char *const what[] = {"depth", "height", "pressure", NULL};
@@ -60,7 +60,7 @@ int wear_map(lua_State *L) {
   return 1;
 }
 
-/* wear:profile(body) -> { x=, h=, y=, worn_x=, way= } */
+/* wear:profile(body) returns { x=, h=, y=, worn_x=, way= }. */
 int wear_profile(lua_State *L) {
   static const char *const names[] = {"h", "y", NULL};
   const arc_wear *wear = wear_self(L, "wear:profile");
@@ -95,13 +95,13 @@ static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const
   return contact;
 }
 
-/* wear:contact() -> the contact with the plate at x = 0 under the nominal load */
+/* wear:contact() returns the contact with the plate at x = 0 under the nominal load. */
 int wear_contact(lua_State *L) {
   push_contact(L, wear_self(L, "wear:contact"), "wear:contact");
   return 1;
 }
 
-/* wear.p_average: largest pressure of wear:contact(), averaged over the default length */
+/* wear.p_average: the largest pressure of wear:contact(), averaged over the default length. */
 int wear_p_average(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear");
   lua_settop(L, 1);
@@ -125,7 +125,7 @@ static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
   strict_table(L, "pressure");
 }
 
-/* wear:pressure(body) -> { x=, p= } of wear:contact() */
+/* wear:pressure(body) returns { x=, p= } of wear:contact(). */
 int wear_pressure(lua_State *L) {
   static const char *const names[] = {"p", NULL};
   const arc_wear *wear = wear_self(L, "wear:pressure");
@@ -146,15 +146,15 @@ static arc_depths depths_of(const arc_shape *shape, arc_body body) {
   return (arc_depths){(size_t)profile.count, profile.x, profile.h};
 }
 
-/* wear:combined() -> { x=, h= }, the sum of both depths (Eq. 31) */
+/* wear:combined() returns { x=, h= }, the sum of both depths (Eq. 31). */
 int wear_combined(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
   model_check_meshed(L, arc_shape_model(shape), "wear:combined");
   return measure_push_combined(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
-/* wear:local_partition() -> { x=, value= }, the cylinder's share of the sum (Eq. 30) at worn points
- */
+/* wear:local_partition() returns { x=, value= }, the cylinder's part of the sum (Eq. 30) at worn
+ * points. */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
   model_check_meshed(L, arc_shape_model(shape), "wear:local_partition");
@@ -163,7 +163,7 @@ int wear_local_partition(lua_State *L) {
 
 /* --- smoothness ------------------------------------------------------------------------------- */
 
-/* wear:roughness(body) -> sawtooth part of the profile divided by the depth */
+/* wear:roughness(body) returns the sawtooth part of the profile divided by the depth. */
 int wear_roughness(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:roughness");
   arc_body body = wear_body(L, wear, "wear:roughness");
@@ -171,7 +171,7 @@ int wear_roughness(lua_State *L) {
   return 1;
 }
 
-/* wear:stability() -> { eigenvalue=, jump_limit= }: ripples grow if jump exceeds the limit */
+/* wear:stability() returns { eigenvalue=, jump_limit= }. Ripples grow if jump exceeds the limit. */
 int wear_stability(lua_State *L) {
   static const char where[] = "wear:stability";
   lua_settop(L, 1);

@@ -39,7 +39,7 @@ static const char *show_partition(const arc_wear_record *record, char *text, siz
   return text;
 }
 
-/* Decimals of a cycle: adaptive steps may end within a cycle. */
+/* Returns the number of decimals of a cycle, because adaptive steps may end within a cycle. */
 static int cycle_digits(double cycle) {
   return cycle == floor(cycle) || cycle >= 1000 ? 0 : 1;
 }
@@ -64,7 +64,7 @@ static void add_row(luaL_Buffer *text, const arc_wear_record *record) {
   luaL_addstring(text, line);
 }
 
-/* Prints at most 20 rows, evenly thinned, including the last one. */
+/* Prints at most 20 rows, selected at equal intervals, including the last one. */
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);

@@ -14,7 +14,7 @@ static lua_Number next_update(const arc_wear *wear) {
 
 /* --- interruption ----------------------------------------------------------------------------- */
 
-/* After Ctrl-C: raises "interrupted" with the present position of the run, since the progress bar
+/* Raises "interrupted" with the present position of the run after Ctrl-C, because the progress bar
  * is erased. */
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[80];
@@ -41,8 +41,7 @@ static int count_argument(lua_State *L, int index, const char *where) {
   return (int)value;
 }
 
-/* Pushes the record after the updates from row `first` of the history, with the rows as its text.
- */
+/* Pushes the record after the updates from row `first` of the history. Its text is these rows. */
 static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);
@@ -57,7 +56,7 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* One step of the engine with the functions of the run at index 1. */
+/* Computes one step of the engine with the functions of the run at index 1. */
 static void step_once(lua_State *L, box *made, const char *where) {
   arc_wear *wear = made->thing;
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
@@ -72,7 +71,7 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_settop(L, 2);
 }
 
-/* Warns that wear:step did nothing at the end of the distance. */
+/* Warns that wear:step had no effect, because the run is at the end of its distance. */
 static void warn_finished(lua_State *L, const arc_wear *wear) {
   char text[160];
   snprintf(text, sizeof text,
@@ -82,7 +81,8 @@ static void warn_finished(lua_State *L, const arc_wear *wear) {
   lua_warning(L, text, 0);
 }
 
-/* wear:step(n) -> the last record; does nothing at the end of the distance */
+/* wear:step(n) computes n steps and returns the last record. It has no effect at the end of the
+ * distance. */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
   lua_settop(L, 2);
@@ -109,13 +109,13 @@ int wear_step(lua_State *L) {
 /* Context of the engine's callbacks. The run's object is at index 1. */
 typedef struct run_call {
   lua_State *L;
-  int progress, stop_when; /* indices of the functions; 0: none */
-  const char *asked;       /* function that requested the stop */
-  const char *failed;      /* function that raised the error on top of the stack */
+  int progress, stop_when; /* stack indices of the functions; 0: none */
+  const char *asked;       /* name of the function that requested the stop */
+  const char *failed;      /* name of the function that raised the error on top of the stack */
   functions_call functions;
 } run_call;
 
-/* Calls a function with the run; returns true if the run must end. */
+/* Calls a function with the run. Returns true if the run must end. */
 static int call_user(run_call *call, int function, const char *name) {
   lua_State *L = call->L;
   if (!function) return 0;
@@ -134,7 +134,8 @@ static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
 }
 
-/* Stops also after an error of a function: in a predictor step the engine would ignore it. */
+/* Stops also after an error of a function, because the engine would ignore the error in a predictor
+ * step. */
 static int is_to_stop(void *context) {
   return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
@@ -147,17 +148,17 @@ static int after_step(void *context, const arc_wear *wear) {
   return call_user(call, call->stop_when, "stop_when") || progress;
 }
 
-/* Pushes the progress display of a run to `goal` [mm], or nil (archard.lib.run_progress decides).
- */
+/* Pushes the progress display of a run to `goal` [mm]. archard.lib.run_progress returns nil for no
+ * display. */
 static void push_display(lua_State *L, double goal) {
   lua_pushvalue(L, 1);
   lua_pushnumber(L, goal);
   if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
-  lua_pushnil(L); /* without a display the run continues */
+  lua_pushnil(L); /* the run continues without display */
 }
 
-/* Pushes the progress function; returns its index, or 0 if there is none. */
+/* Pushes the progress function. Returns its index, or 0 if there is none. */
 static int push_progress_function(lua_State *L, double goal) {
   int type = args_get(L, 2, "progress");
   if (type == LUA_TFUNCTION) return lua_gettop(L);
@@ -169,7 +170,7 @@ static int push_progress_function(lua_State *L, double goal) {
   return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
 }
 
-/* Calls the function on top of the stack with the interrupt hook removed, so that it completes. */
+/* Calls the function on top of the stack without the interrupt hook, so that it completes. */
 static void call_undisturbed(lua_State *L) {
   lua_Hook hook = lua_gethook(L);
   int mask = lua_gethookmask(L), count = lua_gethookcount(L);
@@ -178,7 +179,7 @@ static void call_undisturbed(lua_State *L) {
   if (hook) lua_sethook(L, hook, mask, count);
 }
 
-/* Calls the built-in display once without argument: the run has ended. */
+/* Calls the built-in display once without argument, which means that the run has ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
   if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
@@ -188,7 +189,7 @@ static void end_display(lua_State *L, const run_call *call) {
   lua_settop(L, top);
 }
 
-/* Warns of goals that were not reached: the run went on to its distance. */
+/* Warns of targets that the run did not reach before the end of its distance. */
 static void warn_not_reached(lua_State *L, const arc_wear *wear, const wear_goals *goals) {
   char text[200];
   const arc_wear_record *last = arc_wear_last(wear);
@@ -200,7 +201,7 @@ static void warn_not_reached(lua_State *L, const arc_wear *wear, const wear_goal
   }
 }
 
-/* Pushes the run and, if there were several end conditions, the name of the one reached. */
+/* Pushes the run and, if there were several end conditions, the name of the one that ended it. */
 static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
   lua_pushvalue(L, 1);
   if (goals->count == 0 && !goals->stop_when) return 1;
@@ -208,8 +209,9 @@ static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *c
   return 2;
 }
 
-/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } -> the wear object,
- * and the end condition reached if there are others than the distance */
+/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } returns the wear
+ * object. With end conditions other than the distance, it also returns the one that ended the
+ * run. */
 int wear_run(lua_State *L) {
   static const char where[] = "wear:run";
   arc_error error = {0};

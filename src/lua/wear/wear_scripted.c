@@ -1,5 +1,5 @@
-/* Methods of the class wear written in Lua: each calls the function that a module of scripts/
- * returns, with the object and the other arguments. */
+/* Methods of the class wear written in Lua. Each of them calls the function that a module of
+ * scripts/ returns, with the object and the other arguments. */
 #include "lua/base/scripts.h"
 #include "lua/wear/wear_class.h"
 
@@ -11,7 +11,7 @@ static int call_module(lua_State *L, const char *module) {
   return 1;
 }
 
-/* wear:sensitivity{ of=, to= } */
+/* wear:sensitivity{ of=, to= } returns sensitivities of the results of the run. */
 int wear_sensitivity(lua_State *L) {
   wear_self(L, "wear:sensitivity");
   return call_module(L, "archard.uncertainty.sensitivity");

@@ -31,7 +31,7 @@ static const arc_model_def *pair_of(lua_State *L) {
 
 /* --- the state -------------------------------------------------------------------------------- */
 
-/* Readers of all columns of the last record; some fields below replace a column. */
+/* Functions that read the columns of the last record. Some fields below replace a column. */
 #define COLUMN_FIELD(name, unit, range, rule, text) NUMBER_FIELD(wear_column, name, last(L)->name)
 ARC_WEAR_COLUMNS(COLUMN_FIELD)
 #undef COLUMN_FIELD
@@ -53,7 +53,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* only the depth along y */
+  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* 3-D: only the depth along y */
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
@@ -87,12 +87,12 @@ static int wear_saved(lua_State *L) {
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
-/* Load of the reference configuration; column load_reference is that of the last update. */
+/* Load of the reference configuration. The column load_reference is the load of the last update. */
 NUMBER_FIELD(wear, load, def(L)->load)
-/* Stroke of the plate, also with loading. */
+/* Stroke of the plate, also for runs with loading. */
 NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))
 
-/* Pushes the function of a field; returns 0 if the field is not a function. */
+/* Pushes the function of a field. Returns 0 if the field is not a function. */
 static int push_function(lua_State *L, const char *field) {
   lua_settop(L, 1);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
@@ -100,7 +100,7 @@ static int push_function(lua_State *L, const char *field) {
   return lua_isfunction(L, -1);
 }
 
-/* Pushes a quantity as given: its function, or the value of the definition. */
+/* Pushes a quantity as the user set it: its function, or the value in the definition. */
 static int push_quantity(lua_State *L, const arc_setting *s) {
   const arc_wear_def *settings = def(L);
   if (!push_function(L, s->name)) settings_push(L, s, settings);
@@ -115,7 +115,8 @@ static int wear_alpha(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
-/* Wear coefficient of one body: from the definition, or of the last update if it varies. */
+/* Returns the wear coefficient of one body: the value in the definition, or of the last update if
+ * it varies. */
 static double coefficient(lua_State *L, int of_cylinder) {
   const arc_wear_def *d = def(L);
   const arc_wear_record *now = last(L);
@@ -136,8 +137,8 @@ static int wear_friction(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_friction]);
 }
 
-/* wear:loop() -> the periodic cycle on the present surfaces: { x=, tangential=, energy=,
- * stick_width=, gross= } */
+/* wear:loop() returns the periodic cycle on the present surfaces, { x=, tangential=, energy=,
+ * stick_width=, gross= }. */
 int wear_loop(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, "wear:loop");
   arc_error error = {0};
@@ -176,7 +177,7 @@ static int wear_functions_given(lua_State *L) {
   return 1;
 }
 
-/* w.loading: the sampled blocks of loading; false for a plain stroke. */
+/* w.loading: the sampled blocks of loading; false for a run with a stroke. */
 static int wear_loading(lua_State *L) {
   const arc_wear_def *settings = def(L);
   if (settings->blocks == 0)
@@ -186,13 +187,13 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-/* w.procedure: the procedure in use, also if the definition has "auto". */
+/* w.procedure: the procedure in use, even if the definition has "auto". */
 static int wear_procedure(lua_State *L) {
   lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
   return 1;
 }
 
-/* w.update_at: the setting `update`; the field w.update is the number of updates. */
+/* w.update_at: the setting `update`. The field w.update is the number of updates. */
 static int wear_update_at(lua_State *L) {
   lua_pushstring(L, arc_update_names[def(L)->update]);
   return 1;
@@ -245,8 +246,8 @@ const luaL_Reg wear_fields[] = {
 
 /* --- printed summary -------------------------------------------------------------------------- */
 
-/* "100 N"; after a change by wear:set "100 N until now, 20 N from here on". A record value of NaN
- * is unknown. */
+/* Writes a value such as "100 N". After a change by wear:set it writes "100 N until now, 20 N from
+ * here on". A record value of NaN is unknown. */
 static const char *show_course(double record, double set, const char *unit, char *text,
                                size_t size) {
   if (fabs(record - set) > 1e-9 * fmax(fabs(record), fabs(set)))
@@ -256,12 +257,12 @@ static const char *show_course(double record, double set, const char *unit, char
   return text;
 }
 
-/* A value of the last update; NaN before the first update. */
+/* Returns a value of the last update, NaN before the first update. */
 static double of_update(const arc_wear_record *record, double value) {
   return record->update > 0 ? value : NAN;
 }
 
-/* "0.5", "by distance" for a series, "by function". */
+/* Writes a coefficient: "0.5", "by distance" for a series, or "by function". */
 static const char *show_coefficient(double record, double number, const arc_series *series,
                                     int function, const char *unit, char *text, size_t size) {
   if (function) return "by function";
@@ -269,7 +270,7 @@ static const char *show_coefficient(double record, double number, const arc_seri
   return show_course(record, number, unit, text, size);
 }
 
-/* "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
+/* Writes the motion: "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
 static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const int blocks = arc_wear_definition(wear)->blocks;
   const double travel = arc_wear_travel(wear);
@@ -286,7 +287,7 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
              blocks == 1 ? "" : ", now", travel);
 }
 
-/* Writes the control of the step length: "jump 100", "jump auto", "tolerance 0.001". */
+/* Writes the setting that controls the step length: "jump 100", "jump auto", "tolerance 0.001". */
 static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
   if (settings->tolerance > 0)
     snprintf(text, size, "tolerance %.6g", settings->tolerance);
@@ -313,7 +314,7 @@ static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
   return arc_setting_number(s, settings) == s->usual;
 }
 
-/* Adds "law_pressure 50 MPa". */
+/* Adds a setting, such as "law_pressure 50 MPa". */
 static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_def *settings) {
   const void *member = arc_setting_value(s, settings);
   char line[120];
@@ -325,7 +326,7 @@ static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_
   luaL_addstring(text, line);
 }
 
-/* Adds a line with the other settings that differ from their defaults, if any. */
+/* Adds a line with the remaining settings that differ from their defaults, if there are any. */
 static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   const char *before = "  others    ";
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {
@@ -342,7 +343,7 @@ static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
-/* Writes k; a constant in both units. */
+/* Writes k. A constant k is written in both units. */
 static const char *show_k(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_wear_record *now = arc_wear_last(wear);
@@ -361,13 +362,14 @@ static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
                           def->alpha_function != NULL, "", text, size);
 }
 
-/* Writes the load of the reference configuration, for which pressures are printed. */
+/* Writes the load of the reference configuration, which is the load of the printed pressures. */
 static const char *show_load(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   return show_course(arc_wear_last(wear)->load_reference, def->load, " N", text, size);
 }
 
-/* Writes the number of increments, or "auto" for 3-D and for loading without a given number. */
+/* Writes the number of increments. It is "auto" for 3-D and for loading if the user sets no
+ * number. */
 static const char *show_increments(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
@@ -396,7 +398,8 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   pair_add_all_layers(text, model);
 }
 
-/* Writes "k 1e-08 mm2/N, alpha 0.5"; with layers the values at the exposed surfaces. */
+/* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". With layers these are the values at the
+ * exposed surfaces. */
 static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const double upper = arc_wear_open_k(wear, ARC_UPPER), lower = arc_wear_open_k(wear, ARC_LOWER);
@@ -429,7 +432,7 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   add_others(text, settings);
 }
 
-/* Writes where the largest pressure lies, "" if the surfaces have none to show. */
+/* Writes the position of the largest pressure, or "" if there is nothing to show. */
 static void show_peak(const arc_wear *wear, char *text, size_t size) {
   arc_error error = {0};
   arc_array *arrays = NULL;
@@ -468,7 +471,7 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   luaL_addstring(text, line);
 }
 
-/* Adds the friction results of the last cycle, for a run with friction. */
+/* Adds the friction results of the last cycle of a run with friction. */
 static void add_rubbing(luaL_Buffer *text, const arc_wear_record *record) {
   char line[200], slips[40] = "gross slip";
   if (record->update == 0 || !(record->largest_shear > 0)) return;
