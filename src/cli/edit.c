@@ -24,8 +24,8 @@ static struct {
   void *context;
   edit_proposal proposal;
   char *path;         /* path of the history file, or NULL */
-  char *line;         /* argument of on_line */
-  int done;           /* 1 after on_line was called */
+  char *line;         /* line that readline passed to on_line */
+  int done;           /* true after readline called on_line */
   sigset_t kept_back; /* signals blocked except while waiting for a key */
 } editor;
 

@@ -8,7 +8,7 @@
 
 typedef enum edit_result { EDIT_LINE, EDIT_INTERRUPTED, EDIT_END } edit_result;
 
-/* Completions of the text before the cursor. */
+/* Possible completions of the text before the cursor. */
 typedef struct edit_proposal {
   char **words; /* `count` strings; array and strings are from malloc, and the editor frees them */
   size_t count;

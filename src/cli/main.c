@@ -25,7 +25,7 @@ enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 /* The options. `steps` has the options -e and -l in their order. */
 typedef struct command {
   struct step {
-    int kind;         /* 'e' or 'l' */
+    int kind;         /* option letter, 'e' or 'l' */
     const char *text; /* the chunk (-e) or the module (-l) */
   } * steps;
   int step_count;

@@ -157,7 +157,7 @@ static void write_colour(writer *w, int colour) {
 
 static void write_cell(writer *w, const cell *c) {
   static const char lines[] =
-      "=*#&$%@="; /* black, red, green, yellow, blue, magenta, cyan, white */
+      "=*#&$%@="; /* marks of black, red, green, yellow, blue, magenta, cyan, white */
   write_colour(w, c->colour);
   if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))
     arc_text_add(w->out, &lines[c->colour], 1);

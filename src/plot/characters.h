@@ -1,4 +1,4 @@
-/* Cleans pictures in characters from gnuplot. */
+/* Converts and cleans gnuplot's pictures in characters. */
 #ifndef PLOT_CHARACTERS_H
 #define PLOT_CHARACTERS_H
 

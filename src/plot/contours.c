@@ -81,7 +81,7 @@ typedef struct numbers {
   const arc_plot_box *box;
   corner placed[MOST_NUMBERS];
   int count;
-  double step;  /* between levels */
+  double step;  /* difference between levels */
   double least; /* minimum clearance of a number */
   corner best;  /* best position on the present level */
   double clearance;

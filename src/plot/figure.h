@@ -13,7 +13,7 @@ typedef struct arc_canvas {
   int grey;             /* true: greys instead of colours (pixels only) */
   int window;           /* true for an interactive window */
   int vector;           /* true for a vector format, where polygons increase the file size */
-  int width, height;    /* characters or pixels */
+  int width, height;    /* size in characters or pixels */
   double columns, rows; /* the size in characters of the font */
   int fine, dots;       /* fine: curves are drawn as Braille dots; dots: the canvas of the dots */
   double points;        /* font size in the unit of gnuplot's terminal */
@@ -43,7 +43,7 @@ typedef struct arc_writer {
   const arc_plot_figure *figure;
   const arc_canvas *canvas;
   arc_text *out;
-  const char **titles; /* the distinct titles, for one key of all panels */
+  const char **titles; /* distinct titles of all curves, for a common key */
   size_t title_count;
 } arc_writer;
 
@@ -51,7 +51,7 @@ typedef struct arc_writer {
 typedef struct arc_ticks {
   double step;      /* distance of ticks; 0: chosen by gnuplot */
   int digits;       /* significant digits of a label */
-  size_t longest;   /* characters of the longest label */
+  size_t longest;   /* length of the longest label [characters] */
   int powers;       /* true: labels have the form 7e-4 */
   int decimals;     /* decimals of the mantissa (7 in 7e-4) */
   int decades;      /* decades between labels of a logarithmic axis; 0: chosen by gnuplot */

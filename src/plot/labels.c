@@ -1,4 +1,4 @@
-/* Titles beside the frame at the ends of their curves. */
+/* Writes the titles of curves beside the frame, at the ends of the curves. */
 #include <math.h>
 #include <stdlib.h>
 

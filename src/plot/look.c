@@ -1,4 +1,4 @@
-/* Styles of curves, user texts in commands, and the shared key. */
+/* Writes the styles of curves, user texts in commands, and the common key. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,10 +4,10 @@
  * Nothing is printed: a picture in characters is returned to the caller.
  *
  * Texts are UTF-8, and no character in them has a special meaning for gnuplot. They are shown
- * unchanged, except for the following forms. \alpha is the Greek letter. The characters after a single
- * letter and _ (p_H, \alpha_c) are subscripts, and digits after ^ (mm^2, 10^-8) are superscripts,
- * in pictures of pixels. There 5e-08 is written as a power of ten. The arrays and texts of a figure
- * belong to the caller and are only read. */
+ * unchanged, except for the following forms. \alpha is the Greek letter. The characters after a
+ * single letter and _ (p_H, \alpha_c) are subscripts, and digits after ^ (mm^2, 10^-8) are
+ * superscripts, in pictures of pixels. There 5e-08 is written as a power of ten. The arrays and
+ * texts of a figure belong to the caller and are only read. */
 #ifndef ARCHARD_PLOT_H
 #define ARCHARD_PLOT_H
 
@@ -91,14 +91,15 @@ typedef enum arc_plot_style {
 #define ARC_PLOT_COLOURS                                                                           \
   "black red green blue magenta cyan yellow white grey orange brown purple violet pink navy gold"
 
-/* One curve. A row with NaN or infinity (or not positive on a logarithmic axis) breaks the line. */
+/* One curve. A row with NaN or infinity (on a logarithmic axis also a row that is not positive)
+ * interrupts the line. */
 typedef struct arc_plot_curve {
   const double *x, *y; /* [count] */
   size_t count;
   const char *title; /* NULL: no entry in the key */
   arc_plot_style style;
   const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: from `series` */
-  int series;          /* number of the colour and mark, 1 to 8; 0: the next one */
+  int series;          /* number of the colour and mark, 1 to 8; 0: chosen in turn */
   int dash;            /* 1 full line, 2 to 5 dashed; 0: full line */
   double width;        /* relative to the default; 0: default */
   const double *error; /* [count] half lengths of error bars in y; NULL: no bars */

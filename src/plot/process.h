@@ -11,7 +11,7 @@
 typedef struct arc_process {
   pid_t pid;
   int talk;   /* socket to its standard input and output */
-  int errors; /* its standard error */
+  int errors; /* standard error of the process */
 } arc_process;
 
 #define ARC_PROCESS_NONE ((arc_process){0, -1, -1})
@@ -23,11 +23,11 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
 /* Largest size of a reply, and of its error output [bytes]. */
 enum { ARC_EXCHANGE_MOST = 64 << 20 };
 
-/* One request and its reply. */
+/* A request to a process, and its reply. */
 typedef struct arc_exchange {
   const char *question;
   size_t length;
-  const char *last_line; /* prefix of the line that ends the reply */
+  const char *last_line; /* prefix of the last line of the reply */
   double patience;       /* [s] limit without data in any direction */
   arc_stop_fn should_stop;
   void *stop_context;

@@ -1,4 +1,4 @@
-/* Error messages about damaged files. */
+/* Writes error messages about damaged files. */
 #include "store/store.h"
 
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Run files: identification, creation, replacement, transactions, notes. */
+/* Run files: identification, creation, replacement, transactions and notes. */
 #include "store/journal.h"
 #include "store/store.h"
 

@@ -14,7 +14,7 @@
 
 enum { LONGEST_NAME = 96 };
 
-/* One named value of a definition. */
+/* A named value of a definition. */
 typedef struct slot {
   char name[LONGEST_NAME];
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;

@@ -1,7 +1,7 @@
 /* Starts and ends child processes; no other file starts programs. It uses POSIX, and on Linux the
  * signal that a child receives when its parent ends. vfork is used because posix_spawn cannot
  * request this signal. vfork copies no memory and runs no fork handlers of libraries. */
-#define _GNU_SOURCE /* vfork, execvpe, close_range */
+#define _GNU_SOURCE /* for vfork, execvpe, close_range */
 #include "system/child.h"
 #include "system/jail.h"
 #include "system/memory_limit.h"

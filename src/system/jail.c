@@ -1,7 +1,7 @@
 /* Restrictions of the process by Linux: Landlock for files, a filter of system calls, limits.
  * Constants newer than the headers of Debian 12 are defined here. The kernel reports which features
  * it supports. */
-#define _GNU_SOURCE /* O_PATH, dl_iterate_phdr, syscall */
+#define _GNU_SOURCE /* for O_PATH, dl_iterate_phdr, syscall */
 #include "system/jail.h"
 
 #include <dirent.h>
@@ -34,7 +34,7 @@
 
 #include <linux/landlock.h>
 
-/* Rights of Landlock, in the order of its versions. */
+/* Rights of Landlock in the order of its versions. */
 enum {
   EXECUTE = 1 << 0,
   WRITE_FILE = 1 << 1,
@@ -46,9 +46,9 @@ enum {
   MAKE_REG = 1 << 8,
   MAKE_SYM = 1 << 12,
   VERSION_1 = (1 << 13) - 1,
-  REFER = 1 << 13,     /* version 2 */
-  TRUNCATE = 1 << 14,  /* version 3 */
-  IOCTL_DEV = 1 << 15, /* version 5 */
+  REFER = 1 << 13,     /* from Landlock version 2 */
+  TRUNCATE = 1 << 14,  /* from Landlock version 3 */
+  IOCTL_DEV = 1 << 15, /* from Landlock version 5 */
   LOOK = READ_FILE | READ_DIR,
   CHANGE =
       WRITE_FILE | REMOVE_DIR | REMOVE_FILE | MAKE_DIR | MAKE_REG | MAKE_SYM | REFER | TRUNCATE,
@@ -336,7 +336,7 @@ static void write_filter(filter *f) {
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
   refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to connect children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* input injected into the terminal */
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* text injected into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
   refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of other processes */
 }

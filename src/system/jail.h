@@ -6,13 +6,13 @@
  * one. Each is a path or NULL. */
 typedef struct arc_jail {
   const char *read, *write, *program;
-  double largest_file; /* [bytes] */
+  double largest_file; /* limit of the size of a file [bytes] */
 } arc_jail;
 
-/* Guarantees of a jail. */
+/* Guarantees that a jail can give. */
 enum {
-  ARC_JAIL_FILES = 1, /* no other files are opened, created, renamed, removed or run */
-  ARC_JAIL_CALLS = 2, /* no connections, no access to other processes, no mounts, no new rights */
+  ARC_JAIL_FILES = 1,    /* no other files are opened, created, renamed, removed or run */
+  ARC_JAIL_CALLS = 2,    /* no connections, access to other processes, mounts or new rights */
   ARC_JAIL_PROCESSES = 4 /* at most some hundred processes and threads */
 };
 

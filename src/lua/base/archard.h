@@ -28,7 +28,7 @@ int luaopen_archard_term(lua_State *L);
  * (scripts/plot/init.lua). */
 int luaopen_archard_gnuplot(lua_State *L);
 
-/* The module `archard.store`: run files. */
+/* The module `archard.store`: reads and writes run files. */
 int luaopen_archard_store(lua_State *L);
 
 /* The module `archard.process`: worker processes, which are copies of this program. */
@@ -53,10 +53,10 @@ int luaopen_archard_measure(lua_State *L);
  * raises errors. */
 int luaopen_archard_names(lua_State *L);
 
-/* The module `archard.strict`: errors for unknown names. */
+/* The module `archard.strict`: raises errors for unknown names. */
 int luaopen_archard_strict(lua_State *L);
 
-/* The module `archard.sphere`: ball joints, for scripts/joint. */
+/* The module `archard.sphere`: ball joints, used by scripts/joint. */
 int luaopen_archard_sphere(lua_State *L);
 
 /* The module `archard.settings`: all settings of definitions, and all columns of the history. */

@@ -1,4 +1,4 @@
-/* Checks tables of named fields. */
+/* Reads and checks tables of named fields. */
 #include "lua/base/args.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"

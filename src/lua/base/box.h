@@ -25,7 +25,7 @@ typedef struct box_class {
   /* each function has the object as its only argument and pushes the value of the field */
   const luaL_Reg *fields;
   lua_CFunction tostring;       /* pushes a description of a few lines */
-  void (*destroy)(void *thing); /* NULL: nothing to free */
+  void (*destroy)(void *thing); /* NULL if there is nothing to free */
   size_t value;                 /* [bytes] size of a thing inside the box; 0: stored elsewhere */
   const arc_setting *settings;  /* settings that are fields unless in `fields`; may be NULL */
   const void *(*definition)(lua_State *L); /* definition of the object at index 1 */
@@ -37,7 +37,7 @@ typedef struct box {
   const box_class *class;
   const void *metatable; /* metatable of the class, kept alive by the registry */
   void *thing;           /* NULL: the box is empty */
-  int tag;               /* for use by the class */
+  int tag;               /* number for use by the class */
   int busy;              /* true while the engine changes the thing, which refuses other calls */
   int closing; /* close() was called while functions use the box; the last one empties it */
   call_held held;

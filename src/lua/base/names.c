@@ -169,7 +169,7 @@ static int names_plain(lua_State *L) {
 
 /* --- errors ----------------------------------------------------------------------------------- */
 
-/* raise(where, status, message): raises an error object. */
+/* raise(where, status, message) raises an error object. */
 static int names_raise(lua_State *L) {
   const char *where = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
   const char *message = luaL_checkstring(L, 3);

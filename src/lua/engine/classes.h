@@ -24,10 +24,10 @@ int luaopen_archard_contact(lua_State *L);
 int luaopen_archard_contact_record(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
 
-extern const box_class model_class;   /* thing: arc_model, one reference */
+extern const box_class model_class;   /* thing: arc_model, of which the box owns one reference */
 extern const box_class mesh_class;    /* thing: mesh_view (mesh_class.c) */
-extern const box_class contact_class; /* thing: arc_contact; user value: the model's box */
-extern const box_class wear_class;    /* thing: arc_wear; user value: the model's box */
+extern const box_class contact_class; /* thing: arc_contact; user value 1: box of the model */
+extern const box_class wear_class;    /* thing: arc_wear; user value 1: box of the model */
 
 /* --- bodies by name (by_body.c); a NULL definition means the default bodies ------------------- */
 

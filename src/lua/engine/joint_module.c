@@ -287,7 +287,7 @@ static double creep_of(void *context, double p_mean, double cycles) {
   return call_pushed(c, "the function creep");
 }
 
-/* Fields of a record, in the order of push_record. */
+/* Names of the fields of a record, in the order of push_record. */
 static const char *const record_names[] = {"cycles",     "updates", "solutions", "volume_head",
                                            "volume_cup", "p_peak",  "area",      "work",
                                            "rim_margin", NULL};

@@ -132,7 +132,7 @@ static int mesh_node(lua_State *L) {
   return 2;
 }
 
-/* Pushes coordinate `axis` of all nodes. */
+/* Pushes a list of the coordinates of all nodes along `axis` (0: x, 1: y). */
 static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
   lua_createtable(L, mesh->nodes, 0);
   for (int i = 0; i < mesh->nodes; i++) {

@@ -1,4 +1,5 @@
-/* Runs in run files: methods of stores, and wear:save and wear.open for files with one run. */
+/* Saves and opens runs in run files: methods of stores, and wear:save and wear.open for files with
+ * one run. */
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"

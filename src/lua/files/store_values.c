@@ -47,7 +47,7 @@ void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use us
   index = lua_gettop(L);
   size_t capacity = count_fields(L, index), count = 0;
   arc_value *values = lua_newuserdatauv(L, (capacity + 1) * sizeof *values, 0);
-  lua_newtable(L); /* keeps arrays alive */
+  lua_newtable(L); /* table that keeps arrays alive */
   int anchors = lua_gettop(L);
   luaL_checkstack(L, 10, where);
   for (lua_pushnil(L); lua_next(L, index);) {

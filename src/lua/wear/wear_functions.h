@@ -31,7 +31,7 @@ typedef struct functions_call {
 /* Prepares calls of the functions in the holder at `holder` (nil: no effect). While a function
  * runs, `run` is marked as busy. Pushes values, which stay on the stack. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
-/* functions_enter during the construction of a run with this model definition. */
+/* functions_enter for a run that is being constructed with this model definition. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
 /* True if a function has raised an error, which functions_leave will raise again. */
