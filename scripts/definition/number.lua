@@ -1,6 +1,7 @@
--- Names of the numbers of wear{}, model{} and bodies, as used by studies, samples, fits and sensitivities. A name is
--- the path in wear{}, as "load", "model.radius" or "model.lower.layers.1.thickness"; "model." may be omitted, layer1
--- means layers.1, and E and nu alone mean those of both bodies.
+-- Names of the numbers of wear{}, model{} and bodies, as used by studies, samples, fits and
+-- sensitivities. A name is the path in wear{}, such as "load", "model.radius" or
+-- "model.lower.layers.1.thickness". "model." may be omitted, layer1 means layers.1, and E or nu
+-- alone means the value of both bodies.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -19,7 +20,8 @@ local field_of = { upper = "cylinder", lower = "plate" } -- fields of the defaul
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- The setting of a body: its own or one of its materials'. A series, as the heights of a profile, is not a number.
+-- Returns the setting of a body, or of one of its materials. A table over positions, such as the
+-- heights of a profile, is not a number.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -27,12 +29,12 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
--- Numbers of a joint that no other body has, and the body that has them.
+-- Numbers that only joints have, and the body that has them.
 local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 180 }
 local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
 local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
 
--- The setting with this path, or nil.
+-- Returns the setting with this path, or nil.
 function number.setting(path)
   local inside = path:match("^model%.(.+)$")
   if not inside then return named(known.wear, path) end
@@ -55,15 +57,15 @@ end
 
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
--- The role of the only body of this kind. "cylinder" never means the lower body, as it was the older name of the upper
--- one.
+-- Returns the role of the only body of this kind. "cylinder" never means the lower body, as it was
+-- the older name of the upper one.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end
   return not upper and role_of[word] or nil
 end
 
--- The role of the body with this role, name, kind or older name.
+-- Returns the role of the body with this role, name, kind or older name.
 local function role(flat, word)
   if field_of[word] then return word end
   for each in pairs(field_of) do
@@ -72,7 +74,8 @@ local function role(flat, word)
   return role_by_kind(flat, word)
 end
 
--- Path of a material's number inside a body: E=, or inside a material given as a whole.
+-- Returns the path of a material's number inside a body, either as a field of the body (E=) or as a
+-- field of its material.
 local function in_material(flat, prefix, rest)
   local before, name = rest:gsub("^material%.", ""):gsub("^(layers%.%d+%.)material%.", "%1"):match("^(.-)([^.]+)$")
   for _, setting in ipairs(named(known.material, name) and known.material or {}) do
@@ -88,7 +91,7 @@ local function is_joint(flat)
   return false
 end
 
--- The path of a number of a joint: "clearance", "cup.layer1.E".
+-- Returns the path of a number of a joint, such as "clearance" or "cup.layer1.E".
 local function joint_path(flat, inside)
   local body, rest = inside:match("^(%l+)%.(.+)$")
   if not rest then return owners[inside] and ("model.%s.%s"):format(owners[inside], inside) or "model." .. inside end
@@ -96,7 +99,8 @@ local function joint_path(flat, inside)
   return prefix .. in_material(flat, prefix, (rest:gsub("^layer(%d+)%.", "layers.%1.")))
 end
 
--- The path of a number of a body, as "cylinder.E", or nil if the word is not a body.
+-- Returns the path of a number of a body, such as "cylinder.E", or nil if the first word is not a
+-- body.
 local function body_path(flat, word, rest)
   local which = role(flat, word)
   if not which then return nil end
@@ -115,8 +119,8 @@ function number.of_run(name)
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- paths(name, flat) -> the paths of the number with this name: one, or two for both bodies. flat: flat settings of its
--- model, if any. An unknown name is returned unchanged.
+-- paths(name, flat) -> the paths of the number with this name: one, or two for both bodies. flat:
+-- the flat settings of its model, or nil. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
@@ -128,7 +132,7 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- The path of a single number; `field` is its name in messages.
+-- Returns the path of a single number; `field` is its name in messages.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)
   if #paths > 1 then

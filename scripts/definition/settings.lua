@@ -18,16 +18,16 @@ local function is_numbers(value)
   return next(value) == nil or (#value > 0 and next(value, #value) == nil)
 end
 
--- The value at "mesh.zone.plate" in an object.
+-- Returns the value of an object at a path such as "mesh.zone.plate".
 function settings.value_at(object, path)
   for name in path:gmatch("[^.]+") do object = object[name] end
   return object
 end
 
--- Settings that are not stored, as they are implied by others (mesh.size).
+-- Settings that are not stored, as other settings determine them (mesh.size).
 local implied = { ["mesh.fineness"] = true }
 
--- Flat settings that reproduce an object.
+-- Returns the flat settings from which an object can be made again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
   if class ~= "material" and class ~= "model" then
@@ -51,7 +51,8 @@ local function check_path(where, name)
   check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
--- The table to store for a value: an object made in Lua may have other fields than those that make it.
+-- Returns the table to store for a value. An object made in Lua may have other fields than the
+-- fields that make it.
 local function own_fields(value)
   local class = getmetatable(value)
   local of = type(class) == "table" and rawget(class, "__settings")
@@ -91,10 +92,11 @@ function settings.carrier(where)
   end
 end
 
--- { model = { radius = 8 } } -> { ["model.radius"] = 8 }
+-- Converts { model = { radius = 8 } } to { ["model.radius"] = 8 }.
 function settings.flatten(where, given) return flatten(where, {}, "", given) end
 
--- The table and the key in it for a name as "mesh.size". Integer parts of a name are list indices.
+-- Returns the table, and the key in it, for a name such as "mesh.size". Whole numbers in a name are
+-- list indices.
 function settings.place(nested, name)
   local at, last = nested, nil
   for part in name:gmatch("[^.]+") do
@@ -127,7 +129,7 @@ end
 
 -- --- grids -------------------------------------------------------------------------------------
 
--- Flat names and their lists of values, sorted by name.
+-- Returns the flat names and their lists of values, sorted by name.
 local function axes_of(where, vary)
   local axes = {}
   local function visit(prefix, given)
@@ -163,7 +165,7 @@ local function refuse_many(where, axes)
   check.fail(where, ("field 'vary': expected at most %d values in all cases, got %.0f (%s)"):format(most_values, values, how))
 end
 
--- All combinations of the varied values; the last name changes fastest.
+-- Returns all combinations of the varied values. The last name changes fastest.
 function settings.grid(where, vary)
   local cases, axes = { {} }, axes_of(where, vary)
   refuse_many(where, axes)
@@ -190,8 +192,8 @@ local function sorted_names(given)
   return names
 end
 
--- Merges `over` into `base` field by field; lists and values replace those of base. A name with points sets an inner
--- field.
+-- Merges `over` into `base` field by field. Lists and values of `over` replace those of `base`; a
+-- name with points sets an inner field.
 local function lay_over(where, base, over)
   for _, name in ipairs(sorted_names(over)) do
     local at, last = settings.place(base, tostring(name))
@@ -204,7 +206,8 @@ local function lay_over(where, base, over)
   end
 end
 
--- Flat settings of base and over; those of over, whose numbers may have any of their names, have priority.
+-- Returns the flat settings of base and over. Settings of over, which may use any name of a number,
+-- have priority.
 function settings.join(where, base, over)
   local names = settings.flatten(where, over) -- for errors with the full name
   local joined = settings.nest(settings.flatten(where, base))
@@ -223,7 +226,7 @@ function settings.same(a, b)
   return true
 end
 
--- Text of a value; a string from an untrusted file is shown without control characters.
+-- Returns the text of a value. A string from an untrusted file is shown without control characters.
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end
@@ -231,7 +234,8 @@ function settings.shown(value)
   return #text < 100 and check.plain(text) or ("(%d characters)"):format(#text)
 end
 
--- The first name, in alphabetical order, whose value differs between two flat tables; nil if they are equal.
+-- Returns the first name, in alphabetical order, whose value differs between two flat tables; nil
+-- if they are equal.
 function settings.difference(a, b)
   local names = {}
   for name, value in pairs(a) do
@@ -244,7 +248,7 @@ function settings.difference(a, b)
   return names[1]
 end
 
--- The names whose values differ between cases, the most common ones first.
+-- Returns the names whose values differ between cases, the most common ones first.
 local familiar = { alpha = 1, stroke = 2, load = 3, k = 4 }
 function settings.varied(cases)
   local found, names = {}, {}
@@ -267,7 +271,7 @@ function settings.varied(cases)
   return names
 end
 
--- Label of a case, as "alpha 0.25, stroke 0.11".
+-- Returns the label of a case, such as "alpha 0.25, stroke 0.11".
 function settings.label(case, names)
   local parts = {}
   for _, name in ipairs(names) do

@@ -9,7 +9,7 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- A JSON string; bytes that are not UTF-8 become the characters with their numbers.
+-- Returns a JSON string. Bytes that are not UTF-8 become the characters with these numbers.
 local function quoted(text)
   if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
   return '"' .. text:gsub('[%c"\\\x7F]', function(c)

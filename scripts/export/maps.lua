@@ -36,7 +36,7 @@ local function differ(a, b)
   return math.abs(a[1] - b[1]) > tolerance or math.abs(a[#a] - b[#b]) > tolerance
 end
 
--- One map or a list of maps with the same points and different names, as a list.
+-- Returns a list of maps that have the same points and different names, from one map or a list.
 local function list_of(where, given)
   if map.is(given) then return { given } end
   if type(given) ~= "table" or given[1] == nil then
@@ -57,7 +57,7 @@ local function list_of(where, given)
   return list
 end
 
--- Values in the order of VTK: x fastest, then z.
+-- Returns the values in the order of VTK: x fastest, then z.
 local function add_values(lines, t)
   local row, nz = {}, #t.z
   for j = 1, nz do
@@ -66,7 +66,8 @@ local function add_values(lines, t)
   end
 end
 
--- The maps of a body of a run: depth, height and pressure; nil for a groove, which has none.
+-- Returns the maps of a body of a run (depth, height and pressure), or nil for a groove, which has
+-- no maps.
 local function maps_of(run, body)
   local list = {}
   for i, what in ipairs{ "depth", "height", "pressure" } do
@@ -87,8 +88,8 @@ function maps.bodies(where, run, stem)
   return files_written
 end
 
--- vti(map or list of maps, path) -> the file written; of a contact in three dimensions its pressure, of a run a file for
--- each body: the files written
+-- vti(object, path) -> the files written: one file for a map or a list of maps, or for the pressure
+-- of a contact in three dimensions; a file for each body for a run.
 function maps.vti(given, path)
   local where = "export.vti"
   path = checked_path(where, path, ".vti")
@@ -100,7 +101,7 @@ function maps.vti(given, path)
   return written.returned(where, maps.write(where, list_of(where, given), path))
 end
 
--- Points in the plane y = 0 with one array for each map of a list -> the path.
+-- Writes points in the plane y = 0 with one array for each map of a list -> the path.
 function maps.write(where, list, path)
   local x, z = list[1].x, list[1].z
   local extent = ("0 %d 0 0 0 %d"):format(#x - 1, #z - 1)
@@ -141,7 +142,7 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- Columns of a map over theta and phi.
+-- Returns the columns of a map over theta and phi.
 local function lattice_of(map)
   local theta, phi = {}, {}
   for _, each in ipairs(map.theta) do
@@ -152,8 +153,9 @@ end
 
 local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") and rawget(t, "phi") and rawget(t, "values") end
 
--- csv(map, path) -> the file written: x, z and the value of each point; for a study its table; for the run of a joint its
--- history, for a contact of a joint its pressure, for maps over theta and phi their values. Other objects are written by archard.files.
+-- csv(object, path) -> the file written. It has x, z and the value of each point of a map, the
+-- table of a study, the history of a joint's run, the pressure of a joint's contact, or the values
+-- of a map over theta and phi. archard.files writes all other objects.
 function maps.csv(...)
   local t, path = ...
   if strict.is(t, "joint_wear") then

@@ -1,5 +1,5 @@
--- export.pvd: a series of states of a run: a .vtu file (in three dimensions a .vti file of maps) for each body and
--- state, and a .pvd file that lists them by sliding distance.
+-- export.pvd: a series of states of a run. Each state has a .vtu file for each body (in three
+-- dimensions a .vti file of maps), and a .pvd file lists them by sliding distance.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -30,7 +30,7 @@ local function add_state(run, stem, parts, number)
   end
 end
 
--- The path without the ending .pvd.
+-- Returns the path without the ending .pvd.
 local function stem_of(path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local stem, ending = path:match("^(.-)(%.[^./]*)$")
@@ -43,8 +43,9 @@ local function stem_of(path)
   return stem or path
 end
 
--- (run, path, { every= }) -> a function that adds the present state: always if called without arguments, every `every`
--- updates if called as the progress function of w:run
+-- (run, path, { every= }) -> a function that adds the present state. Called without arguments it
+-- always adds the state; as the progress function of w:run it adds the state at every `every`
+-- updates.
 return function(run, path, options)
   if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))

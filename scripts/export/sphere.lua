@@ -1,5 +1,6 @@
--- export.vtk of joints: a .vtu file each of the worn surface of head and cup, quadrilaterals of the lattice with wear
--- depth, pressure and cross-shear in their middles. The head is drawn where it is turned to under its largest load.
+-- export.vtk of joints: one .vtu file of the worn surface of the head and one of the cup, as
+-- quadrilaterals of the lattice with wear depth, pressure and cross-shear at their centres. The
+-- head is drawn in its position under the largest load.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -14,14 +15,14 @@ local function direction(theta, phi)
   return { math.cos(theta), s * math.sin(phi), s * math.cos(phi) }
 end
 
--- R n, with R row by row.
+-- Returns R n, where R is stored row by row.
 local function turned(R, n)
   local list = {}
   for a = 1, 3 do list[a] = R[3 * a - 2] * n[1] + R[3 * a - 1] * n[2] + R[3 * a] * n[3] end
   return list
 end
 
--- Corners of the lattice, [rows + 1][2 rows], as coordinates of the cup [mm].
+-- Returns the corners of the lattice, [rows + 1][2 rows], in coordinates of the cup [mm].
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows
   for i = 0, rows do
@@ -33,7 +34,7 @@ local function corners(rows, radius, place)
   return lines
 end
 
--- The cells whose middles n are covered: { site =, corners = text } each.
+-- Returns the cells whose centres n are covered by the body, each as { site =, corners = text }.
 local function cells_of(rows, covered)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -59,7 +60,7 @@ local function add_whole(lines, name, kind, values)
   lines[#lines + 1] = ('<DataArray type="%s" Name="%s" format="ascii">\n%s\n</DataArray>'):format(kind, name, table.concat(values, "\n"))
 end
 
--- arrays: { name, unit, values by site } each; time: the sliding distance [mm].
+-- arrays: a list of { name, unit, values by site }; time: the sliding distance [mm].
 local function text_of(points, cells, arrays, time)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="UnstructuredGrid" version="0.1">', "<UnstructuredGrid>",
     ('<FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">%s</DataArray></FieldData>'):format(
@@ -84,7 +85,7 @@ end
 
 local function everywhere() return true end
 
--- Values of a map of the cup at the sites of the turned head.
+-- Returns the values of a map of the cup at the sites of the rotated head.
 local function on_head(rows, values, R)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -108,14 +109,15 @@ local function cup_text(run, rows, pressure)
       { "cross_shear", "", run:map("cross shear").values } }, run.distance)
 end
 
--- The cup with the pressure of a single contact.
+-- Writes the cup with the pressure of a single contact.
 local function contact_text(c)
   local joint, rows = c.model, #c.pressure.theta
   return text_of(corners(rows, joint.head.radius + joint.cup.clearance, function(n) return n end), cells_of(rows, flat.cover(joint.cup)),
     { { "pressure", "MPa", c.pressure.values } }, 0)
 end
 
--- vtk(object, path) -> the files written; of a contact one, the cup; objects but runs of joints are written by archard.files.
+-- vtk(object, path) -> the files written: two for a run of a joint, the cup alone for a contact of
+-- a joint. archard.files writes all other objects.
 function sphere.vtk(object, path)
   local where = "export.vtk"
   local is_contact = strict.is(object, "joint_contact")

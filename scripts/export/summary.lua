@@ -13,7 +13,7 @@ local written = require "archard.lib.written"
 
 local where = "export.json"
 
--- Settings that a run has under another name, as the plain name is its present value.
+-- Settings that have another name in a run, because the plain name is their present value.
 local held_as = { distance = "total_distance", update = "update_at" }
 
 -- Converts a value for JSON; a function becomes the string "function".
@@ -39,7 +39,8 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
--- Adds the units of a body's or layer's fields; a coefficient of 0 was not given and becomes null.
+-- Adds the units of the fields of a body or layer. A coefficient of 0 was not given and becomes
+-- null.
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
     for _, setting in ipairs(known[class]) do
@@ -51,7 +52,7 @@ local function complete(part, units, prefix)
   if part.material then complete(part.material, units, prefix .. "material.") end
 end
 
--- A body with its given values; the default body is null.
+-- Returns a body with the values given by the user; null for the default body.
 local function body_of(given, units, prefix)
   if rawequal(given, nil) then return json.null end
   local body = plain(given)
@@ -61,7 +62,7 @@ local function body_of(given, units, prefix)
   return body
 end
 
--- The settings of a class with the values of the object.
+-- Returns the settings of a class with the values of the object.
 local function definition(class, object, units, prefix)
   local into = {}
   for _, setting in ipairs(known[class]) do
@@ -104,7 +105,7 @@ local function summary_of(run)
   return { definition = asked, results = results(run, units), units = units }
 end
 
--- The fields of wear{} of a joint's run, and the last row of its history.
+-- Returns the fields of wear{} of a joint's run, and the last row of its history.
 local function joint_summary(run)
   local into, units = { done = run.done }, {}
   local columns, units_of, names = joint_history(run)

@@ -1,6 +1,6 @@
--- The data of a fit: profiles of a body at a distance, whose position is fitted too, friction loops (fit/loop.lua), and
--- quantities of the history over the distance. Reads and checks the user's data and computes the simulated values at
--- the same points.
+-- The data of a fit: profiles of a body at a distance, whose position is fitted too; friction loops
+-- (fit/loop.lua); and quantities of the history over the distance. This module reads and checks the
+-- user's data and computes the simulated values at the same points.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -28,7 +28,7 @@ end
 for name, one in pairs(made) do quantities[name] = one end
 data.quantities = quantities
 
--- The quantity with a name; depth_NAME and volume_NAME are those of the body with that name.
+-- Returns the quantity with a name. depth_NAME and volume_NAME belong to the body with that name.
 local function quantity(name)
   return quantities[name] or { { name }, 1, name:match "^depth" and "mm" or "mm3", name:gsub("_", " of the ") }
 end
@@ -83,7 +83,7 @@ local function same_count(where, prefix, name, values, count)
   return values
 end
 
--- The error of every value [unit of the value], or nil if no error is given.
+-- Returns the error of every value [unit of the value], or nil if no error is given.
 local function errors_of(where, prefix, given, own, value)
   local absolute = given.error or own
   if given.error and given.relative then
@@ -102,7 +102,7 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Fields for one kind of data only.
+-- Fields that only one kind of data has.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 local of_joints = { head = true, cup = true }
@@ -133,8 +133,8 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Shift at which a search starts: the middle of the scar if the profile names it, or if x = 0 is not in the scar found
--- in the depths.
+-- Returns the shift at which a search starts: the middle of the scar if the profile names it, or if
+-- x = 0 is not in the scar found in the depths.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}
@@ -144,7 +144,8 @@ local function start_of(x, h, named)
   return from and (from - side > 0 or to + side < 0) and (from + to) / 2 or 0
 end
 
--- The unknown position of a profile: for each component its start value and its typical size.
+-- Returns the unknown position of a profile: the start value and the typical size of each
+-- component.
 local function free_of(x, h, named)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
@@ -159,7 +160,7 @@ local function name_of(given)
   return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
 end
 
--- A shorter name for a panel of a picture.
+-- Returns a shorter name for a panel of a picture.
 local function brief_of(given)
   local line = given.section
   return line and ("%s, %s = %g, %g mm"):format(given.body, line.x and "x" or "z", line.x or line.z, given.distance)
@@ -249,8 +250,9 @@ function data.item(where, prefix, given, motion)
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Checks that either all data have errors, or none has and all have the same unit: without errors, the residuals give
--- the size of the errors, but not the weights between quantities of different units.
+-- Checks that either all data have errors, or that none has and all have the same unit. Without
+-- errors, the residuals give the size of the errors but not the weights between quantities of
+-- different units.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -309,7 +311,7 @@ end
 
 -- --- simulated values -----------------------------------------------------------------------------
 
--- Depth of a surface at x, linear between nodes, 0 outside.
+-- Returns the depth of a surface at x, linear between nodes, 0 outside.
 local function depth_at(surface, x)
   local at, h, low, high = surface.x, surface.h, 1, #surface.x
   if x < at[1] or x > at[high] then return 0 end
@@ -320,8 +322,8 @@ local function depth_at(surface, x)
   return h[low] + (h[high] - h[low]) * (x - at[low]) / (at[high] - at[low])
 end
 
--- Values of a measured profile computed from the simulated surface: shifted by `shift` [mm] to the right, plus `tilt`
--- [mm/mm] times x and `level` [mm].
+-- Returns the values of a measured profile computed from the simulated surface: shifted by `shift`
+-- [mm] to the right, plus `tilt` [mm/mm] times x and `level` [mm].
 local function profile_values(item, readings, position)
   local surface, values = readings[item.reading[1]][item.surface], {}
   for i, x in ipairs(item.x) do
@@ -340,7 +342,8 @@ local function series_values(item, readings)
   return values
 end
 
--- True if the quantity changes in steps, as the edge of the contact moves from node to node.
+-- Returns true if the quantity changes in steps, as the edge of the contact moves from node to
+-- node.
 function data.jumps(item)
   for _, name in ipairs(item.of and quantity(item.of)[1] or {}) do
     if name:match("width") or name:match("^p_") then return true end
@@ -355,7 +358,7 @@ function data.values(item, readings, position)
   return (item.kind == "profile" and profile_values or series_values)(item, readings, position)
 end
 
--- Parameters for the unknown positions of the items, in the form of fit/unknown.lua.
+-- Returns the parameters for the unknown positions of the items, in the form of fit/unknown.lua.
 function data.positions(items)
   local list = {}
   for number, item in ipairs(items) do
@@ -376,7 +379,7 @@ local function guess(ratio) -- probable unit of lengths
   return ratio < 1e4 and "um" or "nm"
 end
 
--- Text on the unit of the distances, which may be the wrong one in a series.
+-- Returns a text on the unit of the distances of a series, if this unit may be wrong.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
   return (", distances in mm (they go to %g)"):format(item.x[#item.x])

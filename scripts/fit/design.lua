@@ -1,5 +1,6 @@
--- fit.design: computes, before a test, which measurements at which distances determine the unknowns best: from the
--- derivatives at the start values, the standard errors with each measurement alone and the best order of measurements.
+-- fit.design: computes, before a test, which measurements at which distances determine the unknowns
+-- best. From the derivatives at the start values it computes the standard errors with each
+-- measurement alone, and the best order of the measurements.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -21,7 +22,7 @@ local own = {
   title = check.text, shift = check.number, tilt = check.number, level = check.number,
 }
 
--- Default positions of a profile's points, over `width` [mm] around the centre.
+-- Returns the default positions of a profile's points, over `width` [mm] around the centre.
 local function places(given)
   local count, width = given.points or 61, given.width or 1
   local x = {}
@@ -50,7 +51,7 @@ local function check_one(number, given)
   end
 end
 
--- A measurement with arbitrary values, used until the first run gives the expected ones.
+-- Returns a measurement with arbitrary values, used until the first run gives the expected values.
 local function stand_in(one, distance)
   if not one.profile then
     return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
@@ -95,8 +96,8 @@ end
 
 -- --- expected standard errors --------------------------------------------------------------------
 
--- The prior error of each unknown: its start value, or the width of its bounds. It keeps the errors finite if a
--- measurement does not determine an unknown.
+-- Returns the prior error of each unknown: its start value, or the width of its bounds. It keeps
+-- the errors finite if a measurement does not determine an unknown.
 local function prior_rows(problem)
   local rows = {}
   for j, one in ipairs(problem.unknowns) do
@@ -106,8 +107,8 @@ local function prior_rows(problem)
   return rows
 end
 
--- Columns of the derivatives for the chosen items, with the rows of the prior below; without the position parameters of
--- other items.
+-- Returns the columns of the derivatives for the chosen items, with the rows of the prior below,
+-- and without the position parameters of other items.
 local function columns_of(self, chosen)
   local columns = {}
   for j, one in ipairs(self.problem.parameters) do
@@ -149,7 +150,8 @@ local function alone(self)
   return list
 end
 
--- Greedy order: repeatedly adds the measurement that gives the smallest errors.
+-- Returns the greedy order of the measurements, to which the measurement with the smallest errors
+-- is added repeatedly.
 local function best_order(self, most)
   local chosen, list = {}, {}
   for _ = 1, math.min(most, #self.problem.items) do
@@ -186,7 +188,7 @@ local class = { __name = "design", __fields = { "names", "units", "start", "prio
 local methods = {}
 class.__methods = methods
 
--- The error, in percent of the start value if that is not 0.
+-- Returns the error, in percent of the start value unless that is 0.
 local function shown(self, name, value)
   local start, prior = self.start[name], self.prior_error[name]
   if value > 0.9 * prior then return "undetermined" end
@@ -199,7 +201,7 @@ local function row_of(self, first, one)
   return row
 end
 
--- Column titles: the given ones and one for each unknown.
+-- Returns the titles of the columns: those of `first` and one for each unknown.
 local function heads(self, ...)
   local row = { ... }
   for i, name in ipairs(self.names) do
@@ -272,8 +274,8 @@ local function described(problem, self)
   return setmetatable(self, class)
 end
 
--- given: the fields of fit{}, with measure= instead of data=; common: the fields that both have; prepare: makes the
--- problem from items.
+-- given: the fields of fit{}, with measure= instead of data=; common: the fields that fit and
+-- design share; prepare: makes the problem from items.
 return function(given, common, prepare)
   check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
   for _, name in ipairs{ "unknown", "measure" } do

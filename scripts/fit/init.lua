@@ -5,6 +5,6 @@ local lazy = require "archard.lib.lazy"
 
 local run = lazy("archard.fit.run", "run")
 
--- best: best values of the latest search
+-- best: best values of the last search
 return setmetatable({ design = lazy("archard.fit.run", "design"), best = {} },
   { __call = function(_, given) return run(given) end })

@@ -19,7 +19,7 @@ loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of one leng
   return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
 end)
 
--- Indices of the smallest and the largest value, at which the motion reverses.
+-- Returns the indices of the smallest and the largest value, where the motion reverses.
 local function ends_of(along)
   local low, high = 1, 1
   for i, value in ipairs(along) do
@@ -29,7 +29,7 @@ local function ends_of(along)
   return low, high
 end
 
--- For each point: true if it belongs to the half with increasing values.
+-- Returns for each point whether it belongs to the half with increasing values.
 local function rising(along)
   local low, high = ends_of(along)
   local up, n = {}, #along
@@ -39,8 +39,8 @@ end
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- from: checked { loop=, distance=, compliance=, shift=, level= }; errors: list or nil; by_force: true if a force
--- drives the run.
+-- from: checked { loop=, distance=, compliance=, shift=, level= }; errors: list or nil; by_force:
+-- true if a force drives the run.
 function loop.item(from, errors, by_force)
   local x, force = copied(from.loop.x), copied(from.loop.tangential)
   for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end
@@ -57,7 +57,8 @@ end
 
 -- --- simulated values ----------------------------------------------------------------------------
 
--- The points of a loop between two indices, across the end of the list if needed, sorted by `along`.
+-- Returns the points of a loop between two indices, across the end of the list if needed, sorted by
+-- `along`.
 local function half(along, value, from, to)
   local points, n = {}, #along
   for step = 0, (to - from) % n do
@@ -68,7 +69,7 @@ local function half(along, value, from, to)
   return points
 end
 
--- Linear interpolation between points, constant outside.
+-- Interpolates linearly between points; the value is constant beyond the ends.
 local function at(points, x)
   local low, high = 1, #points
   if x <= points[low][1] then return points[low][2] end
@@ -81,8 +82,8 @@ local function at(points, x)
   return b[1] > a[1] and a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) or a[2]
 end
 
--- there: { x=, tangential= } of the run; the last point repeats the first one and is not used. Returns the simulated
--- values at the item's points. position: { shift=, level= }.
+-- Returns the simulated values at the item's points. there: { x=, tangential= } of the run, whose
+-- last point repeats the first one and is not used; position: { shift=, level= }.
 function loop.values(item, there, position)
   local along, value = copied(there.x), copied(there.tangential)
   if item.by_force then along, value = value, along end

@@ -11,7 +11,7 @@ problem.__index = problem
 
 -- --- residuals -----------------------------------------------------------------------------------
 
--- Position of item `number` for the values of all parameters.
+-- Returns the position of item `number` for the values of all parameters.
 function problem:position(number, values)
   local fixed = self.items[number].fixed or {}
   local position = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
@@ -21,7 +21,7 @@ function problem:position(number, values)
   return position
 end
 
--- Simulated values at all data points, divided by their errors, in one list.
+-- Returns the simulated values at all data points, divided by their errors, in one list.
 function problem:predict(readings, values)
   local list = {}
   for number, item in ipairs(self.items) do
@@ -36,7 +36,7 @@ function problem:runs_at(values)
   return self.runs:one(table.move(values, 1, #self.unknowns, 1, {}))
 end
 
--- Residuals (simulated - measured) / error, followed by the roughness of curves.
+-- Returns the residuals (simulated - measured) / error, followed by the roughness of curves.
 function problem:residuals(values)
   local list = self:predict(self:runs_at(values), values)
   for i, measured in ipairs(self.measured) do list[i] = list[i] - measured end
@@ -48,15 +48,15 @@ function problem:residuals(values)
   return list
 end
 
--- Residuals after a call of jacobian at the same values; values that change in steps are replaced by their regression
--- lines.
+-- Returns the residuals after a call of jacobian at the same values. Values that change in steps
+-- are replaced by their regression lines.
 function problem:smoothed_residuals(values)
   local list = self:residuals(values)
   for m, middle in pairs(self.rippled) do list[m] = middle - self.measured[m] end
   return list
 end
 
--- Root mean square of the residuals: 1 if the errors are right.
+-- Returns the root mean square of the residuals, which is 1 if the errors are right.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
   for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end
@@ -71,7 +71,7 @@ local function changed(values, i, by)
   return copy
 end
 
--- The two steps of a difference quotient: to both sides, or one side and 0 near a bound.
+-- Returns the two steps of a difference quotient: one to each side, or one step and 0 near a bound.
 local function stencil(self, values, i, central)
   local one = self.parameters[i]
   local step = self.step[central and "central" or "forward"] * one.span
@@ -88,16 +88,17 @@ local function column_between(high, low, width)
   return column
 end
 
--- Derivative by a position parameter, which needs no run.
+-- Returns the derivative by a position parameter, which needs no run.
 local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
   return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
--- Values that change in steps from node to node show their dependence on a parameter only over a wide range. `widest`:
--- half of this range as a share of the value; `many`, `few`: number of intervals for errors and during the search. Near
--- a bound, the range is on one side. A design, which has no data, uses a wider range.
+-- Values that change in steps from node to node show their dependence on a parameter only over a
+-- wide range. `widest`: half of this range as a share of the value; `many`, `few`: number of
+-- intervals for errors and during the search. Near a bound, the range is on one side. A design,
+-- which has no data, uses a wider range.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -135,7 +136,7 @@ local function fill_rippled(self, column, values, i, central)
   end
 end
 
--- The columns of the derivatives of predict by each parameter.
+-- Returns the columns of the derivatives of predict by each parameter.
 function problem:jacobian(values, central)
   local m, list, stencils = #self.unknowns, {}, {}
   local own = table.move(values, 1, m, 1, {})
@@ -201,10 +202,12 @@ end
 
 -- --- values that change in steps ------------------------------------------------------------------
 
--- limits: of the jump between neighbours, relative to the slope; of the scatter, relative to the error
+-- Limits: of the jump between neighbours, relative to the slope; of the scatter, relative to the
+-- error.
 local jumps_above, counts = 0.03, 0.2
 
--- Runs over a wide range of all unknowns at once; returns the positions in the range and the simulated values.
+-- Makes runs over a wide range of all unknowns at once; returns the positions in the range and the
+-- simulated values.
 local function wide_rows(self, values)
   local points, list, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
   for p, t in ipairs(points) do

@@ -9,7 +9,7 @@ local result = {}
 
 -- --- numbers -------------------------------------------------------------------------------------
 
--- Values by the name of the unknown; for a curve the list of its knot values.
+-- Returns values by the name of the unknown; for a curve the list of its knot values.
 local function by_path(problem, list)
   local named = {}
   for i, one in ipairs(problem.unknowns) do
@@ -27,7 +27,8 @@ local function clipped(one, value)
   return math.max(one.low or -math.huge, math.min(one.high or math.huge, value))
 end
 
--- Parameters without a standard error: those at a bound and those in a direction that the data do not determine.
+-- Returns the parameters without a standard error: those at a bound, and those in a direction that
+-- the data do not determine.
 local function undetermined(found, problem)
   local blind = {}
   for _, direction in ipairs(found.unseen) do
@@ -57,7 +58,7 @@ local function correlations(found)
   return list
 end
 
--- Standard error of a linear combination of the parameters.
+-- Returns the standard error of a linear combination of the parameters.
 local function along(covariance, derivative)
   local sum = 0
   for a, row in ipairs(covariance) do
@@ -70,8 +71,8 @@ end
 
 -- --- bands ---------------------------------------------------------------------------------------
 
--- Each set of data with its simulated values: lists x (or distance), value, error, model, low, high, residual ((value -
--- model) / error).
+-- Returns each set of data with its simulated values: lists x (or distance), value, error, model,
+-- low, high, residual ((value - model) / error).
 local function described(self, problem, found, scale, deviation)
   local readings, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do
@@ -99,7 +100,7 @@ local function described(self, problem, found, scale, deviation)
   return list
 end
 
--- Fitted curves over the distance as tables for wear{}, and their bands.
+-- Returns the fitted curves over the distance as tables for wear{}, and their bands.
 local function curves(self, problem, found, scale)
   local list, bands = {}, {}
   for _, curve in ipairs(problem.unknowns.curves) do
@@ -184,7 +185,8 @@ local function note_vague(notes, problem, found, deviation)
   end
 end
 
--- Notes the scatter of values that change in steps, which limits their accuracy on a given mesh.
+-- Adds a note on the scatter of values that change in steps, which limits their accuracy on this
+-- mesh.
 local function note_rippled(notes, problem)
   for _, item in ipairs(problem.items) do
     if item.rippled then

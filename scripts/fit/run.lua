@@ -30,7 +30,7 @@ local function refuse_double(name, base, unknowns)
   end
 end
 
--- The fields of wear{} for all runs, long enough for the last measurement.
+-- Returns the fields of wear{} for all runs, with a distance up to the last measurement.
 local function base_of(name, given, what)
   local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
@@ -56,7 +56,8 @@ local function is_by_force(base)
   return loading.tangential ~= nil or type(loading[1]) == "table" and loading[1].tangential ~= nil
 end
 
--- Functions and flags on the motion for data.read: `path` returns the sliding distance of a cycle [mm].
+-- Returns functions and flags on the motion for data.read; `path` returns the sliding distance of a
+-- cycle [mm].
 local function motion_of(name, given, unknowns)
   local base = merged(given.base, { model = given.model })
   local function path()
@@ -67,13 +68,13 @@ local function motion_of(name, given, unknowns)
   return { path = path, by_force = is_by_force(base) }
 end
 
--- The user's model, or nil.
+-- Returns the user's model, or nil.
 local function model_of(given)
   if given.model ~= nil then return given.model end
   return type(given.base) == "table" and given.base.model or nil
 end
 
--- Makes the problem of a fit or a design; `each`: estimated number of runs for each unknown.
+-- Makes the problem of a fit or a design; `each` is the estimated number of runs for each unknown.
 local function prepare(name, given, items, each)
   local unknowns = unknown.read(name, given.unknown, model_of(given))
   local what = data.required(items)

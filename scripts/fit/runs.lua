@@ -1,5 +1,6 @@
--- The runs of a fit, one for each set of values, computed in this process or, with a run file, by the workers of a
--- study. Runs in the file are not computed again, also in a later call.
+-- The runs of a fit, one for each set of values. They are computed in this process or, with a run
+-- file, by the workers of a study. Runs in the file are never computed again, not even in a later
+-- call.
 
 local check = require "archard.lib.check"
 local observe = require "archard.study.observe"
@@ -10,7 +11,7 @@ local unknown = require "archard.fit.unknown"
 local runs = {}
 runs.__index = runs
 
--- The label of a case: its values with all digits.
+-- Returns the label of a case, its values with all digits.
 local function label_of(self, values)
   local words = {}
   for i, one in ipairs(self.unknowns) do words[i] = ("%s %.17g"):format(one.name, values[i]) end
@@ -25,7 +26,7 @@ local function deep(where, given, prefix)
   return copy
 end
 
--- The fields of wear{} for a set of values.
+-- Returns the fields of wear{} for a set of values.
 function runs:given(values)
   local given = deep(self.where, self.base, "base.")
   for name, value in pairs(unknown.settings(self.unknowns, values)) do
@@ -74,7 +75,7 @@ local function same_fit(self, store)
   end
 end
 
--- The base settings as text, by which the file of an earlier fit is recognized.
+-- Returns the base settings as text, by which the file of an earlier fit is recognized.
 local function fingerprint(where, base)
   local lines = {}
   for name, value in pairs(settings.carrier(where)(settings.flatten(where, base))) do
@@ -137,7 +138,7 @@ end
 
 -- --- both ----------------------------------------------------------------------------------------
 
--- The observed results for each set of values in the list, in the same order.
+-- Returns the observed results for each set of values in the list, in the same order.
 function runs:many(list)
   local wanted, seen, result = {}, {}, {}
   for _, values in ipairs(list) do
@@ -157,7 +158,7 @@ end
 
 function runs:one(values) return self:many{ values }[1] end
 
--- The run for a set of values as a wear object, at the last distance.
+-- Returns the run for a set of values as a wear object, at the last distance.
 function runs:wear(values)
   local _, run = observe.run(self:given(values), self.what)
   return run

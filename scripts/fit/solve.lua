@@ -7,7 +7,8 @@ local unknown = require "archard.fit.unknown"
 
 local solve = {}
 
--- largest number of iterations; tolerance of the last step, relative to the parameter's typical size
+-- Largest number of iterations; tolerance of the last step, relative to the parameter's typical
+-- size.
 local most, small = 60, 1e-4
 
 -- --- linear algebra of columns -------------------------------------------------------------------
@@ -26,7 +27,8 @@ local function norm(list)
   return math.sqrt(sum)
 end
 
--- Singular value decomposition of the columns scaled to length 1: u, s, v as flat lists by row, and the scale factors.
+-- Returns the singular value decomposition of the columns scaled to length 1: u, s, v as flat lists
+-- by row, and the scale factors.
 local function decompose(columns)
   local scales, lengths = {}, {}
   for j, column in ipairs(columns) do
@@ -42,8 +44,8 @@ end
 -- accurate.
 local blind = 1e-5
 
--- Covariance of the parameters; `unseen`: the directions that the data do not determine, each a list of the parameters
--- involved.
+-- Returns the covariance of the parameters, and `unseen`, the directions that the data do not
+-- determine, each as a list of the parameters involved.
 function solve.covariance(columns)
   local d = decompose(columns)
   local p, covariance, unseen = d.size, {}, {}
@@ -78,7 +80,7 @@ local function values_of(parameters, u)
   return values, slopes
 end
 
--- Residuals used for a failed run: larger than at the start, so that the step is shortened.
+-- Residuals of a failed run. They are larger than at the start, so that the step is shortened.
 local function residuals_of_failure(list)
   local far = {}
   for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
@@ -226,8 +228,8 @@ end
 
 -- --- smoothness by cross-validation ---------------------------------------------------------------
 
--- Mean square error in predicting each value from all others, to first order: residual / (1 - leverage). `columns` is
--- without the rows of roughness.
+-- Returns the mean square error in predicting each value from all others, to first order: residual
+-- / (1 - leverage). `columns` is without the rows of roughness.
 local function left_out(problem, columns, residuals, values, weight)
   local before = problem.smooth
   problem:smooth_by(weight)
@@ -258,7 +260,7 @@ local function left_out(problem, columns, residuals, values, weight)
   return sum / n
 end
 
--- The weight of roughness with the smallest prediction error in a series of weights.
+-- Returns the weight of roughness with the smallest prediction error in a series of weights.
 local function choose_weight(problem, found)
   problem:smooth_by(0)
   local residuals, columns = problem:residuals(found.values), problem:jacobian(found.values, true)

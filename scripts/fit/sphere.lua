@@ -30,7 +30,7 @@ function sphere.item(from, errors)
     title = from.title or ("map of the %s at %g mm"):format(from.body, from.distance) }
 end
 
--- The simulated depths at the points of an item; surface: { h = values of a map of a run }.
+-- Returns the simulated depths at the points of an item. surface: { h = values of a map of a run }.
 function sphere.values(item, surface)
   local rows, list = math.tointeger(math.sqrt(#surface.h / 2)), {}
   for i, n in ipairs(item.at) do list[i] = flat.sampled(rows, surface.h, n) end

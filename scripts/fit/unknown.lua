@@ -25,7 +25,7 @@ local fields = { start = start_kind, low = check.number, high = check.number, kn
   smooth = check.one_of({ "auto" }, not_below_0) }
 unknown.fields = fields
 
--- Typical range of a parameter: the unit of its steps and its prior error.
+-- Returns the typical range of a parameter, the unit of its steps and its prior error.
 local function span_of(one)
   if one.low and one.high then return one.high - one.low end
   if one.low then return one.start - one.low end
@@ -97,7 +97,8 @@ local function add(self, where, name, given, paths)
   end
 end
 
--- Paths of the settings by name, each used only once. The model is read only if a name is not a field of wear{}.
+-- Returns the paths of the settings by name, each used only once. The model is read only if a name
+-- is not a field of wear{}.
 local function paths_of(where, names, model)
   local by_name, flat, there, beneath = {}, {}, {}, nil
   for _, name in ipairs(names) do
@@ -135,10 +136,10 @@ local function slice(values, curve)
   return table.move(values, curve.first, curve.first + #curve.knots - 1, 1, {})
 end
 
--- The curve for the values of all parameters: { distance=, value= }.
+-- Returns the curve for the values of all parameters, { distance=, value= }.
 function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
 
--- The settings for the values of all parameters, by path.
+-- Returns the settings for the values of all parameters, by path.
 function unknown.settings(self, values)
   local flat = {}
   for i, one in ipairs(self) do
@@ -159,7 +160,7 @@ local function phase(one) -- phase of the start value between both bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
 end
 
--- The parameter's value at the variable u and its derivative by u.
+-- Returns the parameter's value at the variable u and its derivative by u.
 function unknown.value(one, u)
   if one.low and one.high then
     local half, angle = (one.high - one.low) / 2, u - 1 + phase(one)
@@ -174,14 +175,14 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
--- The value after a step, which is limited to nine tenths of the distance to a bound.
+-- Returns the value after a step, which is limited to nine tenths of the distance to a bound.
 function unknown.inside(one, value, step)
   if one.low then step = math.max(step, 0.9 * (one.low - value)) end
   if one.high then step = math.min(step, 0.9 * (one.high - value)) end
   return value + step
 end
 
--- The bound reached by a value, "low" or "high", or nil.
+-- Returns the bound reached by a value, "low" or "high", or nil.
 function unknown.at_bound(one, value)
   if one.low and value - one.low < 1e-4 * one.span then return "low" end
   if one.high and one.high - value < 1e-4 * one.span then return "high" end
@@ -189,8 +190,8 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Rows of a matrix over all parameters: second differences of the knots of each curve, in units of the start value;
--- distances in units of the mean knot spacing.
+-- Returns the rows of a matrix over all parameters: second differences of the knots of each curve,
+-- in units of the start value, with distances in units of the mean knot spacing.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do
@@ -207,7 +208,7 @@ function unknown.roughness(self)
   return rows
 end
 
--- The weight of roughness: a number, or "auto" if a curve has smooth = "auto".
+-- Returns the weight of roughness: a number, or "auto" if a curve has smooth = "auto".
 function unknown.smooth(self)
   local most = 0
   for _, curve in ipairs(self.curves) do

@@ -1,5 +1,6 @@
--- Runs of joints in run files: the fields of wear{} that make the run again, then its state, history and last record
--- among the results. The functions `save`, `wear`, `history` and `surfaces` also work for runs of the engine.
+-- Runs of joints in run files. A case has the fields of wear{} that make the run again, and among
+-- its results the state, the history and the last record. The functions `save`, `wear`, `history`
+-- and `surfaces` also work for runs of the engine.
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -16,7 +17,7 @@ local counted = { "updates", "solutions" }
 
 -- --- runs ---------------------------------------------------------------------------------------
 
--- The definition of a run as flat fields, functions as the word "function".
+-- Returns the definition of a run as flat fields, with functions as the word "function".
 local function flat_definition(run)
   local definition = run:definition()
   for _, name in ipairs(callable) do
@@ -47,7 +48,7 @@ local function part(results, prefix)
   return found
 end
 
--- Puts the user's functions into a definition that had some.
+-- Puts the user's functions into a definition that was saved with functions.
 local function with_functions(definition, functions)
   for _, name in ipairs(callable) do
     local f = type(functions) == "table" and functions[name]
@@ -75,13 +76,14 @@ end
 local function is_joint(value) return strict.is(value, "joint_wear") end
 file.is_joint = is_joint
 
--- The results of a case if it is a run of a joint, else nil.
+-- Returns the results of a case if it is a run of a joint, else nil.
 local function results_of(from, id)
   local results = from:values(id, "results")
   return results.state and results or nil
 end
 
--- Saves a run under a number; surfaces: earlier ones of a run of the engine; others: more results, by name.
+-- Saves a run as the case with a number. surfaces: earlier surfaces of a run of the engine; others:
+-- further results, by name.
 function file.save(to, id, run, surfaces, others)
   if not is_joint(run) then
     to:save(id, run, surfaces)
@@ -107,7 +109,7 @@ end
 
 function file.surfaces(from, id) return results_of(from, id) and {} or from:surfaces(id) end
 
--- The definition of a run as stored, flat.
+-- Returns the stored definition of a run as flat fields.
 function file.definition(run)
   local path = os.tmpname()
   os.remove(path)
@@ -129,7 +131,7 @@ local function check_path(where, path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
 end
 
--- Writes the file completely or not at all; replaces a file of a joint, refuses any other file.
+-- Writes the file completely or not at all. Replaces a file of a joint and refuses any other file.
 function file.write(run, path)
   check_path("joint_wear:save", path)
   check.as("joint_wear:save", function()
@@ -163,7 +165,8 @@ function file.open(path, functions)
   return check.as("joint.open", read, path, functions)
 end
 
--- (path, functions, id) -> the run of a joint that is a case of a study, nil for a run of the engine.
+-- (path, functions, id) -> the run if this case of a study is a run of a joint; nil for a run of
+-- the engine.
 function file.open_case(path, functions, id)
   local from <close> = store.open(path, "read")
   return results_of(from, id) and file.wear(from, id, functions)

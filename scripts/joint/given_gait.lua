@@ -1,4 +1,5 @@
--- Gaits from their fields: rotations and loads over a cycle, as functions of t in [0, 1], lists or numbers.
+-- Gaits defined by their fields: rotations and loads over a cycle, as functions of t in [0, 1],
+-- lists or numbers.
 
 local check = require "archard.lib.check"
 local made = require "archard.joint.made"
@@ -20,7 +21,7 @@ given.fields = { gait = given.kind, name = check.text, instants = check.list } -
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
   increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true), period = check.positive }
 
--- Times as shares of the cycle.
+-- Returns the times as shares of the cycle.
 local function over_cycle(t, period)
   local shares = {}
   for i, time in ipairs(t) do shares[i] = time / period end
@@ -63,7 +64,7 @@ for name, kind in pairs(fields) do given.fields[name] = kind end
 
 local most = 60 -- degrees of rotation in half an increment
 
--- The list of n instants from functions of three angles and three loads.
+-- Returns the list of n instants from functions of three angles and three loads.
 local function instants_of(n, parts, loads, order)
   local angles, forces = {}, {}
   for i = 0, 2 * n do
@@ -102,7 +103,7 @@ function given.read(from, name)
   return made(name or "own", instants_of(n, parts, loads, from.order or "xyz"), instants_of(2 * n, parts, loads, from.order or "xyz"))
 end
 
--- True for a gait.
+-- Returns true for a gait.
 function given.is(value) return strict.is(value, "gait") end
 
 -- Returns a gait object unchanged, or creates one from its fields or from the fields of a run file (name and instants).

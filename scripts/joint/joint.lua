@@ -32,7 +32,7 @@ local joint_fields = { head = check.table, cup = check.table, mesh = check.table
 local head_fields = { radius = check.positive, material = material_kind, layers = layers_kind }
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
--- Fields of a material, an object or a table, as a plain table, as in run files.
+-- Returns the fields of a material (an object or a table) as a plain table, as used in run files.
 local function plain(m, prefix)
   if type(m) == "table" then check.fields("joint", m, material_fields, prefix .. "material.") end
   return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil }
@@ -68,7 +68,7 @@ local function new(given)
   return strict.object(made, class)
 end
 
--- The fields of joint{} that make the same joint.
+-- Returns the fields of joint{} that make an equal joint.
 function class.__settings(j)
   return { head = j.head, cup = j.cup, foundation = j.foundation, order = j.order, mesh = j.mesh }
 end
@@ -82,7 +82,7 @@ end
 -- j:contact{ load=, direction= }
 function methods:contact(given) return require "archard.joint.contact"(self, given) end
 
--- j:wear{ loading=, k=, alpha=, cycles=, ... }: a run on its own copy of the joint.
+-- j:wear{ loading=, k=, alpha=, cycles=, ... }: makes a run on its own copy of the joint.
 function methods:wear(given) return require "archard.joint.run".new(self, given) end
 
 -- joint.open(path [, { k = f }]): opens a run saved by w:save(path).

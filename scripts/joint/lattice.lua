@@ -6,7 +6,7 @@ local strict = require "archard.strict"
 
 local lattice = {}
 
--- A map over theta and phi in degrees; phi varies fastest in the values.
+-- Returns a map over theta and phi in degrees; phi varies fastest in the values.
 function lattice.map(engine, what)
   local rows, values = sphere.map(engine, what)
   local d = 180 / rows
@@ -16,16 +16,17 @@ function lattice.map(engine, what)
   return strict.table(map, "map")
 end
 
--- The largest depth of a body [mm].
+-- Returns the largest depth of a body [mm].
 function lattice.deepest(engine, body)
   local most, _, depth = 0, sphere.map(engine, body)
   for i = 1, #depth do most = math.max(most, depth[i]) end
   return most
 end
 
--- Warns if the contact reaches the rim, within a cell, or is so near the rim that the error of the complete spheres
--- exceeds about 1 %; of each once in a run, which keeps what it was warned of in the table `warned`. `share` of the usual
--- distance, 1 if omitted: at half a liner's thickness finite elements differ by .7 %.
+-- Warns if the contact reaches the rim to within a cell, or is so near the rim that the error of
+-- complete spheres exceeds about 1 %. A run gives each warning once and records it in the table
+-- `warned`. `share` scales the distance to the rim (default 1); at half a liner's thickness finite
+-- elements differ by .7 %.
 function lattice.warn_of_rim(where, joint, margin, warned, share)
   if warned.reached then return end
   if margin < joint.mesh.size then
@@ -47,8 +48,8 @@ end
 
 local fewest, enough = 3, 6 -- number of cells across a contact
 
--- Checks the number of cells across a contact with this half angle in degrees: an error below three, a warning below
--- six.
+-- Checks the number of cells across a contact with this half angle in degrees: fewer than three are
+-- an error, fewer than six cause a warning.
 function lattice.check_cells(where, engine, half_angle)
   local size = 180 / (sphere.map(engine, "pressure"))
   local across = 2 * half_angle / size

@@ -11,15 +11,15 @@ function class:__tostring()
     self.increments, self.track, self.work / 1000)
 end
 
--- The fields that make the same gait, for run files.
+-- Returns the fields that make an equal gait, for run files.
 function class.__settings(g) return { name = g.name, instants = g.instants } end
 
 strict.class(class)
 
 local most_lost = 0.01 -- share of path or work that increments may lose without a warning
 
--- Warns if the increments lose more than this: chords approach the path with the square of their number, so the error is
--- 4/3 of the difference to twice as many.
+-- Warns if the increments lose more than this share. The error of chords falls with the square of
+-- their number, so it is 4/3 of the difference from twice as many.
 local function warn_of_few(name, count, track, work, finer)
   local fine_track, fine_work = sphere.path(finer, 14)
   local lost = 4 / 3 * math.max(1 - track / fine_track, math.abs(1 - work / fine_work))
@@ -29,7 +29,7 @@ local function warn_of_few(name, count, track, work, finer)
   end
 end
 
--- A gait of constant angles wears nothing.
+-- Refuses a gait of constant angles, which causes no wear.
 local function warn_of_rest(name, instants)
   for i = 1, #instants, 15 do
     if instants[i + 9] ~= 0 or instants[i + 10] ~= 0 or instants[i + 11] ~= 0 then return end
@@ -37,7 +37,7 @@ local function warn_of_rest(name, instants)
   warn(("gait %s: the head does not move: flexion, adduction and rotation are constant"):format(name))
 end
 
--- (name, list of numbers [, the list of twice as many increments]) -> gait
+-- (name, list of numbers [, list with twice as many increments]) -> gait
 return function(name, instants, finer)
   if type(name) ~= "string" or type(instants) ~= "table" or #instants < 15 or #instants % 15 ~= 0 then
     check.fail("gait", "expected a name and fifteen numbers for each instant")

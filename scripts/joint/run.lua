@@ -59,7 +59,7 @@ local function blocks_of(given)
   return blocks
 end
 
--- The depths on the lattice from a function, a map or a list of the user.
+-- Returns the depths on the lattice from a function, a map or a list of the user.
 local function depths_of(engine, name, given)
   if not shape_kind.test(given) then check.refuse("joint:wear", "worn." .. name, shape_kind.expected, given) end
   local map = lattice.map(engine, name)
@@ -96,7 +96,8 @@ local columns = { "update", "cycle", "distance", "jump", "load", "p_peak", "area
   "volume_plate", "depth_partition", "solutions" }
 runs.columns = columns
 
--- A history from its columns, an empty one without; its bodies are named head and cup.
+-- Returns a history made from its columns, or an empty one if there are no columns; its bodies are
+-- named head and cup.
 function runs.history(given)
   local history = {}
   for _, name in ipairs(columns) do history[name] = strict.table(given[name] or {}, "list of numbers") end
@@ -111,7 +112,7 @@ local function refuse_two(given, one, other)
   end
 end
 
--- Sliding distance of the load over the head [mm] after a number of cycles.
+-- Returns the sliding distance of the load over the head [mm] after a number of cycles.
 local function distance_of(run, cycles)
   local sum, first = 0, 0
   for _, block in ipairs(run.blocks) do
@@ -121,7 +122,7 @@ local function distance_of(run, cycles)
   return sum
 end
 
--- The cycles after which this distance is reached.
+-- Returns the number of cycles after which this distance is reached.
 local function cycles_of(run, distance)
   local first = 0
   for i, block in ipairs(run.blocks) do
@@ -191,7 +192,7 @@ function runs.new(model, given)
   return strict.object(run, class)
 end
 
--- The fields of wear{} that make the same run, but for start shapes.
+-- Returns the fields of wear{} that make an equal run, without initial shapes.
 function methods:definition()
   local blocks = {}
   for i, block in ipairs(self.blocks) do
@@ -204,7 +205,7 @@ end
 
 -- --- steps --------------------------------------------------------------------------------------
 
--- The block at the present cycle, and its last cycle.
+-- Returns the block at the present cycle, and its last cycle.
 local function block_at(run)
   local last = 0
   for _, block in ipairs(run.blocks) do
@@ -214,14 +215,15 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- The state of the joint as it is now is set again when the value is closed: a contact computed for a look changes no bit
--- of the run.
+-- Returns a value that restores the present state of the joint when it is closed, so that a contact
+-- computed for a picture changes no bit of the run.
 local function unchanged(run)
   local state = sphere.state(run.engine)
   return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })
 end
 
--- Computes the contact under a gait's largest load: refuses cells that are too large, warns if the rim is near.
+-- Computes the contact under a gait's largest load. Refuses cells that are too large, and warns if
+-- the rim is near.
 local function check_contact(run, gait_of_block)
   local load = largest_load(gait_of_block.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
@@ -231,7 +233,8 @@ local function check_contact(run, gait_of_block)
   return contact
 end
 
--- Checks the contact of the block that begins. The first one's pressure and area become those of the history's first row.
+-- Checks the contact of the block that begins. Pressure and area of the first block's contact enter
+-- the first row of the history.
 local function begin_block(run, block)
   if run.cycle > 0 then
     local _ <close> = unchanged(run)
@@ -243,13 +246,13 @@ local function begin_block(run, block)
   run.checked = block
 end
 
--- Cycles up to the next of the given number of updates, which end at goal (j/m)^1.5.
+-- Returns the number of cycles up to the next of m updates, which end at goal (j/m)^1.5.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
   return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
 end
 
--- Cycles of the next update as given, if the user gave updates or jump.
+-- Returns the number of cycles of the next update, if the user gave updates or jump.
 local function given_cycles(run)
   if run.updates then return next_of_updates(run) end
   if type(run.jump) ~= "function" then return run.jump end
@@ -258,7 +261,8 @@ local function given_cycles(run)
   return cycles
 end
 
--- Cycles of an explicit update: the stability limit, at most a fixed part of the goal.
+-- Returns the number of cycles of an explicit update: the stability limit, at most a fixed part of
+-- the goal.
 local function explicit_cycles(run, instants)
   local most = run.jump and given_cycles(run) or run.cycles / (run.updates or usual.updates)
   if run.k == 0 then return most end
@@ -298,14 +302,15 @@ end
 
 local ended = setmetatable({}, { __close = function() process.report "" end })
 
--- Sets the progress in the error of Ctrl-C, until the value returned is closed.
+-- Adds the progress to the error of Ctrl-C until the returned value is closed.
 local function report(run, goal)
   process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
   return ended
 end
 
--- w:run{ cycles=, distance=, progress= }: runs up to a number of cycles or a sliding distance of the load. An error or Ctrl-C leaves the run after its last complete
--- step, from which it can be continued with identical results.
+-- w:run{ cycles=, distance=, progress= }: runs up to a number of cycles or a sliding distance of
+-- the load. After an error or Ctrl-C the run is at its last complete step, from which it can be
+-- continued with identical results.
 function methods:run(given)
   if not self.engine then check.fail("joint_wear:run", "expected a run, got a closed one") end
   given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, distance = check.positive,
@@ -334,7 +339,7 @@ function methods:sensitivity(given) return sphere.sensitivity(self, given) end
 
 -- --- results ------------------------------------------------------------------------------------
 
--- The instant of the cycle with the largest load, from 1.
+-- Returns the instant of the cycle with the largest load, from 1.
 function methods:heaviest() return (select(3, largest_load(self.loading.instants))) end
 
 -- Solves the contact of the present surfaces at an instant of the cycle.
@@ -346,8 +351,8 @@ end
 
 local map_kind = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
 
--- w:map "cup" | "head" | "cross shear" | "creep" | "pressure", { instant= }; the pressure at an instant of the cycle, by
--- default that of the largest load, on the present surfaces
+-- w:map "cup" | "head" | "cross shear" | "creep" | "pressure", { instant= }: the pressure is that
+-- of the present surfaces at an instant of the cycle, by default the instant of the largest load.
 function methods:map(what, given)
   if not map_kind.test(what) then check.refuse("joint_wear:map", "what", map_kind.expected, what) end
   local instants = self.loading.increments
@@ -361,13 +366,14 @@ end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }
 
--- w:flat "cup": the same map in mm, in an azimuthal equal-area projection about the load.
+-- w:flat "cup": the map of w:map over positions in mm, in azimuthal equal-area projection about the
+-- load.
 function methods:flat(what)
   local map = self:map(what)
   return flat.map(#map.theta, map.values, self.model.head.radius, what, units[what] or "mm")
 end
 
--- w:penetration(): the head's displacement into the cup under the largest load [mm].
+-- w:penetration(): displacement of the head into the cup under the largest load [mm].
 function methods:penetration() return self.record.penetration end
 
 -- w:save(path): saves the run so that it can be continued with identical results.

@@ -1,6 +1,6 @@
 -- Describes the bodies of a joint.
 
--- "CoCr, E 230000 MPa nu 0.3"
+-- Returns a text such as "CoCr, E 230000 MPa nu 0.3".
 local function material_text(m)
   return ("%sE %g MPa nu %g"):format(m.name and m.name .. ", " or "", m.E, m.nu)
 end
@@ -12,7 +12,8 @@ local function layers_text(layers, core)
   return table.concat(parts, ", ")
 end
 
--- (joint) -> "head of 28 mm, radial clearance 0.06 mm, elastic" and a line for each body
+-- (joint) -> a text such as "head of 28 mm, radial clearance 0.06 mm, elastic" and a line for each
+-- body
 return function(joint)
   return ("head of %g mm, radial clearance %g mm, %s\n  head      %s\n  cup       %s"):format(2 * joint.head.radius,
     joint.cup.clearance, joint.foundation, layers_text(joint.head.layers, joint.head.material), layers_text(joint.cup.layers))

@@ -10,7 +10,7 @@ local function widths_of(rows)
   return widths
 end
 
--- Cells are right-aligned except the last column; with `words`, all are left-aligned.
+-- Aligns cells to the right, except the last column; with `words`, all to the left.
 local function line_of(row, widths, words)
   local cells = {}
   for c, text in ipairs(row) do

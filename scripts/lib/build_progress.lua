@@ -1,5 +1,5 @@
--- Progress display of building a model: returns a function(what, share, seconds), called without arguments at the end;
--- nil if standard error is not a terminal.
+-- Progress display of building a model. Returns a function(what, share, seconds) that is called
+-- without arguments at the end, or nil if standard error is not a terminal.
 
 local term = require "archard.term"
 

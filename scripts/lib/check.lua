@@ -6,12 +6,12 @@ local names = require "archard.names"
 
 local check = {}
 
--- Raises an error object; code: name of a status, default "ARGUMENT".
+-- Raises an error object. code: name of a status, default "ARGUMENT".
 function check.fail(where, message, code)
   names.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
--- " (did you mean 'title'?)", or the list of known names, without `name` itself.
+-- Returns " (did you mean 'title'?)" or the list of known names, without `name` itself.
 function check.hint(name, known)
   local sorted = {}
   for _, each in ipairs(known) do
@@ -28,7 +28,8 @@ check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a t
 
 -- --- kinds of values: { test, what is expected } -------------------------------------------------
 
--- A kind of values. item: kind of the items of a list, to report the wrong item; growing: true for an increasing list.
+-- Makes a kind of values. item: kind of the items of a list, to report the wrong item; growing:
+-- true for an increasing list.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end
@@ -56,7 +57,7 @@ check.progress = kind('a function, false or "lines"', function(v)
   return type(v) == "function" or v == false or v == "lines"
 end)
 
--- Kind of integers from `low` to `high`, or without an upper limit.
+-- Returns the kind of whole numbers from `low` to `high`, or without an upper limit.
 function check.whole(low, high)
   return kind(high and ("a whole number in [%d, %d]"):format(low, high)
     or ("a whole number >= %d"):format(low), function(v) return whole(v, low, high or v) end)
@@ -64,7 +65,8 @@ end
 
 check.count = check.whole(1, 100000)
 
--- Index of the first wrong item of a list and the expected value; nil if all items are right.
+-- Returns the index of the first wrong item of a list and the expected value; nil if all items are
+-- right.
 local function wrong_item(list, item, growing)
   for i = 1, #list do
     local one = list[i]
@@ -75,7 +77,8 @@ local function wrong_item(list, item, growing)
   end
 end
 
--- Kind of non-empty lists of items; growing: each number is larger than the one before.
+-- Returns the kind of non-empty lists of items. growing: each number is larger than the previous
+-- one.
 function check.list_of(item, expected, growing)
   return kind(expected, function(v)
     return type(v) == "table" and #v > 0 and not wrong_item(v, item, growing)
@@ -87,7 +90,8 @@ function check.any(expected) return kind(expected, function() return true end) e
 
 local deepest = 20 -- nesting of tables
 
--- Refuses deeply nested tables, as one that contains itself. `name`: path of the nested table.
+-- Refuses deeply nested tables, such as a table that contains itself. `name`: path of the nested
+-- table.
 function check.depth(where, name)
   local _, points = name:gsub("%.", "")
   if points > deepest then
@@ -116,7 +120,7 @@ check.box = kind("{ x0, x1, y0, y1 }", function(v)
     and v[1] < v[2] and v[3] < v[4]
 end)
 
--- Kind of the given strings; `also`: another kind that is accepted.
+-- Returns the kind of the given strings. `also`: another kind that is accepted.
 function check.one_of(words, also)
   local expected = {}
   for i, word in ipairs(words) do expected[i] = '"' .. word .. '"' end
@@ -146,7 +150,7 @@ local function refuse_kind(where, name, expected_kind, value)
   check.refuse(where, name, expected_kind.expected, value)
 end
 
--- True for a table with __len, which is refused, as it could report an endless list.
+-- Returns true for a table with __len, which is refused because it could report an endless list.
 local function has_len(value)
   local metatable = type(value) == "table" and getmetatable(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
@@ -184,7 +188,8 @@ function check.as(where, f, ...)
   check.fail(where, err.message, err.code)
 end
 
--- Checks a table that has only named fields. or_else: text of other accepted values; name: name of the table's field.
+-- Checks a table that has only named fields. or_else: text of other accepted values; name: name of
+-- the field that has the table.
 function check.definition(where, given, fields, or_else, name)
   if type(given) ~= "table" then
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",

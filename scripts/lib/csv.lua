@@ -42,7 +42,7 @@ local function split(line, separator)
   return cells
 end
 
--- The separator is the most frequent one in the line of names.
+-- Returns the separator, the most frequent one in the line of names.
 local function separator_of(header)
   local best, most = ",", 0
   for _, separator in ipairs{ ",", ";", "\t" } do
@@ -52,7 +52,8 @@ local function separator_of(header)
   return best
 end
 
--- The number in a cell, or nil; if cells are separated by semicolons, a decimal comma is accepted.
+-- Returns the number in a cell, or nil. If cells are separated by semicolons, a decimal comma is
+-- accepted.
 local function number_in(cell, separator)
   if separator == ";" then cell = cell:gsub(",", ".") end
   if cell:lower():find("^[+-]?nan$") then return 0 / 0 end
@@ -74,7 +75,7 @@ local function names_of(path, number, header, separator)
   return names
 end
 
--- Lines with data and their numbers.
+-- Returns the lines with data and their numbers.
 local function lines_of(path)
   local lines, number = {}, 0
   for line in (files.read(where, path):gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
@@ -89,7 +90,8 @@ local function scale(values, unit)
   for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
 end
 
--- A column with its name: without the unit if that is known, else the whole header.
+-- Returns a column with its name, which is the header without the unit if that is known, else the
+-- whole header.
 local function column_of(header)
   local name, unit = units.split(header)
   local known = unit and units.known(unit)
@@ -123,7 +125,8 @@ local function read_columns(path)
   return columns
 end
 
--- Columns by number and by name, with and without units; the first of two equal names is used.
+-- Returns the columns by number and by name, with and without units; of two equal names the first
+-- one is used.
 local function index_of(columns)
   local index = {}
   for i, column in ipairs(columns) do
@@ -147,7 +150,8 @@ local function refuse_column(path, columns, wanted)
     or tostring(wanted), table.concat(headers, ", "))
 end
 
--- All columns by name, their units if headers contain them, and the names in the order of the file.
+-- Returns all columns by name, their units if headers contain them, and the names in the order of
+-- the file.
 local function all_of(path, columns)
   local result, told, order = {}, {}, {}
   for i, column in ipairs(columns) do

@@ -2,8 +2,8 @@
 
 local files = require "archard.files"
 
--- Text of a cell: quoted if it contains a comma, a quote or a line break; line breaks become
--- blanks.
+-- Returns the text of a cell, in quotes if it contains a comma, a quote or a line break. Line
+-- breaks become blanks.
 local function cell(value)
   if value == nil then return "" end
   if type(value) == "number" then return files.number(value) end

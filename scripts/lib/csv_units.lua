@@ -12,7 +12,7 @@ local smaller = { um = 1000, ["µm"] = 1000, ["μm"] = 1000, nm = 1e6, mN = 1000
 
 local units = {}
 
--- "h [um]" -> "h", "um"; a header without a unit is returned alone.
+-- Splits "h [um]" into "h" and "um". A header without a unit is returned alone.
 function units.split(header)
   local name, unit = header:match("^(.-)%s*%[%s*(.-)%s*%]$")
   if not name then name, unit = header:match("^(.-)%s*%(%s*(.-)%s*%)$") end
@@ -20,14 +20,14 @@ function units.split(header)
   return name, unit
 end
 
--- Normalizes powers: m^3, m³ and m**3 become m3.
+-- Converts the powers m^3, m³ and m**3 to m3.
 local function plain(unit)
   return (unit:gsub("%*%*(%d)", "%1"):gsub("%^(%d)", "%1"):gsub("²", "2"):gsub("³", "3"))
 end
 
 function units.known(unit) return (larger[plain(unit)] or smaller[plain(unit)]) ~= nil end
 
--- Converts a number from this unit to mm, N, MPa, s and degrees.
+-- Converts a number from this unit to mm, N, MPa, s or degrees.
 function units.scaled(value, unit)
   unit = plain(unit)
   return larger[unit] and value * larger[unit] or value / smaller[unit]

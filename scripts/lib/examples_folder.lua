@@ -7,7 +7,8 @@ local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
--- Paths of the examples relative to the program and to the module for the stock interpreter, installed or just built.
+-- Paths of the examples relative to the program and to the module for the stock interpreter, both
+-- installed and in the build folder.
 local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
 local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
 
@@ -26,7 +27,7 @@ function folder.find()
   return found or check.fail("examples", "no examples found in share/archard/examples beside " .. bin, "MISSING")
 end
 
--- Names of the example files in order: "01_contact", ...
+-- Returns the names of the example files in order, such as "01_contact".
 function folder.names()
   local list = {}
   for _, file in ipairs(process.files(folder.find())) do
@@ -36,7 +37,7 @@ function folder.names()
   return list
 end
 
--- First sentence of the comment at the start of an example.
+-- Returns the first sentence of the comment at the start of an example.
 local function title(path)
   local head = {}
   for line in text_file.read(path):gmatch("[^\n]+") do
@@ -47,7 +48,7 @@ local function title(path)
   return text:match("^(.-[.])%s") or text
 end
 
--- List of the examples in the form of help entries, with name and first sentence.
+-- Returns a list of the examples in the form of help entries, with name and first sentence.
 function folder.entries()
   local list = {}
   for i, name in ipairs(folder.names()) do

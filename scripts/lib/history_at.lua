@@ -1,6 +1,7 @@
--- at(history, column, distance): the value of a history's column at a distance, by cubic
--- interpolation between four rows (or fewer, if the history is shorter). Rows of a column before its first
--- number, as the unworn state has no partition of depths, are omitted; before it this number applies.
+-- at(history, column, distance): the value of a column of the history at a distance, by cubic
+-- interpolation between four rows (or fewer, if the history is shorter). Rows before the first
+-- number of a column are omitted (the unworn state has no partition of depths), and the first
+-- number applies to them.
 return function(history, column, distance)
   local x, y, start = history.distance, history[column], 1
   while start < #x and y[start] ~= y[start] do start = start + 1 end

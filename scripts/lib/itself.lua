@@ -3,7 +3,7 @@
 
 local itself = {}
 
--- The path of archard.so, or nil if it is not found.
+-- Returns the path of archard.so, or nil if it is not found.
 function itself.module() return (package.searchpath("archard", package.cpath)) end
 
 -- (module, argument...) -> Lua code for the option -e; arguments are strings or numbers. In the stock interpreter, the

@@ -1,4 +1,4 @@
--- (table) -> its keys as a sorted list; all keys must be strings, or all numbers.
+-- (table) -> its keys as a sorted list; the keys must be all strings or all numbers.
 return function(values)
   local keys = {}
   for key in pairs(values) do keys[#keys + 1] = key end

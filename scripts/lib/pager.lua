@@ -1,5 +1,5 @@
--- Shows a text page by page if it is longer than the terminal: with $PAGER, else with less, else by itself. Without a
--- terminal it prints the text.
+-- Shows a text page by page if it is longer than the terminal, with $PAGER, else with less, else
+-- without another program. Without a terminal it prints the text.
 
 local term = require "archard.term"
 
@@ -10,7 +10,7 @@ local function count_lines(text)
   return breaks + 1
 end
 
--- The pager command, or nil: less keeps colours, and its text stays on the screen.
+-- Returns the pager command, or nil. less keeps colours, and its text stays on the screen.
 local function command()
   local wished = os.getenv "PAGER"
   if wished and wished ~= "" then return wished end

@@ -1,5 +1,5 @@
--- Formats any value readably for a given width: long lists shortened, nested tables indented, keys sorted, cycles
--- marked. Calls no metamethod except __tostring.
+-- Formats any value readably for a width: long lists are shortened, nested tables indented, keys
+-- sorted, and tables that contain themselves marked. Calls no metamethod except __tostring.
 
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
@@ -44,7 +44,7 @@ local function quote(text)
   return '"' .. names.plain(text) .. '"'
 end
 
--- Result of an object's __tostring, or nil without one.
+-- Returns the result of an object's __tostring, or nil if it has none.
 local function own_text(value)
   local metatable = debug.getmetatable(value)
   if type(metatable) ~= "table" or rawget(metatable, "__tostring") == nil
@@ -73,7 +73,7 @@ function writer:scalar(value, within)
     return self:paint(kind, number_text(value, within))
   end
   local text = own_text(value) or tostring(value)
-  -- An object inside a table is shown as one line.
+  -- Shows an object inside a table as one line.
   if within then text = text:match("^[^\n]*") .. (text:find("\n") and " ..." or "") end
   return self:paint(kind, text)
 end
@@ -91,7 +91,7 @@ local function key_before(a, b)
   return tostring(a) < tostring(b)
 end
 
--- The keys outside the list part, sorted.
+-- Returns the keys outside the list part, sorted.
 local function sorted_keys(value, count)
   local keys = {}
   for key in next, value do
@@ -107,7 +107,8 @@ function writer:key(key)
   return "[" .. self:scalar(key, "key") .. "]"
 end
 
--- Number of first items shown of a list of `count`; if it is shortened, the last item is shown too.
+-- Returns the number of first items shown of a list of `count`. If the list is shortened, its last
+-- item is shown too.
 local function shown_head(count, depth)
   local most = depth == 0 and limits.list or limits.inner_head + 2
   if count <= most then return count end
@@ -148,7 +149,7 @@ local function fits(parts, available)
   return length - 2 <= available
 end
 
--- Items of a list side by side, wrapped to the width.
+-- Writes the items of a list side by side, wrapped to the width.
 local function fill(parts, indent, width)
   local margin = string.rep(" ", indent + 2)
   local lines, line, length = {}, {}, 0
@@ -220,7 +221,7 @@ function pretty.format(value, options)
   return self:any(value, 0, 0)
 end
 
--- Text of a value for the width of the terminal, as print() shows lists.
+-- Returns the text of a value for the width of the terminal, in which print() shows lists.
 function pretty.fitted(value) return pretty.format(value, { width = (term.size()) }) end
 
 return pretty

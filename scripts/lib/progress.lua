@@ -25,7 +25,7 @@ function progress.new(definition)
   return setmetatable(self, progress)
 end
 
--- "4:05", or "1:04:05"; "-:--" above 100 hours.
+-- Returns a time as "4:05" or "1:04:05", and "-:--" above 100 hours.
 function progress.duration(seconds)
   if seconds ~= seconds or seconds > 359999 then return "-:--" end
   local whole = math.floor(seconds + 0.5)
@@ -34,18 +34,18 @@ function progress.duration(seconds)
   return ("%d:%02d"):format(minutes, whole % 60)
 end
 
--- "[###.......]", with `width` characters between the brackets
+-- Returns a bar such as "[###.......]" with `width` characters between the brackets.
 function progress.bar(share, width)
   local full = math.floor(math.max(0, math.min(1, share)) * width + 0.5)
   return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
--- Integers with all digits, other numbers with four.
+-- Writes whole numbers with all digits and other numbers with four.
 local function amount(value)
   return (math.type(value) == "integer" and "%d" or "%.4g"):format(value)
 end
 
--- The share done, and the texts before and after the bar.
+-- Returns the share done, and the texts before and after the bar.
 function progress:parts(done, note, now)
   local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
   local rate = (done - self.first) / math.max(now - self.started, 1e-9)
@@ -57,7 +57,7 @@ function progress:parts(done, note, now)
   return share, head, tail
 end
 
--- The text for a line of `width` columns; also called by the tests.
+-- Returns the text for a line of `width` columns; tests call it too.
 function progress:line(done, note, now, width)
   local share, head, tail = self:parts(done, note, now)
   local space = width - #head - #tail - 6

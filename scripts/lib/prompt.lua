@@ -24,15 +24,16 @@ local function load_at(text, name, line)
   end, name, "t")
 end
 
--- True if the parser expects more lines. An unfinished quoted string is an error unless its line ends with a backslash.
+-- Returns true if the parser expects more lines. An unfinished quoted string is an error unless its
+-- line ends with a backslash.
 local function is_open(message, text)
   if message:find("unfinished string near", 1, true) and not text:find("\\$") then return false end
   return message:find("<eof>'?$") ~= nil
 end
 
--- Splits the text into its last lines, if they are an expression, and the lines before them, if these are a chunk, so
--- that the expression's values can be shown. Lines that Lua would join with the line before, as "(c)" after "a = b",
--- are not split.
+-- Splits the text into its last lines, if they are an expression, and the lines before them, if
+-- these are a chunk, so that the values of the expression can be shown. Lines that Lua would join
+-- with the previous line, such as "(c)" after "a = b", are not split.
 local function split_last(text)
   local at = #text
   for _ = 1, 100 do
@@ -46,8 +47,8 @@ local function split_last(text)
   end
 end
 
--- Code that ends with returning the values of `expression`. `return f()` would be a tail call, which removes the
--- chunk's frame and thereby the line number of errors in f.
+-- Returns code that ends by returning the values of `expression`. `return f()` would be a tail
+-- call, which removes the chunk's frame and thereby the line number of errors in f.
 local function handed_on(head, expression)
   local ended = expression:find("--", 1, true) and "\n)" or ")" -- on the same line, so that line numbers of errors are right
   return head .. "return (function(...) return ... end)(" .. expression .. ended
@@ -78,7 +79,7 @@ local function short_command(text)
   end
 end
 
--- Suggestion for a text that is not Lua, or "".
+-- Returns a suggestion for a text that is not Lua, or "".
 local function hint_for(text)
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
   if word then return ('; did you mean help "%s"?'):format(word) end

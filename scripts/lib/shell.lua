@@ -2,10 +2,10 @@
 
 local shell = {}
 
--- A word quoted for the shell.
+-- Quotes a word for the shell.
 function shell.quote(word) return "'" .. tostring(word):gsub("'", "'\\''") .. "'" end
 
--- The words as one command line.
+-- Joins words to one command line.
 function shell.line(words)
   local quoted = {}
   for i, word in ipairs(words) do quoted[i] = shell.quote(word) end

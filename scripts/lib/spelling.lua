@@ -1,4 +1,4 @@
--- Spelling of table keys in Lua: stroke, ["model.radius"].
+-- Spelling of table keys in Lua, such as stroke or ["model.radius"].
 
 local find, format, tostring, type = string.find, string.format, tostring, type
 
@@ -14,13 +14,13 @@ function spelling.is_name(key)
   return type(key) == "string" and find(key, "^[%a_][%w_]*$") ~= nil and not is_keyword[key]
 end
 
--- A key as a field in braces.
+-- Returns a key as a field in braces.
 function spelling.field(key)
   if spelling.is_name(key) then return key end
   return format(type(key) == "string" and "[%q]" or "[%s]", type(key) == "string" and key or tostring(key))
 end
 
--- A key after the name of the table.
+-- Returns a key as it follows the name of a table.
 function spelling.index(key)
   return spelling.is_name(key) and "." .. key or spelling.field(key)
 end

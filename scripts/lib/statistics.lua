@@ -10,14 +10,14 @@ function statistics.mean(list)
   return sum / #list
 end
 
--- Largest absolute value.
+-- Returns the largest absolute value.
 function statistics.largest(list)
   local most = 0
   for _, value in ipairs(list) do most = math.max(most, math.abs(value)) end
   return most
 end
 
--- Standard deviation of the sample; nil for one measurement.
+-- Returns the standard deviation of the sample, or nil for one measurement.
 function statistics.deviation(list)
   if #list < 2 then return nil end
   local middle, sum = statistics.mean(list), 0
@@ -27,7 +27,7 @@ end
 
 statistics.known = 10000 -- degrees of freedom for a known deviation (normal distribution)
 
--- Two-sided quantile of Student's distribution for a confidence level.
+-- Returns the two-sided quantile of Student's distribution for a confidence level.
 function statistics.student(confidence, freedom)
   return random.student_quantile((1 + confidence) / 2, freedom)
 end

@@ -2,10 +2,11 @@
 
 local axis = {}
 
--- Mean step of the points.
+-- Returns the mean step of the points.
 function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
 
--- Index of the first point that differs from even steps by more than a twentieth of a step; nil if all steps are even.
+-- Returns the index of the first point that differs from even steps by more than a twentieth of a
+-- step; nil if all steps are even.
 function axis.uneven(list)
   local step = axis.step(list)
   for i = 2, #list do
@@ -13,15 +14,16 @@ function axis.uneven(list)
   end
 end
 
--- A list of `count` points with even steps, starting at `first`.
+-- Returns a list of `count` points with even steps, beginning at `first`.
 function axis.even(first, step, count)
   local list = {}
   for i = 1, count do list[i] = first + (i - 1) * step end
   return list
 end
 
--- Index of the point before a value, and the share of the step between this point and the value; nil outside the
--- points. Values up to 1e-6 of a step beyond an end, the error of single precision, count as the end.
+-- Returns the index of the point before a value, and the share of the step between this point and
+-- the value; nil outside the points. Values beyond an end by up to 1e-6 of a step, the error of
+-- single precision, count as the end.
 function axis.locate(list, value)
   local n, step = #list, axis.step(list)
   local beyond = 1e-6 * step
@@ -32,7 +34,8 @@ function axis.locate(list, value)
   return i, math.max(0, math.min(1, (value - list[i]) / (list[i + 1] - list[i])))
 end
 
--- Indices of the first and the last point in a range, which may be open at either end; nil if no point is in it.
+-- Returns the indices of the first and the last point in a range, which may be open at either end;
+-- nil if no point is in it.
 function axis.within(list, range)
   local low, high = range[1] or -math.huge, range[2] or math.huge
   local beyond, first, last = 1e-6 * axis.step(list), nil, nil
@@ -47,7 +50,8 @@ local function linear(list, value)
   return { first = i, 1 - share, share }
 end
 
--- Weights of the mean over a cell of width `size` about a value: the overlap with the cell of each point.
+-- Returns the weights of the mean over a cell of width `size` about a value: the overlap of each
+-- point with the cell.
 local function mean(list, value, size)
   local step, total = axis.step(list), 0
   local low, high = value - size / 2, value + size / 2
@@ -63,8 +67,9 @@ local function mean(list, value, size)
   return weights
 end
 
--- Points at distance `size` over the same length, centred, and the weights of the old points for each: linear
--- interpolation if the new points are closer, else means over cells of the new size.
+-- Returns points at distance `size` over the same length, centred, and the weights of the old
+-- points for each of them. They are weights of linear interpolation if the new points are closer,
+-- else of means over cells of the new size.
 function axis.resampled(list, size)
   local whole = list[#list] - list[1]
   local count = math.floor(whole / size + 1e-9) + 1

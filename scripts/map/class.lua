@@ -57,7 +57,7 @@ function map.new(where, x, z, y, about)
   return setmetatable(result, class)
 end
 
--- A map with new points, values and changed fields; all other fields are those of t.
+-- Returns a map with new points, values and changed fields; all other fields are those of t.
 function map.derived(t, x, z, y, changes)
   local result = merged(t, changes)
   result.x, result.z, result.y, result.size = x, z, y, { #x, #z }
@@ -72,7 +72,8 @@ local function outside(where, t, name, value)
     check.shown(value)))
 end
 
--- Bilinear interpolation between the points i, i + 1 and j, j + 1 at the shares u and v of the steps.
+-- Interpolates bilinearly between the points i, i + 1 and j, j + 1 at the shares u and v of the
+-- steps.
 local function bilinear(t, i, u, j, v)
   local y, n = t.y, #t.z
   local k = (i - 1) * n + j
@@ -117,7 +118,7 @@ end
 
 -- --- cropping and resampling ------------------------------------------------------------------------
 
--- The part of a map between two indices of each axis.
+-- Returns the part of a map between two indices of each axis.
 local function part(t, i0, i1, j0, j1)
   local y, n = {}, #t.z
   for i = i0, i1 do table.move(t.y, (i - 1) * n + j0, (i - 1) * n + j1, #y + 1, y) end
@@ -199,7 +200,7 @@ local function same_points(a, b)
   return true
 end
 
--- The part of `a` that overlaps `b`, and the values of b at its points.
+-- Returns the part of `a` that overlaps `b`, and the values of b at its points.
 local function shared(where, a, b)
   if same_points(a.x, b.x) and same_points(a.z, b.z) then return a, b.y end
   local i0, i1 = axis.within(a.x, { b.x[1], b.x[#b.x] })
@@ -253,14 +254,14 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
--- Smallest and largest value.
+-- Returns the smallest and the largest value.
 function map.limits(t)
   local low, high = math.huge, -math.huge
   for _, y in ipairs(t.y) do low, high = math.min(low, y), math.max(high, y) end
   return low, high
 end
 
--- Display unit of the values, um for lengths, and the factor to it.
+-- Returns the unit in which values are shown, um for lengths, and the factor to it.
 function map.shown_unit(t)
   if t.unit == "mm" then return "um", 1000 end
   return t.unit, 1

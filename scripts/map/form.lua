@@ -28,7 +28,7 @@ local function zeros(n)
   return list
 end
 
--- Means over all points of J'J, J'r and r'r; nil if a point is outside the form.
+-- Returns the means over all points of J'J, J'r and r'r; nil if a point is outside the form.
 local function normal(self, points, p)
   local n, a, b, rr = #p, {}, zeros(#p), 0
   for i = 1, n do a[i] = zeros(n) end
@@ -52,7 +52,8 @@ local function normal(self, points, p)
   return a, b, rr / #y
 end
 
--- One Gauss-Newton step, halved until all points are inside the form and the residual does not increase.
+-- Makes one Gauss-Newton step, halved until all points are inside the form and the residual does
+-- not increase.
 local function advance(self, points, a, b, rr)
   local right = {}
   for i = 1, #b do right[i] = { b[i] } end
@@ -110,13 +111,13 @@ function form.fit(kind, x, z, y, is_used)
   return self
 end
 
--- Height of the form at a point [mm], or nil outside a sphere.
+-- Returns the height of the form at a point [mm], or nil outside a sphere.
 function shape:height(x, z)
   local value = models[self.kind]((x - self.x) / self.half, (z - self.z) / self.half, self.p)
   return value and (value + self.mean) * self.half
 end
 
--- Radius [mm], or nil for a plane.
+-- Returns the radius [mm], or nil for a plane.
 function shape:radius() return self.p[4] and self.half / math.abs(self.p[4]) end
 
 return form

@@ -40,7 +40,7 @@ function gsf.read(source)
     unit_y = header.ZUnits, name = header.Title }
 end
 
--- The content of a .gsf file for a map: lengths in m, pressures in Pa.
+-- Returns the content of a .gsf file for a map, with lengths in m and pressures in Pa.
 function gsf.text(t)
   local nx, nz, dx, dz = #t.x, #t.z, axis.step(t.x) / 1000, axis.step(t.z) / 1000
   local pressure = t.unit == "MPa"

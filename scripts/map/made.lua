@@ -18,7 +18,7 @@ local function called(f, x, z)
   return value or false
 end
 
--- The values of a function at all points.
+-- Returns the values of a function at all points.
 local function sampled(f, x, z)
   local y = {}
   for i = 1, #x do for j = 1, #z do y[#y + 1] = called(f, x[i], z[j]) end end

@@ -24,7 +24,7 @@ local function refused(what)
   end
 end
 
--- First bytes of each format and the function that reads it.
+-- First bytes of each format, and the function that reads it.
 local formats = { { "DSAA", of("surfer", "DSAA") }, { "DSBB", of("surfer", "DSBB") }, { "DSRB", of("surfer", "DSRB") },
   { "Gwyddion Simple Field 1.0\n", of("gsf", "read") }, { "DIGITAL SURF", of "sur" },
   { "DSCOMPRESSED", refused "a compressed .sur; save it without compression" },
@@ -65,7 +65,7 @@ local unit_kind = check.kind('a unit such as "um", or { x="mm", y="um" }', funct
   return type(v) == "string" or type(v) == "table"
 end)
 
--- The unit of x or y: the file's unit, else the given one.
+-- Returns the unit of x or y: the unit of the file, else the one given by the user.
 local function unit_of(file, of_file, given, name)
   local stated = given
   if type(given) == "table" then
@@ -121,7 +121,7 @@ local function repaired(file, t, given)
   for k = 1, #y do if y[k] ~= y[k] then y[k] = given.fill end end
 end
 
--- (path, { unit=, step=, crop=, outliers=, fill=, level=, scar= })
+-- map.read(path, { unit=, step=, crop=, outliers=, fill=, level=, scar= })
 local function read(path, given)
   given = check.definition(where, given or {}, fields)
   if not check.file.test(path) then check.fail(where, "expected the path of a file, got " .. check.shown(path)) end

@@ -13,7 +13,7 @@ local function each_neighbour(nx, nz, i, j, f)
   end
 end
 
--- The values of a point's neighbours that have a value.
+-- Returns the values of those neighbours of a point that have a value.
 local function values_around(y, nx, nz, i, j)
   local list = {}
   each_neighbour(nx, nz, i, j, function(k) if y[k] == y[k] then list[#list + 1] = y[k] end end)
@@ -26,7 +26,7 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Number of points without a value, and the index of the first one.
+-- Returns the number of points without a value, and the index of the first one.
 function repair.count_missing(y)
   local count, first = 0, nil
   for k = 1, #y do if y[k] ~= y[k] then count, first = count + 1, first or k end end

@@ -48,7 +48,7 @@ local function checked(source, header)
   return source:count(header.NumPoints, "NumPoints"), source:count(header.NumProfiles, "NumProfiles")
 end
 
--- (source, magic): magic is the first bytes of the file, as "aISO-1.0".
+-- (source, magic): magic is the first bytes of the file, such as "aISO-1.0".
 return function(source, magic)
   local version, is_text = magic:sub(2), magic:sub(1, 1) == "a"
   source.at = 9

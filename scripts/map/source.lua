@@ -53,7 +53,7 @@ function source:positive(value, what)
   return value
 end
 
--- The number in a text, or nil.
+-- Returns the number in a text, or nil.
 function source.number(word)
   if not word or not word:find "^[+-]?[%d.]" or word:find "^[+-]?0[xX]" then return nil end
   local value = tonumber(word)
@@ -97,7 +97,8 @@ function source:grid(nx, nz, item, options)
   return y
 end
 
--- Reads the same from words, starting at self.at; `bad` is the word for a missing value. Further words are ignored.
+-- Reads values from words instead of binary items, beginning at self.at. `bad` is the word for a
+-- missing value. Further words are ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
   if nx * nz > (left + 1) // 2 then -- at least a digit and a blank for each value

@@ -51,7 +51,7 @@ end
 
 local sections = { header = 0x42525344, grid = 0x44495247, data = 0x41544144 }
 
--- Moves to the section with this name; returns its size.
+-- Moves to the section with this name and returns its size.
 local function go_to(source, name)
   while true do
     local id, size = source:take("<i4i4", ("the %s section"):format(name))

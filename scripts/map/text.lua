@@ -40,7 +40,7 @@ local function number_in(source, word, line)
   return source.missing
 end
 
--- Units after the names of the three columns, if any.
+-- Returns the units after the names of the three columns, if any.
 local function header_units(source, line)
   local found = {}
   for unit in line:gmatch "[%[(]%s*([^%])]-)%s*[%])]" do found[#found + 1] = unit end

@@ -30,8 +30,8 @@ local function pressure_panel(w)
     title = "contact pressure" }
 end
 
--- Widens the range of a kind to include `low` and `high`; it never shrinks, so that the picture
--- does not jump.
+-- Widens the range of a kind of panel to include `low` and `high`. The range never shrinks, so that
+-- the picture does not jump.
 local function hold(panel, limits, name, low, high)
   limits[name] = limits[name] or { low, high }
   local range = limits[name]
@@ -65,7 +65,7 @@ local function frame_of(w, what, limits)
   return panels, curves.summary(w)
 end
 
--- Options of the panels with the ranges of all frames so far.
+-- Returns the options of the panels with the ranges of all frames so far.
 local function options_of(panels, title, limits)
   for _, panel in ipairs(panels) do
     local reach = limits.reach
@@ -101,7 +101,8 @@ end
 
 -- --- a stroke in three dimensions ---------------------------------------------------------------
 
--- The pressures on the present surfaces, at positions from one end of the stroke to the other.
+-- Returns the pressures on the present surfaces at positions from one end of the stroke to the
+-- other.
 local function stroke_film(w, count, delay, given)
   local where = "plot.animate"
   if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"stroke" only with geometry = "3-D"', "stroke") end
@@ -126,7 +127,8 @@ local function stroke_film(w, count, delay, given)
   end
 end
 
--- Number of updates between frames, so that about `frames` frames show the rest of the run.
+-- Returns the number of updates between frames, so that about `frames` frames show the rest of the
+-- run.
 local function updates_between(w, frames)
   local cycles, cycle, jump = curves.get(w, "cycles"), curves.get(w, "cycle"),
     curves.get(w, "jump")

@@ -9,8 +9,8 @@ local shapes = require "archard.plot.shapes"
 
 local where = "plot.bands"
 
--- The bands of a quantity from the outermost pair of quantiles inwards, and a line for the middle quantile or, if there
--- is none, the mean.
+-- Returns the bands of a quantity, from the outermost pair of quantiles inwards, and a line for the
+-- middle quantile or, if there is none, the mean.
 local function panel_of(uncertainty, name)
   local result = uncertainty[name]
   local quantiles, distance = result.quantiles, uncertainty.distance

@@ -20,8 +20,8 @@ local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.text
 
--- Splits the arguments f(object, ..., word, ..., { options }); an object has the method or field `mark`; options are
--- the fields of plot{} and `own`.
+-- Splits the arguments f(object, ..., word, ..., { options }). An object has the method or field
+-- `mark`; options are the fields of plot{} and `own`.
 local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
@@ -60,10 +60,11 @@ local function reach_of(x, values, reach)
   return reach
 end
 
--- The range of x, or nil if all values are zero, so that everything is shown.
+-- Returns the range of x, or nil if all values are zero, so that everything is shown.
 local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
--- The Hertz contact of an object: its field `hertz`, or computed from its model and load.
+-- Returns the Hertz contact of an object: its field `hertz`, or one computed from its model and
+-- load.
 local function scale_of(where, object)
   local known = get(object, "hertz")
   if known then return known end
@@ -74,8 +75,8 @@ local function scale_of(where, object)
   return hertz_of(model, load)
 end
 
--- The name of the body chosen by the words or options, in the first object, and the word itself; every object must have
--- such a body.
+-- Returns the name of the body chosen by the words or options, in the first object, and the word
+-- itself. Every object must have such a body.
 local function body_word(where, objects, words, options)
   local body = words[#words] or options.body
   for _, word in ipairs(words) do naming.body(where, objects[1], word) end
@@ -125,7 +126,7 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
--- A panel with the wear depths of the bodies in `of_body`; depth increases downwards.
+-- Returns a panel with the wear depths of the bodies in `of_body`; depth increases downwards.
 local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
@@ -147,7 +148,7 @@ local function is_spatial(object)
   return has and type(model) == "userdata" and model.geometry == "3-D"
 end
 
--- Two panels of a run in three dimensions: along x and along z.
+-- Returns two panels of a run in three dimensions, along x and along z.
 local function sections(where, objects, names, of_body, scale, options)
   local panels = {}
   for i, axis in ipairs{ "x", "z" } do
@@ -157,7 +158,7 @@ local function sections(where, objects, names, of_body, scale, options)
   return panels
 end
 
--- Adds a measured trace to a single panel; depths above zero are then shown too.
+-- Adds a measured trace to a single panel. Depths above zero are then shown too.
 local function add_measured(where, panel, given)
   if panel.panels then
     check.fail(where, "field 'measured': expected one body if several runs are drawn, got both bodies")
@@ -203,7 +204,8 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Quantities with a common axis: pattern of the column names, label, factor from the column's unit to the label's.
+-- Quantities with a common axis: pattern of the column names, label, factor from the unit of the
+-- column to the unit of the label.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },
   { "^depth_partition$", "wear depth partition", 1 },
@@ -221,7 +223,7 @@ end
 local short_titles = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
--- Label of a column's quantity and the factor to its unit; nil for an unknown column.
+-- Returns the label of a column's quantity and the factor to its unit; nil for an unknown column.
 local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
     if name:find(quantity[1]) then return quantity[2], quantity[3] end
@@ -256,7 +258,8 @@ local function from_second(list)
   return result
 end
 
--- Columns with the settings of an update. They are drawn as steps: the value of a row applies from the row before.
+-- Columns with the settings of an update. They are drawn as steps, since the value of a row applies
+-- to the time since the previous row.
 local chosen = { alpha = true, load = true, travel = true }
 
 local function steps_of(x, y)
@@ -285,7 +288,8 @@ local function history_curve(where, history, abscissa, column, factor)
   return { x = x, y = scaled(y, factor) }
 end
 
--- Title of a curve, for example "plate, α = 0.5", with the parts that differ between the curves of a panel.
+-- Returns the title of a curve, such as "plate, α = 0.5", with the parts that differ between the
+-- curves of a panel.
 local function history_title(column, body, name, several_columns, several_objects)
   local parts = {}
   if several_columns then parts[1] = body or short_titles[column] or column end
@@ -293,7 +297,7 @@ local function history_title(column, body, name, several_columns, several_object
   return parts[1] and table.concat(parts, ", ") or nil
 end
 
--- Title of the picture; it includes the body if the only column belongs to one body.
+-- Returns the title of the picture, which includes the body if the only column belongs to one body.
 local function history_name(object, columns)
   local _, body = naming.column(object, columns[1])
   return #columns == 1 and body and "history of the " .. body or "history"

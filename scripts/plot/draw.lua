@@ -62,11 +62,12 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- Properties of the options made by a picture's function: `titled`: the title is its default; `stacked`: its panels may
--- be drawn side by side instead; `x`, `y`: the unit of this axis may be changed.
+-- Properties of options made by the function of a picture. `titled`: the title is a default of the
+-- function; `stacked`: the panels may be drawn side by side instead; `x`, `y`: the unit of this
+-- axis may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
--- The function's defaults, overridden by the user's options of plot{}.
+-- Returns the function's defaults, overridden by the user's options of plot{}.
 function draw.over(defaults, options, nature)
   made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout,
     x = options.xlabel == nil, y = options.ylabel == nil }
@@ -184,7 +185,7 @@ local function to_panel(where, given)
   return panel
 end
 
--- Fields that the panel does not set are copied from the figure, except the title.
+-- Copies fields that the panel does not set from the figure, except the title.
 local function inherit(panel, figure)
   local inherited = {}
   for name in pairs(panel_fields) do
@@ -239,7 +240,8 @@ end
 
 local fewest, few = 4, 30 -- number of points of a line that are marked, as the values between them are unknown
 
--- The number of points of a curve within the range shown, without runs of zeros; nil if its x do not increase.
+-- Returns the number of points of a curve within the range shown, without runs of zeros; nil if its
+-- x do not increase.
 local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
@@ -270,8 +272,8 @@ local function with_label(title, label)
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- The figure for a surface ("pixels" or "characters"): in suitable units, without curves for the other surface, with
--- marked points on pixels.
+-- Returns the figure for a surface ("pixels" or "characters"): in suitable units, without curves
+-- for the other surface, with marked points on pixels.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do
@@ -291,8 +293,8 @@ local function on(figure, surface)
   return merged(figure, { panels = panels })
 end
 
--- The figure in the current style for a file: without a default title if the style omits titles, with panels side by
--- side.
+-- Returns the figure in the current style for a file: without a default title if the style omits
+-- titles, with panels side by side.
 local function styled(figure)
   local result = merged(figure)
   if figure.nature.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
@@ -345,7 +347,7 @@ function draw.draw(where, given) show(render(where, given)) end
 -- Returns the picture as text for a caller that prints it repeatedly.
 function draw.picture(where, given) return render(where, given, true) end
 
--- The options of the last picture for output and size.
+-- Returns the options of the last picture for output and size.
 local function placed(options)
   return { term = options.term, size = options.size, colour = options.colour }
 end

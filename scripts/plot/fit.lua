@@ -20,7 +20,7 @@ local function band_of(x, low, high, factor)
   return area
 end
 
--- Label of the vertical axis and the factor to its unit.
+-- Returns the label of the vertical axis and the factor to its unit.
 local function label_of(item)
   if item.kind == "loop" then
     if item.unit == "N" then return "tangential force / N", 1 end
@@ -32,7 +32,7 @@ local function label_of(item)
   return item.unit ~= "" and item.of .. " / " .. item.unit or item.of, 1
 end
 
--- Range from the smallest to the largest value of the lists, with a margin.
+-- Returns the range from the smallest to the largest value of the lists, with a margin.
 local function range_of(...)
   local low, high = math.huge, -math.huge
   for _, list in ipairs{ ... } do
@@ -48,7 +48,7 @@ local function ends_of(item, sign)
   return list
 end
 
--- Values and label of the horizontal axis.
+-- Returns the values and the label of the horizontal axis.
 local function across(item)
   if item.kind == "sphere" then return item.x, "angle from the load / degree" end
   if item.kind ~= "loop" then return item.x or item.distance, item.x and (item.along or "x") .. " / mm" or naming.axis_of("distance") end
@@ -56,7 +56,8 @@ local function across(item)
   return item.x, "tangential force / N"
 end
 
--- Panel of a friction loop, without the band, which would overlap itself and is not wider than the line.
+-- Returns the panel of a friction loop. It has no band, which would overlap itself and is not wider
+-- than the line.
 local function loop_panel(item)
   local label, factor = label_of(item)
   local x, name = across(item)
@@ -117,14 +118,16 @@ local function share_ranges(panels)
   for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
--- The sets of data to draw: those of one value are in print(f), and are left out beside others.
+-- Returns the sets of data to draw. Sets with a single value are shown by print(f), and are omitted
+-- if there are others.
 local function drawn(list)
   local chosen = {}
   for _, item in ipairs(list) do if #item.value > 1 then chosen[#chosen + 1] = item end end
   return #chosen > 0 and chosen or list
 end
 
--- One column for each set of data, with its residuals in the row below; those of a single set are beside it.
+-- Arranges one column for each set of data, with its residuals in the row below. The residuals of a
+-- single set are beside it.
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
   for _, item in ipairs(drawn(fit.data)) do
@@ -147,7 +150,8 @@ end
 
 -- --- a design ------------------------------------------------------------------------------------
 
--- Panels with the expected error of each unknown, in percent of its initial value or, if that is 0, of its prior error.
+-- Returns panels with the expected error of each unknown, in percent of its start value or, if that
+-- is 0, of its prior error.
 local function of_design(design)
   local figure = { panels = {} }
   for i, name in ipairs(design.names) do

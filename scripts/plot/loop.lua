@@ -8,7 +8,7 @@ local shapes = require "archard.plot.shapes"
 
 local loop = {}
 
--- True for a loop returned by w:loop().
+-- Returns true for a loop returned by w:loop().
 local function is_loop(thing)
   return type(thing) == "table" and rawget(thing, "tangential") ~= nil and rawget(thing, "x") ~= nil
 end
@@ -19,7 +19,8 @@ local function loop_of(where, thing)
   check.fail(where, "expected wear runs with friction or their loops, got " .. check.shown(thing))
 end
 
--- Splits the list of runs or loops from the options, the last table that is not a loop.
+-- Separates the list of runs or loops from the options, which are the last table that is not a
+-- loop.
 local function split(...)
   local given, options = { ... }, nil
   local last = given[#given]
@@ -27,8 +28,8 @@ local function split(...)
   return given, options or {}
 end
 
--- Names of several runs; of loops without their run the cycles at which they were computed; an empty list for a single
--- one.
+-- Returns the names of several runs; for loops without their run, the cycles at which they were
+-- computed; for a single one an empty list.
 local function names_of(where, things, loops, titles)
   if titles or #things == 1 then return titles or {} end
   local runs, cycles = true, {}
@@ -40,7 +41,7 @@ local function names_of(where, things, loops, titles)
   return runs and naming.names_of(where, things) or cycles
 end
 
--- Micrometres, or mm if the positions exceed 1 mm.
+-- Returns micrometres, or mm if the positions exceed 1 mm.
 local function unit_of(loops)
   local most = 0
   for _, one in ipairs(loops) do

@@ -23,7 +23,7 @@ local function check_map(where, object)
   return object
 end
 
--- The map with at most `count` points along its longer side.
+-- Returns the map with at most `count` points along its longer side.
 local function thinned(t, count)
   local longer = math.max(t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1])
   local finest = math.min((t.x[2] - t.x[1]), (t.z[2] - t.z[1]))
@@ -31,7 +31,7 @@ local function thinned(t, count)
   return t:resample(math.min(longer / count, t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]))
 end
 
--- Unit of the values and the factor to it; lengths are shown in µm.
+-- Returns the unit of the values and the factor to it; lengths are shown in µm.
 local function unit_of(t)
   if t.unit == "mm" then return "µm", 1000 end
   return t.unit, 1
@@ -44,8 +44,9 @@ end
 
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Quadrilaterals between the points of rows j and j + 1, from the last row to the first; position(i, j) -> x, y;
--- covers(x, z): whether one with this middle is drawn, or nil.
+-- Returns quadrilaterals between the points of rows j and j + 1, from the last row to the first.
+-- position(i, j) -> x, y; covers(x, z) -> whether a quadrilateral with this middle is drawn (nil:
+-- all are).
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -73,7 +74,8 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Whether a position of a joint's map is on the half sphere about the load and, unless it is one of the head, on the cup.
+-- Returns true if a position of a joint's map is on the half sphere about the load and, except for
+-- the head, on the cup.
 local function cover_of(joint, of_head)
   local covers = of_head and function() return true end or flat.cover(joint.cup)
   return function(x, z)
@@ -82,7 +84,8 @@ local function cover_of(joint, of_head)
   end
 end
 
--- The map itself, the map of a run and its body, or the pressure map of a contact in three dimensions.
+-- Returns a map: the argument itself, the map of a run and its body, or the pressure map of a
+-- contact in three dimensions.
 local function map_of(where, object, options)
   if is_of_joint(object) then
     return check.as(where, object.flat, object, options.what or options.body or is_joint_run(object) and "cup" or "pressure")
@@ -99,7 +102,7 @@ local function map_of(where, object, options)
   return check_map(where, fine and is_map(t) and t or object)
 end
 
--- The picture of a map from above: a table for plot{}.
+-- Returns the picture of a map from above, a table for plot{}.
 function pictures.panel(t, covers)
   local shown = thinned(t, most)
   local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end, covers) }
@@ -110,7 +113,8 @@ function pictures.panel(t, covers)
   return given
 end
 
--- The picture of a stress in a section or plane of a contact in three dimensions, { x= | y= | z= } (default z = 0).
+-- Returns the picture of a stress in a section or plane of a contact in three dimensions, { x= | y=
+-- | z= } (default z = 0).
 function pictures.stress(where, contact, options, label)
   local cut = merged(options.section or { z = 0 }, { body = options.body })
   local t = check.as(where, contact.stress, contact, cut)[options.component or "mises"]
@@ -167,7 +171,7 @@ local function rounded(value)
   return power
 end
 
--- Values of a map at columns x rows points, and their smallest and largest.
+-- Returns the values of a map at columns x rows points, and their smallest and largest value.
 local function seen(t)
   local x, z, y, low, high = {}, {}, {}, math.huge, -math.huge
   for i = 1, columns do x[i] = t.x[1] + (t.x[#t.x] - t.x[1]) * (i - 1) / (columns - 1) end
@@ -181,7 +185,7 @@ local function seen(t)
   return { x = x, z = z, y = y, unit = t.unit }, low, high
 end
 
--- Every fifth row as a line, without the parts hidden by the rows before it.
+-- Returns every fifth row as a line, without the parts hidden by the rows in front of it.
 local function visible_rows(position)
   local curve, horizon = { x = {}, y = {}, colour = "black", width = 0.4, on = "pixels" }, {}
   for j = 1, rows do

@@ -14,16 +14,17 @@ measured.kind = check.kind("a profile, or a table { x=, h= }", function(v)
   return is_profile(v) or type(v) == "table" and type(v.x) == "table" and type(v.h) == "table" and #v.x == #v.h
 end)
 
--- The depths between from and to, averaged over groups of points to at most `most` points.
+-- Returns the depths between from and to, averaged over groups of points to at most `most` points.
 local function thinned(p, from, to)
   local length = p.x[#p.x] - p.x[1]
   local shown = math.min(to - from, length)
   return shown / length * #p.x > most and p:average(shown / most) or p
 end
 
--- (p, reach) -> the points in µm for the option `points` of a plot, and the range of x widened to show the scar; only
--- points with |x| <= reach are used (reach 0: all). A scar entirely on one side of x = 0 was measured from another
--- origin: its points are shifted so that the middle of the scar is at 0, and the title states the shift.
+-- (p, reach) -> the points in µm for the option `points` of a plot, and the range of x widened to
+-- show the scar. Only points with |x| <= reach are used (reach 0: all). A scar entirely on one side
+-- of x = 0 was measured from another origin; its points are shifted so that the middle of the scar
+-- is at 0, and the title states the shift.
 function measured.points(p, reach)
   local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then

@@ -9,8 +9,8 @@ local mesh = {}
 
 -- --- coordinates along a hole ----------------------------------------------------------------------
 
--- Radius of the hole in an object's pair and its side: 1 if the hole is above the first point of contact, -1 if below;
--- nil without a hole.
+-- Returns the radius of the hole in an object's pair and its side: 1 if the hole is above the first
+-- point of contact, -1 if below; nil without a hole.
 local function hole_of(object)
   local model = naming.get(object, "model") or naming.get(naming.get(object, "contact"), "model") or object
   for role, side in pairs{ lower = 1, upper = -1 } do
@@ -19,7 +19,7 @@ local function hole_of(object)
   end
 end
 
--- Coordinates of the nodes along the hole and across it.
+-- Returns the coordinates of the nodes along the hole and across it.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
   if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
@@ -36,7 +36,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- The elements without those cut open by the unrolling of round bodies.
+-- Returns the elements without those that are cut open by the unrolling of round bodies.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do
@@ -52,14 +52,14 @@ end
 
 -- --- elements -----------------------------------------------------------------------------------
 
--- x and y of all nodes.
+-- Returns x and y of all nodes.
 local function nodes_of(body)
   local x, y = {}, {}
   for i = 1, body.nodes do x[i], y[i] = body:node(i) end
   return x, y
 end
 
--- Calls f(i, j, uses) for each edge; uses: number of elements with this edge.
+-- Calls f(i, j, uses) for each edge; `uses` is the number of elements with this edge.
 local function each_edge(elements, f)
   local uses, order, stride = {}, {}, 2 ^ 26
   for e = 1, #elements, 4 do
@@ -76,7 +76,8 @@ local function each_edge(elements, f)
   end
 end
 
--- Edges as one curve with gaps: all, or only the boundary; only edges that overlap the box, if given.
+-- Returns edges as one curve with gaps: all edges, or only the boundary; with a box only edges that
+-- overlap it.
 local function edge_curve(x, y, elements, boundary, box)
   local curve, n = { x = {}, y = {} }, 0
   local cx, cy, nan = curve.x, curve.y, 0 / 0
@@ -92,7 +93,8 @@ local function edge_curve(x, y, elements, boundary, box)
   return n > 0 and curve or nil
 end
 
--- The element edges of a body as one curve; with a box { x0, x1, y0, y1 } only the edges in it.
+-- Returns the element edges of a body as one curve; with a box { x0, x1, y0, y1 } only the edges in
+-- it.
 function mesh.edges(body, box)
   local x, y = nodes_of(body)
   return edge_curve(x, y, body:elements(), false, box)
@@ -100,13 +102,13 @@ end
 
 -- --- arguments ----------------------------------------------------------------------------------
 
--- The names of the bodies to be drawn, and of both bodies.
+-- Returns the names of the bodies to be drawn, and of both bodies.
 local function shown_bodies(where, object, options)
   local all = naming.bodies(object)
   return options.body and { naming.body(where, object, options.body) } or all, all
 end
 
--- A box larger than the view, as equal scales can widen the range shown.
+-- Returns a box larger than the view, as equal scales can widen the range shown.
 local function around(box)
   if not box then return nil end
   local wide, high = box[2] - box[1], box[4] - box[3]
@@ -116,7 +118,7 @@ end
 
 -- --- mesh ---------------------------------------------------------------------------------------
 
--- A view about ten elements wide that contains both wear boxes.
+-- Returns a view about ten elements wide that contains both wear boxes.
 local function wear_box_view(where, model)
   local depth = 0
   for _, name in ipairs(naming.bodies(model)) do
@@ -188,7 +190,7 @@ local stress_options = { component = check.one_of(mesh.components), body = check
   zoom = check.one_of({ "all" }, check.box), deformed = check.number,
   section = check.kind("a table { z= }, { x= } or { y= }", function(v) return type(v) == "table" end) }
 
--- Node positions with `factor` times their displacements.
+-- Returns the positions of the nodes with `factor` times their displacements.
 local function displaced(body, factor)
   if factor == 0 then return body.x, body.y end
   local x, y = {}, {}
@@ -198,8 +200,9 @@ local function displaced(body, factor)
   return x, y
 end
 
--- How far the upper body is drawn below its own coordinates [mm], so that worn bodies touch: their approach. 0 where the
--- user chooses the displacements, surfaces are unrolled, or the load is not along y.
+-- Returns the distance by which the upper body is drawn lower [mm], so that worn bodies touch:
+-- their approach. It is 0 if the user chooses the displacements, if surfaces are unrolled, or if
+-- the load is not along y.
 local function lowered(contact, options)
   if options.deformed or options.unrolled or not contact or naming.get(contact, "load_angle") ~= 0 then return 0 end
   return naming.get(contact, "approach") or 0
@@ -228,7 +231,8 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- The view: the user's box; else three half widths around the contact, or everything if the bodies are smaller.
+-- Returns the view: the user's box, else three half widths around the contact, or everything if the
+-- bodies are smaller.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -240,7 +244,8 @@ local function stress_view(contact, zoom, bodies)
   end
 end
 
--- The stresses of a contact, of a run in its worn state, or a table returned by stress(); and the contact, if known.
+-- Returns the stresses of a contact, of a run in its worn state, or of a table returned by
+-- stress(), and the contact if it is known.
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end
@@ -254,7 +259,7 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
--- The contact in three dimensions of an object, else nil.
+-- Returns the contact in three dimensions of an object, else nil.
 local function in_space(object)
   local model = type(object) == "userdata" and naming.get(object, "model")
   if not model or naming.get(model, "geometry") ~= "3-D" then return nil end
@@ -262,7 +267,7 @@ local function in_space(object)
   return contact and contact(object) or object
 end
 
--- Largest value of a component of a body within the view.
+-- Returns the largest value of a component of a body within the view.
 local function largest_of(body, component, box)
   local most = 0
   for i, value in ipairs(body[component]) do
@@ -274,8 +279,8 @@ end
 
 local much = 3 -- limit of the ratio of both bodies' stresses, above which the softer body would be all dark
 
--- Label and range of the colours. If one body has much larger stresses, the range is that of the other body and the
--- label states the maximum.
+-- Returns label and range of the colours. If one body has much larger stresses, the range is that
+-- of the other body, and the label states the maximum.
 local function scale_of(bodies, names, component, box, label)
   if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
   local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)

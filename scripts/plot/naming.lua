@@ -6,15 +6,15 @@ local known = require "archard.settings"
 
 local naming = {}
 
--- A field of an object, or nil if the object has no such field.
+-- Returns a field of an object, or nil if the object has no such field.
 function naming.get(object, name)
   local ok, value = pcall(function() return object[name] end)
   if ok then return value end
 end
 local get = naming.get
 
--- Type of the fields by which an object can be drawn; naming.part returns nil if the object has no such field of this
--- type, as tables of options.
+-- Type of the fields by which an object can be drawn. naming.part returns nil if the object, such
+-- as a table of options, has no such field of this type.
 local kinds = { pressure = "function", profile = "function", stress = "function", history = "table", mesh = "table" }
 
 function naming.part(object, name)
@@ -27,14 +27,15 @@ end
 
 local usual = { "cylinder", "plate" }
 
--- Names of the two bodies of an object, its model or a contact's stress, the upper body first.
+-- Returns the names of the two bodies of an object, its model or a contact's stress, the upper body
+-- first.
 function naming.bodies(object)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
   return names and { names.upper, names.lower } or usual
 end
 
--- The name of the body with this name, role or kind, or nil.
+-- Returns the name of the body with this name, role or kind, or nil.
 local function called(object, word)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
@@ -50,8 +51,8 @@ function naming.body(where, object, word)
   return name
 end
 
--- The column of the history for a name, as depth_cylinder for "depth_pin", and the name of its body; no body for other
--- columns.
+-- Returns the column of the history for a name, such as depth_cylinder for "depth_pin", and the
+-- name of its body; no body for other columns.
 function naming.column(object, name)
   local what, word = name:match("^(%l+)_([%w_]+)$")
   if what ~= "depth" and what ~= "volume" then return name end
@@ -62,8 +63,8 @@ end
 
 -- --- one setting of an object --------------------------------------------------------------------
 
--- Name of the setting, format of numbers or words, symbol for a function or table, axis label. `follows`: it depends on
--- other settings.
+-- Columns: name of the setting, format of numbers or words, symbol for a function or table, axis
+-- label. `follows`: the setting depends on other settings.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
@@ -94,13 +95,14 @@ end
 local by_name = {}
 for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
 
--- Axis label of a setting; names of a study's settings may have a path ("model.radius").
+-- Returns the axis label of a setting. Names of a study's settings may have a path
+-- ("model.radius").
 function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
 
 local words = { alpha = "α", friction = "μ", p_center = "pressure at the centre", p_max = "largest pressure",
   p_peak = "largest pressure of a cycle" }
 
--- A setting or a column as words for a title: "α", "wear depth of the plate".
+-- Returns a setting or a column as words for a title, such as "α" or "wear depth of the plate".
 function naming.word_of(name)
   local what, body = name:match "^(%l+)_([%w_]+)$"
   if words[name] then return words[name] end
@@ -108,7 +110,7 @@ function naming.word_of(name)
   return (name:gsub("_", " "))
 end
 
--- A setting with its value: "α = 0.5".
+-- Returns a setting with its value, such as "α = 0.5".
 function naming.value_of(name, value)
   local setting = by_name[name]
   local form = setting and setting[2]:gsub("%%s", "%%g") or name .. " = %g"
@@ -118,12 +120,13 @@ end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
--- Columns of the history with the values of a setting during the run; a changed setting applies from the next update
--- on.
+-- Columns of the history with the values of a setting during the run. A changed setting applies
+-- from the next update on.
 local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
   load_low = "load_low", load_reference = "load_reference" }
 
--- Smallest and largest value of a setting's column from the first update on; nil without such a column.
+-- Returns the smallest and the largest value of a setting's column from the first update on; nil
+-- without such a column.
 local function span_of(object, name)
   local history = course[name] and get(object, "history")
   local column = history and get(history, course[name])
@@ -137,12 +140,13 @@ end
 
 local function same(low, high) return high - low <= 1e-9 * math.max(math.abs(low), math.abs(high)) end
 
--- "0.5", "0.5 to 0.9"
+-- Returns a range as text, "0.5" or "0.5 to 0.9".
 local function show_span(low, high)
   return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
 end
 
--- The load, from the smallest of a cycle to the largest, and the load at which pressures are reported, if different.
+-- Returns the load, from the smallest of a cycle to the largest, and the load at which pressures
+-- are reported, if different.
 local function load_text(object, low, high)
   low = span_of(object, "load_low") or low
   local from, to = span_of(object, "load_reference")
@@ -153,7 +157,8 @@ local function load_text(object, low, high)
   return text
 end
 
--- Under a loading, stroke and load vary: their ranges are taken from the history, or nil without a column.
+-- Under a loading, stroke and load vary. Their ranges are then those of the history, or nil without
+-- a column.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
@@ -161,8 +166,8 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
--- Settings omitted if they are 0: stroke or tangential of a run driven by the other one, and tolerance without error
--- control.
+-- Settings that are omitted if they are 0: stroke or tangential of a run driven by the other one,
+-- and tolerance without error control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
 -- Text of a setting: its range during the run or, without a column, its present value.
