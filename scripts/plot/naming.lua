@@ -170,7 +170,7 @@ end
 -- and tolerance without error control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
--- Text of a setting: its range during the run or, without a column, its present value.
+-- Returns the text of a setting: its range during the run or, without a column, its present value.
 local function setting_text(object, setting)
   local name = setting[1]
   if (name == "stroke" or name == "load") and get(object, "loading") then
@@ -190,7 +190,7 @@ end
 
 -- --- several objects -----------------------------------------------------------------------------
 
--- The texts of a setting for all objects, or nil if they are equal.
+-- Returns the texts of a setting for all objects, or nil if they are equal.
 local function differing(objects, setting)
   local first, differs, all = setting_text(objects[1], setting), false, {}
   for i, object in ipairs(objects) do
@@ -218,8 +218,8 @@ local function with_texts(parts, all)
   return longer
 end
 
--- Names made of the settings that differ, and these settings. A setting that follows from others is added only if it
--- distinguishes more objects.
+-- Returns names made of the settings that differ, and these settings. A setting that follows from
+-- others is added only if it distinguishes more objects.
 local function parts_of(objects)
   local parts, used = {}, {}
   for i in ipairs(objects) do parts[i] = {} end
@@ -237,7 +237,7 @@ end
 
 local most_in_key = 8
 
--- The values of the only setting that differs, for a colour scale, or nil.
+-- Returns the values of the only setting that differs, for a colour scale, or nil.
 local function scale_of(objects, used)
   if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
   local values = {}
@@ -248,8 +248,8 @@ local function scale_of(objects, used)
   return { label = used[1].axis, values = values }
 end
 
--- The name of each object: the settings in which the objects differ, or `titles`. For more than eight objects that
--- differ in one number, also a colour scale { label=, values= }.
+-- Returns the name of each object: the settings in which the objects differ, or `titles`. For more
+-- than eight objects that differ in one number it also returns a colour scale { label=, values= }.
 function naming.names_of(where, objects, titles)
   if titles and #titles ~= #objects then
     check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
@@ -266,7 +266,7 @@ end
 
 -- --- one object ----------------------------------------------------------------------------------
 
--- True if a body has layers with different k, so that no single alpha applies to the run.
+-- Returns true if a body has layers with different k, so that no single alpha applies to the run.
 local function is_layered(object)
   local model = get(object, "model")
   for _, role in ipairs{ "upper", "lower" } do
@@ -276,7 +276,7 @@ local function is_layered(object)
   return false
 end
 
--- Main settings of the only object of a picture.
+-- Returns the main settings of the only object of a picture.
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do

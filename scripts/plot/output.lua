@@ -25,7 +25,8 @@ end
 
 -- --- the terminal --------------------------------------------------------------------------------
 
--- Size in characters: the width of the terminal, and a height that fits without scrolling; more for panels in rows.
+-- Returns a size in characters: the width of the terminal, and a height that fits without
+-- scrolling, which is larger for panels in rows.
 local function text_size(figure)
   local columns, lines = term.size()
   local width = math.max(40, math.min(columns, 160))
@@ -34,7 +35,8 @@ local function text_size(figure)
   return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
 end
 
--- Colours of the call or of plot.default: true; false for greys and plain characters; nil if not given.
+-- Returns the colours of the call or of plot.default: true; false for greys and plain characters;
+-- nil if they are not set.
 local function colours_of(given)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
@@ -50,8 +52,8 @@ local function to_text(figure, given, fine)
     ascii = not term.utf8() }
 end
 
--- A picture of pixels has the size of one in characters and letters as large as the terminal's. Cells of 8 by 16 pixels
--- are assumed if the terminal does not report their size.
+-- A picture of pixels has the size of a picture of characters, and letters as large as those of the
+-- terminal. Cells of 8 by 16 pixels are assumed if the terminal does not report their size.
 local function to_pixels(figure, kind)
   local columns, lines = term.size()
   local wide, high = term.pixels()
@@ -62,10 +64,12 @@ local function to_pixels(figure, kind)
     dpi = math.max(50, 100 * cell_y / 18) }
 end
 
--- False in xterm, whose usual fonts have no glyphs for Braille dots; other terminals use fallback fonts.
+-- Returns false in xterm, whose usual fonts have no glyphs for Braille dots; other terminals use
+-- fallback fonts.
 local function shows_dots() return term.utf8() and not os.getenv "XTERM_VERSION" end
 
--- The best output of the terminal: pixels if supported, else dots with colours and UTF-8, else characters.
+-- Returns the best output of the terminal: pixels if supported, else dots with colours and UTF-8,
+-- else characters.
 local function best(figure, given, moving)
   local colour = colours_of(given)
   if colour == nil then colour = term.colour() end
@@ -87,7 +91,8 @@ local function to_window(where, name)
   return { medium = "window", terminal = name ~= "window" and name or nil }
 end
 
--- Output on the screen; `moving`: the picture will be redrawn soon, for which pixels are too slow.
+-- Returns the output on the screen. `moving`: the picture will be redrawn soon, for which pixels
+-- are too slow.
 local function to_screen(where, figure, given, kind, moving)
   if windows[kind] then return to_window(where, kind) end
   if kind == "sixel" or kind == "kitty" then return to_pixels(figure, kind) end
@@ -115,7 +120,8 @@ end
 
 -- --- choice of the output ------------------------------------------------------------------------
 
--- True if the picture has only greys: by the call or plot.default, for files also by the style.
+-- Returns true if the picture has only greys, by the call or plot.default, for files also by the
+-- style.
 local function is_grey(given)
   local colour = colours_of(given)
   if colour == nil and given.file then colour = style.colour() end
@@ -191,7 +197,7 @@ local function for_kitty(png)
   return table.concat(pieces) .. "\n"
 end
 
--- The bytes to write to the terminal for a picture.
+-- Returns the bytes to write to the terminal for a picture.
 function output.written(picture, to)
   if to.shown_by == "kitty" then return for_kitty(picture) end
   return picture:sub(-1) == "\n" and picture or picture .. "\n"

@@ -47,7 +47,7 @@ local function check_where(study, given)
   end
 end
 
--- The finished cases that match options.where, each as { case=, x=, by=, y= }.
+-- Returns the finished cases that match options.where, each as { case=, x=, by=, y= }.
 local function points_of(study, options)
   local points = {}
   for _, case in ipairs(study:cases()) do
@@ -84,7 +84,8 @@ local function refuse_hidden(study, points)
   end
 end
 
--- The distinct values of a field: numbers sorted, other values in order of appearance; and true if all are numbers.
+-- Returns the distinct values of a field (numbers sorted, other values in order of appearance), and
+-- true if all are numbers.
 local function values_of(points, field)
   local values, seen, numbers = {}, {}, true
   for _, point in ipairs(points) do
@@ -101,7 +102,7 @@ end
 
 -- --- curves --------------------------------------------------------------------------------------
 
--- Tick positions 1, 2, 3, ... with the values as labels, if not all values are numbers.
+-- Returns tick positions 1, 2, 3, ... with the values as labels, unless all values are numbers.
 local function places_for(values, numbers)
   if numbers then return nil end
   local at, words = {}, {}
@@ -142,7 +143,7 @@ end
 
 -- --- map -----------------------------------------------------------------------------------------
 
--- One square for each case, as strokes of 0.11 and 20 mm have no common scale.
+-- Draws one square for each case, as strokes of 0.11 and 20 mm have no common scale.
 local function as_map(points, options, _, factor)
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
@@ -162,8 +163,8 @@ end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
--- Name of a quantity in the title ("wear depth"), label of its axis ("wear depth / µm"), factor to that unit, and the
--- text " of the cylinder" or " of the plate".
+-- Returns the name of a quantity in the title ("wear depth"), the label of its axis ("wear depth /
+-- µm"), the factor to that unit, and the text " of the cylinder" or " of the plate".
 local function labels_of(name)
   local label, factor = curves.quantity_of(name)
   if not label then return name, name, 1 end

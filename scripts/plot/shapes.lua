@@ -9,7 +9,7 @@ function shapes.scaled(list, factor)
   return result
 end
 
--- A filled curve along `low` and back along `high`.
+-- Returns a filled curve along `low` and back along `high`.
 function shapes.area(x, low, high, factor)
   local xs, ys = table.move(x, 1, #x, 1, {}), {}
   for i = 1, #x do ys[i] = low[i] * factor end

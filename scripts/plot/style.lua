@@ -7,8 +7,8 @@ local strict = require "archard.strict"
 
 local style = {}
 
--- Widths in mm, letters in points, lines relative to those of the screen; `shape` is the height of a figure with one
--- panel divided by its width. The screen's size is in pixels.
+-- Widths are in mm, letters in points, lines relative to those of the screen. `shape` is the height
+-- of a figure with one panel divided by its width. The size of the screen is in pixels.
 local presets = {
   screen = { name = "screen" },
   paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
@@ -75,7 +75,7 @@ end
 
 -- --- the size of a figure ------------------------------------------------------------------------
 
--- Width [mm]; figures with several columns of panels have the width of the page.
+-- Returns the width [mm]. Figures with several columns of panels have the width of the page.
 local function width_of(columns)
   local width = current.width or (columns > 1 and "page" or "column")
   return current[width] or width
@@ -83,7 +83,8 @@ end
 
 local highest_panel, highest = 60, 240 -- [mm] largest height of a panel; height of a journal page
 
--- Height [mm]: with one panel by the style's shape; panels in a grid are slightly lower than wide.
+-- Returns the height [mm]: with one panel from the style's shape; panels in a grid are slightly
+-- lower than wide.
 local function height_of(width, rows, columns, size)
   if current.height then return current.height end
   if size then return width * size[2] / size[1] end
@@ -91,15 +92,16 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Rows and columns of the panels of a file: two stacked panels are drawn side by side, as they would be flat, and three
--- if the style has pages.
+-- Returns rows and columns of the panels in a file. Two stacked panels, which would be flat, are
+-- drawn side by side; three too if the style has pages.
 function style.grid(rows, columns)
   local most = current.page and 3 or 2
   if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end
   return rows, columns
 end
 
--- Units per inch of vector formats: 96 as in a browser; 1000 to keep the rounding error small.
+-- Units per inch of vector formats: 96 as in a browser, and 1000 where a small rounding error
+-- matters.
 local units = { svg = 96, pdf = 1000, eps = 1000 }
 
 -- Sets size, resolution, letters and lines of an output to a file. `size`: the caller's size [pixels], scaled to the
@@ -115,12 +117,12 @@ function style.apply(output, rows, columns, size, ending)
   output.height = math.floor(height / 25.4 * dpi + 0.5)
 end
 
--- True if the style sets the size of pictures [mm].
+-- Returns true if the style sets the size of pictures [mm].
 function style.in_mm() return current.column ~= nil end
--- False if the style omits titles that the call does not give.
+-- Returns false if the style omits titles that the call does not give.
 function style.titled() return current.title ~= false end
 
--- Colours of the style: true, false or "grey"; nil if the style does not set them.
+-- Returns the colours of the style: true, false or "grey"; nil if the style does not set them.
 function style.colour() return current.colour end
 
 return style

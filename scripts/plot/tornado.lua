@@ -9,8 +9,8 @@ local where = "plot.tornado"
 
 -- --- values of the bars --------------------------------------------------------------------------
 
--- Each function returns the label of the axis and bars { name=, value=, whole= }; whole, if any, is the longer bar
--- behind.
+-- Each function returns the label of the axis and a list of bars { name=, value=, whole= }.
+-- `whole`, if it is given, is the length of a longer bar behind the bar.
 local function of_sensitivity(object, of, at)
   local bars = {}
   for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
@@ -41,8 +41,8 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Adds filled bars at the heights 1, 2, ..., the longest on top, from `below` to `above` each height; the first bar has
--- the title.
+-- Adds filled bars at the heights 1, 2, ..., the longest on top. Each bar extends from `below` to
+-- `above` relative to its height. The first bar has the title.
 local function add_bars(curves, bars, field, below, above, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
@@ -51,7 +51,8 @@ local function add_bars(curves, bars, field, below, above, series, title)
   end
 end
 
--- The curves of all bars. Two bars of one input are drawn side by side, as overlapping bars would show a third colour.
+-- Returns the curves of all bars. Two bars of one input are drawn side by side, as overlapping bars
+-- would show a third colour.
 local function curves_of(bars)
   local curves = {}
   if bars[1].whole then
@@ -69,7 +70,7 @@ local function places_of(bars)
   return { at = at, words = words }
 end
 
--- Index of the distance nearest to `at`, or the last index without `at`.
+-- Returns the index of the distance nearest to `at`, or the last index without `at`.
 local function index_of(distance, at)
   local best = #distance
   for i, d in ipairs(at and distance or {}) do

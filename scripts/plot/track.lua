@@ -14,8 +14,8 @@ local function points()
   return list
 end
 
--- Position of the point `m` of the head at instant i; each instant has 15 numbers, the first nine of which are the
--- rotation.
+-- Returns the position of point `m` of the head at instant i. Each instant has 15 numbers, of which
+-- the first nine are the rotation.
 local function turned(instants, i, m)
   local n = {}
   for k = 1, 3 do
@@ -25,7 +25,8 @@ local function turned(instants, i, m)
   return n
 end
 
--- plot.track(g, { radius=14, ... }); of a run its present gait, with the radius of its head
+-- plot.track(g, { radius=14, ... }); for a run it draws the present gait with the radius of the
+-- run's head.
 return function(g, options)
   local where = "plot.track"
   local run = joint_file.is_joint(g) and g

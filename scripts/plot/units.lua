@@ -5,7 +5,8 @@ local merged = require "archard.lib.merged"
 
 local units = {}
 
--- Axis labels whose unit may be changed; units, their size per mm, and the length [mm] up to which each is used.
+-- Axis labels whose unit may be changed, with the units, the number of each per mm, and the length
+-- [mm] up to which each is used.
 local lengths = { distance = true, ["wear depth"] = true, ["sum of wear depths"] = true, slip = true }
 local known = { { "nm", 1e6, 1e-4 }, { "µm", 1e3, 1 }, { "mm", 1, 1e4 }, { "m", 1e-3, 1e7 }, { "km", 1e-6, math.huge } }
 
@@ -15,13 +16,13 @@ local function in_mm(unit)
   end
 end
 
--- Label of an axis and the length of its unit [mm]; nil for axes without a length.
+-- Returns the label of an axis and the length of its unit [mm]; nil for axes without a length.
 local function length_of(axis)
   local what, unit = (axis.label or ""):match "^(.-) / (%S+)$"
   if lengths[what] and in_mm(unit) then return what, in_mm(unit) end
 end
 
--- Largest absolute value that an axis shows.
+-- Returns the largest absolute value that an axis shows.
 local function reach_of(panel, name)
   local most, axis = 0, panel[name]
   for _, curve in ipairs(panel.curves) do
@@ -33,7 +34,7 @@ local function reach_of(panel, name)
   return most
 end
 
--- Largest length [mm] shown by all axes with the same label, which have the same unit.
+-- Returns the largest length [mm] shown by all axes with the same label, which have the same unit.
 local function reaches_of(figure, name)
   local reaches = {}
   for _, panel in ipairs(figure.panels) do
@@ -55,7 +56,7 @@ local function scaled(list, factor)
   return result
 end
 
--- The panel with one of its axes in another unit.
+-- Returns the panel with one of its axes in another unit.
 local function in_unit(panel, name, label, factor)
   local axis, curves = merged(panel[name]), {}
   axis.label = label
@@ -67,7 +68,7 @@ local function in_unit(panel, name, label, factor)
   return merged(panel, { [name] = axis, curves = curves })
 end
 
--- The figure with lengths along its axis `name` ("x" or "y") in a suitable unit.
+-- Returns the figure with lengths along its axis `name` ("x" or "y") in a suitable unit.
 function units.shown(figure, name)
   local reaches, result = reaches_of(figure, name), merged(figure)
   result.panels = {}

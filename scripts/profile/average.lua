@@ -2,8 +2,8 @@
 
 local average = {}
 
--- Means over cells of width `step`: returns lists of x, z and the number of points in each cell; nil and the position
--- of a cell without points if there is one.
+-- Averages over cells of width `step`. Returns lists of x, z and the number of points in each cell;
+-- if a cell has no points, nil and its position.
 function average.cells(x, z, step)
   local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
   local first = (x[1] + x[#x] - (count - 1) * step) / 2
@@ -21,7 +21,7 @@ function average.cells(x, z, step)
   return cx, cz, counts
 end
 
--- z at the increasing positions `at` within the range of x, by linear interpolation.
+-- Returns z at the increasing positions `at` within the range of x, by linear interpolation.
 function average.at(x, z, at)
   local result, i = {}, 1
   for k = 1, #at do
@@ -32,8 +32,8 @@ function average.at(x, z, at)
   return result
 end
 
--- Weighted mean of several lists of heights with equal positions, and the standard error of this mean from the
--- differences between the traces.
+-- Returns the weighted mean of several lists of heights with equal positions, and the standard
+-- error of this mean from the differences between the traces.
 function average.traces(lists, errors)
   local weights, total = {}, 0
   for t, e in ipairs(errors) do

@@ -28,7 +28,7 @@ end
 
 -- --- making ---------------------------------------------------------------------------------------
 
--- The heights; for a profile of depths, the negative depths.
+-- Returns the heights; for a profile of depths the negative depths.
 function profile.heights(p)
   if p.z then return p.z end
   local z = {}
@@ -38,7 +38,8 @@ end
 
 function profile.step(p) return (p.x[#p.x] - p.x[1]) / (#p.x - 1) end
 
--- A profile with new positions, heights and changed fields; `into` "z" or "h": converts to heights or depths.
+-- Returns a profile with new positions, heights and changed fields; `into` "z" or "h" converts to
+-- heights or depths.
 function profile.derived(p, x, z, changes, into)
   local result = merged(p, changes)
   result.x, result.z, result.h = x, z, nil
@@ -80,7 +81,7 @@ local function clean(where, x, z, name)
   return cx, cz, missing
 end
 
--- (where, x, values, "z" or "h", noise or nil, path or nil), lengths in mm; checks the lists.
+-- (where, x, values, "z" or "h", noise or nil, path or nil), lengths in mm. Checks the lists.
 function profile.new(where, x, values, name, given, path)
   if #x ~= #values then
     check.fail(where, ("fields 'x' and '%s': expected lists of equal length, got %d and %d")
@@ -100,7 +101,7 @@ local range = check.kind('"auto" or { from, to } in mm, from < to', function(v)
 end)
 profile.range, profile.level_kind = range, check.one_of(form.kinds)
 
--- The heights before a form was subtracted.
+-- Returns the heights before a form was subtracted.
 local function original(p)
   local z, off = profile.heights(p), p.removed
   if not off then return z end
@@ -125,7 +126,7 @@ local function fitted(where, p, z, kind, worn)
   return found, from and { from, to }, is_used
 end
 
--- Subtracts the form fitted to all points or, with `worn`, to those beside the scar.
+-- Subtracts the form fitted to all points or, with `worn`, to the points beside the scar.
 function profile.level(where, p, kind, worn)
   local z = original(p)
   local found, scar_at, is_used = fitted(where, p, z, kind, worn)
@@ -154,7 +155,7 @@ end
 
 -- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- The step of x, which must be even within a twentieth.
+-- Returns the step of x, which must be even to a twentieth.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do
@@ -166,7 +167,8 @@ function profile.even_step(where, p)
   return step
 end
 
--- The long-wave part of the heights and the step; refuses a cut-off below two steps or above the length of the trace.
+-- Returns the long-wave part of the heights and the step. Refuses a cut-off below two steps or
+-- above the length of the trace.
 function profile.long_waves(where, p, z, cutoff, name)
   local step, whole = profile.even_step(where, p), p.x[#p.x] - p.x[1]
   if not (check.positive.test(cutoff) and cutoff >= 2 * step and cutoff <= whole) then

@@ -17,7 +17,7 @@ local methods = profile.methods
 local depth_fields = { level = profile.level_kind, scar = profile.range,
   reference = check.kind("a profile of heights", function(v) return profile.is(v) and v.z ~= nil end) }
 
--- Heights minus those of a reference trace, over their common range.
+-- Returns heights minus the heights of a reference trace, over their common range.
 local function change(where, p, reference)
   local from, to = math.max(p.x[1], reference.x[1]), math.min(p.x[#p.x], reference.x[#reference.x])
   if from >= to then
@@ -52,7 +52,8 @@ end
 
 local volume_fields = { scar = profile.range, length = check.positive }
 
--- Width beside the scar, as a share of its width, where material may be piled up; the form is fitted outside it.
+-- Width beside the scar, as a share of the scar's width, where material may be piled up. The form
+-- is fitted outside it.
 local piled_share = 0.2
 
 local function dot(weights, values)
@@ -61,7 +62,8 @@ local function dot(weights, values)
   return sum
 end
 
--- The depths and the ends of the scar. Heights are levelled beside the scar; depths are only levelled again for "auto".
+-- Returns the depths and the ends of the scar. Heights are levelled beside the scar; depths are
+-- levelled again only for "auto".
 local function scar_of(p, options)
   if p.h and options.scar ~= "auto" then
     local at = options.scar or p.scar and { p.scar.from, p.scar.to } or { p.x[1], p.x[#p.x] }
@@ -75,7 +77,8 @@ local function scar_of(p, options)
   return depths, depths.scar.from, depths.scar.to
 end
 
--- Standard errors of the weighted sum: from the scatter within the scar, and from the fitted line or circle.
+-- Returns the standard errors of the weighted sum: from the scatter within the scar, and from the
+-- fitted line or circle.
 local function errors_of(p, weights, width)
   local deviation = p.scatter and p.scatter.deviation or p.error
   local length = p.scatter and p.scatter.length or p.correlation
@@ -84,7 +87,7 @@ local function errors_of(p, weights, width)
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end
 
--- Largest mean depth over a fiftieth of the scar's width, or over one point.
+-- Returns the largest mean depth over a fiftieth of the scar's width, or over one point.
 local function deepest(p, from, to)
   local cell = math.max((to - from) / 50, profile.step(p))
   local part = p:cut(from, to)
@@ -124,7 +127,8 @@ local function without_line(x, z)
   return rest
 end
 
--- Number of points in a sampling length and number of sampling lengths; half a cut-off is excluded at both ends.
+-- Returns the number of points in a sampling length and the number of sampling lengths; half a
+-- cut-off is excluded at both ends.
 local function section_counts(where, p, step, cutoff, wanted)
   local size = math.floor(cutoff / step + 0.5)
   local there = (#p.x - 2 * math.ceil(cutoff / step / 2)) // size
@@ -167,7 +171,8 @@ end
 
 -- --- start of a run --------------------------------------------------------------------------------------
 
--- Depths to start from. Heights: below the highest point. Depths: values above the form within the scatter become 0.
+-- Returns the initial depths of a run. Heights are measured from the highest point. Of depths,
+-- values above the form within the scatter become 0.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then
@@ -201,7 +206,7 @@ local function warn_of_tilt(p)
   end
 end
 
--- { x =, h = }: the start depths for worn = { plate = p }.
+-- Returns { x =, h = }, the initial depths for worn = { plate = p }.
 function profile.class.__worn(p)
   warn_of_tilt(p)
   return { x = p.x, h = start_of(p) }

@@ -14,7 +14,8 @@ local function reorder(re, im, count)
   end
 end
 
--- Cosines and sines of half a turn, each computed directly, so that rounding errors do not accumulate.
+-- Cosines and sines of half a turn, each computed directly so that rounding errors do not
+-- accumulate.
 local function twiddles(count, sign)
   local c, s = {}, {}
   for i = 1, count // 2 do
@@ -24,8 +25,8 @@ local function twiddles(count, sign)
   return c, s
 end
 
--- (re, im, sign): sum over j of (re + i im)[j] exp(sign 2 pi i j k / count). Transforms with both signs in turn give
--- count times the input.
+-- (re, im, sign): computes the sum over j of (re + i im)[j] exp(sign 2 pi i j k / count).
+-- Transforms with both signs in turn return count times the input.
 return function(re, im, sign)
   local count = #re
   local cosines, sines = twiddles(count, sign)

@@ -24,7 +24,7 @@ function models.circle(u, p)
     u * u / sum + rise * q * u / d / sum ^ 2
 end
 
--- Sums over the points: J'J, J'r, r'r; nil if a point is outside the form.
+-- Returns sums over the points, J'J, J'r, r'r; nil if a point is outside the form.
 local function normal(self, x, z, is_used)
   local a11, a12, a13, a22, a23, a33, b1, b2, b3, rr, count = 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
   local model, p, middle, half = models[self.kind], self.p, self.middle, self.half
@@ -43,7 +43,8 @@ local function normal(self, x, z, is_used)
   return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
 end
 
--- One Gauss-Newton step, halved until all points are inside the form and the residual does not increase.
+-- Makes one Gauss-Newton step, halved until all points are inside the form and the residual does
+-- not increase.
 local function advance(self, x, z, is_used, a, b, rr)
   local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end
@@ -92,17 +93,18 @@ function form.fit(kind, x, z, is_used)
   return self.inverse and self or nil
 end
 
--- Height of the form at x [mm], or nil outside a circle.
+-- Returns the height of the form at x [mm], or nil outside a circle.
 function shape:height(x)
   local value = models[self.kind]((x - self.middle) / self.half, self.p)
   return value and value * self.half
 end
 
--- Curvature [1/mm], <= 0 on a convex body, and radius [mm].
+-- Returns the curvature [1/mm], <= 0 on a convex body, and the radius [mm].
 function shape:curvature() return (self.p[3] or 0) / self.half end
 function shape:radius() return 1 / math.abs(self:curvature()) end
 
--- Variance of the sum of weights[i] * height(x[i]) for independent heights of variance 1.
+-- Returns the variance of the sum of weights[i] * height(x[i]) for independent heights of variance
+-- 1.
 function shape:variance(x, weights)
   local g = {}
   for c = 1, #self.p do g[c] = 0 end

@@ -11,7 +11,8 @@ local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
 
 local reach = 2 -- in cut-offs; farther weights are below 1e-24 of the central one
 
--- One-sided sums of the weights up to 0, 1, 2, ... steps: of w, w u and w u^2 with u = x / (alpha cutoff).
+-- Returns one-sided sums of the weights up to 0, 1, 2, ... steps: of w, w u and w u^2 with u = x /
+-- (alpha cutoff).
 local function one_sided(ratio, count)
   local s0, s1, s2 = { [0] = 1 / ratio }, { [0] = 0 }, { [0] = 0 }
   for i = 1, count do
@@ -22,7 +23,8 @@ local function one_sided(ratio, count)
   return s0, s1, s2
 end
 
--- Fourier transform of w (1 + i u) sampled in steps, including aliases above 1e-15. It is real.
+-- Returns the Fourier transform of w (1 + i u) sampled in steps, including aliases above 1e-15. It
+-- is real.
 local function response(f, ratio)
   local sum, repeats = 0, ratio < 3 and 3 or 1
   for shift = -repeats, repeats do
@@ -32,7 +34,7 @@ local function response(f, ratio)
   return sum
 end
 
--- Sums of w z and w u z around each point; u points towards smaller x.
+-- Returns sums of w z and w u z around each point; u points towards smaller x.
 local function weighted(z, ratio, steps)
   local count, re, im = 1, {}, {}
   while count < #z + steps do count = 2 * count end
@@ -47,7 +49,8 @@ local function weighted(z, ratio, steps)
   return re, im
 end
 
--- (heights at even steps, step, cutoff) -> the long-wave part at the same points. Costs two transforms.
+-- (heights at even steps, step, cutoff) -> the long-wave part at the same points, by two
+-- transforms.
 function gaussian.long(z, step, cutoff)
   local count, ratio = #z, gaussian.alpha * cutoff / step
   local steps = math.ceil(reach * cutoff / step)
@@ -62,8 +65,9 @@ function gaussian.long(z, step, cutoff)
   return result
 end
 
--- Noise with a correlation length (of white noise one step) after the filter: returns the shares of its variance in the
--- long and the short waves, and the correlation length of the long waves.
+-- For noise with a correlation length (for white noise one step) after the filter: returns the
+-- shares of its variance in the long and the short waves, and the correlation length of the long
+-- waves.
 function gaussian.noise(length, is_white, cutoff)
   local own = math.sqrt(2) * gaussian.alpha * cutoff
   local squares = { is_white and 0 or length ^ 2, own ^ 2 }

@@ -24,7 +24,7 @@ end
 
 local fields = with{ x = check.list, z = check.list, y = check.list, h = check.list }
 
--- Name of the values: "z" for heights, "h" for depths.
+-- Returns the name of the values, "z" for heights or "h" for depths.
 local function one_of_both(where, given)
   if (given.z == nil) == (given.h == nil) then
     check.fail(where, ("fields 'z' and 'h': expected one of them, got %s"):format(given.z and "both" or "none"))
@@ -32,7 +32,8 @@ local function one_of_both(where, given)
   return given.z and "z" or "h"
 end
 
--- Levels, then filters: the filter keeps a line unchanged and a circle almost, least at the ends.
+-- Levels, then filters, as the filter does not change a line and changes a circle little, mostly at
+-- the ends.
 local function treated(where, p, given)
   if given.scar and not given.level then
     check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")
@@ -80,12 +81,13 @@ local function unit_of(where, given, name)
   return unit
 end
 
--- The first of the usual column names that the file has, or nil.
+-- Returns the first of the usual column names that the file has, or nil.
 local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
--- Values of a column in mm; a unit in the header has priority over the given one.
+-- Returns the values of a column in mm; a unit in the header has priority over the one given by the
+-- user.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]

@@ -8,15 +8,16 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Robust standard deviation from the median of distances from the median; outliers have no effect.
+-- Returns a robust standard deviation from the median of distances from the median, which outliers
+-- do not change.
 function noise.robust(list)
   local middle = median(list)
   for i = 1, #list do list[i] = math.abs(list[i] - middle) end
   return 1.482602218505602 * median(list)
 end
 
--- Standard deviation of white noise: from the distances of points from the line between their neighbours; the median
--- removes the curvature of the form. 20000 points give 1 % accuracy.
+-- Returns the standard deviation of white noise from the distances of points from the line between
+-- their neighbours; the median removes the curvature of the form. 20000 points give 1 % accuracy.
 function noise.estimate(x, z)
   local offs, stride = {}, math.max(1, (#x - 2) // 20000)
   for i = 2, #x - 1, stride do
@@ -33,8 +34,9 @@ local function covariance(list, lag, mean)
   return sum / (#list - lag)
 end
 
--- Integral of the autocorrelation in points, 1 for independent points. The sum ends where the correlation is no longer
--- significant; lags increase by a quarter to limit the cost for long traces.
+-- Returns the integral of the autocorrelation in points, 1 for independent points. The sum ends
+-- where the correlation is no longer significant; lags increase by a quarter to limit the cost for
+-- long traces.
 function noise.length(list)
   local mean = 0
   for i = 1, #list do mean = mean + list[i] / #list end

@@ -16,7 +16,7 @@ local function extremes(z, first, last)
   return low, high
 end
 
--- Rp and Rv: means over the sections of the largest peak and the largest depth.
+-- Returns Rp and Rv, the means over the sections of the largest peak and the largest depth.
 local function sections(z, size, count)
   local p, v = 0, 0
   for section = 1, count do
@@ -26,8 +26,8 @@ local function sections(z, size, count)
   return p, v
 end
 
--- Mean width of profile elements: between upward crossings of the mean line with a valley and a hill beyond a tenth of
--- Rz; nil for fewer than two crossings.
+-- Returns the mean width of profile elements, between upward crossings of the mean line with a
+-- valley and a hill beyond a tenth of Rz; nil for fewer than two crossings.
 local function width(z, step, height)
   local limit, state, crossing, first, last, count = height / 10, nil, nil, nil, nil, -1
   for i = 2, #z do
@@ -41,7 +41,7 @@ local function width(z, step, height)
   return count > 0 and (last - first) / count or nil
 end
 
--- Root mean square slope by the formula for seven points.
+-- Returns the root mean square slope by the formula for seven points.
 local function slope(z, step)
   local sum = 0
   for i = 4, #z - 3 do
@@ -51,7 +51,7 @@ local function slope(z, step)
   return math.sqrt(sum / (#z - 6))
 end
 
--- (heights [mm], step [mm], points of a section, sections, "R" or "P") -> Ra, Rq, ... in mm by name.
+-- (heights [mm], step [mm], points of a section, sections, "R" or "P") -> Ra, Rq, ... in mm by name
 function roughness.of(z, step, size, count, letter)
   local middle = mean_power(z, 1, 0)
   local heights, a = {}, 0

@@ -11,7 +11,7 @@ local least = 0.05  -- share of the trace at both ends always used as unworn
 local clear = 5     -- least depth of a scar in multiples of the scatter
 local blocks = 500  -- number of means in the search for a scar
 
--- Means of groups of neighbours, at most `blocks` of them: x and z.
+-- Returns x and z of the means of groups of neighbours, at most `blocks` of them.
 local function blocked(x, z)
   local size = math.max(1, math.ceil(#x / blocks))
   local bx, bz = {}, {}
@@ -35,8 +35,8 @@ local function beside(x, from, to)
     math.max(to, math.min(to + side, x[#x] - end_part)))
 end
 
--- Positions of the first blocks on both sides of the deepest block that are not below the form; nil if it is not deeper
--- than the threshold.
+-- Returns the positions of the first blocks on both sides of the deepest block that are not below
+-- the form; nil if the deepest block is not deeper than the threshold.
 local function reach(x, depth, threshold)
   local deepest = 1
   for i = 2, #x do if depth[i] > depth[deepest] then deepest = i end end
@@ -85,7 +85,8 @@ function scar.fit(x, z, kind, from, to)
   return form.fit(kind, x, z, is_used), from, to, is_used
 end
 
--- Scatter of the unworn part about its form: standard deviation and correlation length [mm].
+-- Returns the scatter of the unworn part about its form: standard deviation and correlation length
+-- [mm].
 function scar.scatter(x, depth, is_used)
   local list, sum = {}, 0
   for i = 1, #x do
@@ -97,7 +98,7 @@ function scar.scatter(x, depth, is_used)
   return math.sqrt(sum / #list), noise.length(list) * (x[#x] - x[1]) / (#x - 1)
 end
 
--- The length of each point's cell between `from` and `to`.
+-- Returns the length of each point's cell between `from` and `to`.
 function scar.weights(x, from, to)
   local weights = {}
   for i = 1, #x do

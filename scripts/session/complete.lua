@@ -29,7 +29,8 @@ local function close_of_string(text, at, quote)
   end
 end
 
--- The token at `at`: kind, its last position; position nil where the text ends within it.
+-- Returns the kind of the token at `at` and its last position, which is nil if the text ends within
+-- the token.
 local function token_at(text, at)
   local equals = match(text, "^%-%-%[(=*)%[", at)
   if equals then return "comment", select(2, find(text, "]" .. equals .. "]", at, true)) end
@@ -45,7 +46,7 @@ local function token_at(text, at)
   return "other", at
 end
 
--- All tokens of the text, and the unfinished token at its end: { kind=, text= }.
+-- Returns all tokens of the text, and the unfinished token at its end: { kind=, text= }.
 local function tokenise(text)
   local tokens, at = {}, 1
   while true do
@@ -62,8 +63,8 @@ end
 
 -- --- position of the cursor ---------------------------------------------------------------------
 
--- The chain a.b["c"]:d that ends at token `i`, as a list of names; nil if it is something else, for instance the result
--- of a call.
+-- Returns the chain a.b["c"]:d that ends at token `i` as a list of names; nil if it is something
+-- else, such as the result of a call.
 local function chain_before(tokens, i)
   local names = {}
   while true do
@@ -85,7 +86,8 @@ local function chain_before(tokens, i)
   end
 end
 
--- The frame that "{" opens: `call` the chain that is called with it, `path` the fields it is in.
+-- Returns the frame that "{" opens: `call` is the chain that is called with the table, `path` the
+-- list of fields around it.
 local function brace_frame(tokens, i, parent)
   local before = tokens[i - 1]
   local frame = { open = "{", used = {} }
@@ -104,7 +106,7 @@ local function brace_frame(tokens, i, parent)
   return frame
 end
 
--- The innermost bracket that is open at the end of the tokens, or nil.
+-- Returns the innermost bracket that is open at the end of the tokens, or nil.
 local function open_frame(tokens)
   local frames = {}
   for i = 1, #tokens do
@@ -133,7 +135,8 @@ local function class_of(value)
   return help.entry(name) and name
 end
 
--- The table a missing key of `value` is looked up in, if it can be read without a call.
+-- Returns the table in which a missing key of `value` is looked up, if it can be read without a
+-- call.
 local function fallback_of(value)
   if type(value) == "string" then return rawget(globals, "string") end
   local metatable = debug.getmetatable(value)
@@ -155,8 +158,8 @@ local function raw_member(value, key)
   end
 end
 
--- The value of a chain and the address of its help entry; either may be nil. For computed fields the help entries give
--- the class.
+-- Returns the value of a chain and the address of its help entry; either may be nil. For computed
+-- fields the help entries name the class.
 local function resolve(chain)
   local value = rawget(globals, chain[1])
   local address = value == nil and nil or class_of(value) or help.address_of(value)
@@ -244,7 +247,7 @@ local function member_words(tokens, prefix)
   local chain = chain_before(tokens, #tokens - 1)
   if not chain then return {} end
   local value, address = resolve(chain)
-  -- Names that exist only as arguments of user functions: state.
+  -- Names that exist only as arguments of user functions, such as state.
   if value == nil and not address then address = table.concat(chain, ".") end
   local set = {}
   add_members(set, value, separator == ":")
@@ -269,7 +272,7 @@ local function module_words(prefix)
   return sorted(set, prefix)
 end
 
--- Inside a string: the values of a field or of a method's argument, module names, or files.
+-- Inside a string, offers the values of a field or of a method's argument, module names, or files.
 local function string_words(tokens, frame, prefix)
   local before = tokens[#tokens]
   if before and before.text == "=" and frame and frame.call then

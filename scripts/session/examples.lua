@@ -7,7 +7,7 @@ local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
--- examples.names(): names of the files, in the order of the course: "01_contact", ...
+-- examples.names(): names of the files in the order of the course, such as "01_contact".
 examples.names = examples_folder.names
 
 -- An example is selected by its number, its name, or both.
@@ -23,7 +23,7 @@ local function path_of(where, wanted)
   check.fail(where, ("no example %s%s"):format(check.shown(wanted), check.hint(tostring(wanted), plain)))
 end
 
--- The list of all, a line or more for each.
+-- Returns the list of all examples, with one or more lines for each.
 local function overview()
   local show = require "archard.help.show"
   return show.listing("Examples", examples_folder.entries())

@@ -1,7 +1,7 @@
--- session.save and session.open: all values made in the session, by name, in one run file: complete states of runs,
--- models, studies, and plain values. session/own.lua determines which values belong to the session. Every value is a
--- case of the file; its settings contain its kind, its path (key.1, key.2, ... as in runs[1].first) and the data to
--- create it again.
+-- session.save and session.open: all values made in the session, by name, in one run file: complete
+-- states of runs, models, studies, and plain values. session/own.lua determines which values belong
+-- to the session. Every value is a case of the file. The settings of the case contain its kind, its
+-- path (key.1, key.2, ... for a value such as runs[1].first) and the data to create it again.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -30,7 +30,7 @@ function readers.wear(_, file, id, functions) return joint_file.wear(file, id, f
 
 writers.joint_wear, readers.joint_wear = writers.wear, readers.wear
 
--- The error, and how to give a run its functions if they are missing.
+-- Returns the error, with a remedy if functions of a run are missing.
 local function cure(message, name)
   if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
@@ -59,7 +59,7 @@ function readers.joint(given) return joint(settings.nest(given).is) end
 
 function readers.gait(given) return require "archard.joint.given_gait".of(settings.nest(given).is) end
 
--- A study that has run is in its own file; for other studies the cases are stored.
+-- A study that has run is in its own file. For other studies the cases are stored.
 function writers.study(value, given)
   given.file, given.name, given.looks, given.task = value.file, value.name, value.snapshots, value.task
   local carried = settings.carrier("session.save")
@@ -105,7 +105,7 @@ function readers.list(given)
   return list
 end
 
--- For a table, a result and a contact only the path: their parts are separate cases.
+-- For a table, a result and a contact only the path is stored; their parts are separate cases.
 local function writer_of(class) return writers[class] or (kept.is_class(class) and writers.table) end
 local function reader_of(class) return readers[class] or (kept.is_class(class) and readers.table) end
 
@@ -115,10 +115,10 @@ function readers.table() return {} end
 
 -- --- paths ---------------------------------------------------------------------------------------
 
--- Printable names of globals.
+-- Returns the printable names of globals.
 local function is_global(key) return type(key) == "string" and not key:find "%c" and check.plain(key) == key end
 
--- Keys that a file can contain: texts and integers.
+-- Returns true for keys that a file can contain, which are texts and whole numbers.
 local function write_path(given, path)
   if not is_global(path[1]) then return false end
   for i, key in ipairs(path) do
@@ -155,15 +155,16 @@ local function note_owners(cases)
   end
 end
 
--- "closed", "function", or the reason why a contact cannot be created again.
+-- Returns "closed", "function", or the reason why a contact cannot be created again.
 local function reason(value, class)
   if (type(value) == "userdata" or class == "joint_wear") and tostring(value):find "%(closed%)$" then return "closed" end
   local kind, parts, why = kept.parts(value, class)
   return kind and not parts and ("%s %s"):format(class, why) or class
 end
 
--- The cases to write, in order: a table before its values; an object with several names once, then as the number of its
--- case. Also returns a list of values that cannot be saved, without functions that are parts of results.
+-- Returns the cases to write in order. A table comes before its values, and an object with several
+-- names is written once and then referred to by the number of its case. Also returns a list of
+-- values that cannot be saved, without functions that are parts of results.
 local function gather()
   local cases, left, number = {}, {}, {}
   own.visit(function(path, value, class, owner)
@@ -211,7 +212,7 @@ local words = { wear = "run", joint_wear = "run", model = "model", joint = "mode
   result = "result" }
 local order = { "run", "model", "study", "contact", "result" }
 
--- "2 runs, 1 model, 3 other values"; parts of results are not counted.
+-- Returns a text such as "2 runs, 1 model, 3 other values"; parts of results are not counted.
 local function summary(cases)
   local count, others, parts = {}, 0, {}
   for _, each in ipairs(cases) do
@@ -280,7 +281,7 @@ local function check_kind(file, path)
   end
 end
 
--- The functions of runs, by the names of the runs: { w = { k = f } }.
+-- Returns the functions of runs, by the names of the runs: { w = { k = f } }.
 local function functions_of(given, name)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -289,7 +290,7 @@ local function functions_of(given, name)
   return given[name]
 end
 
--- Description of a case of a file, without its value.
+-- Returns the description of a case of a file, without its value.
 local function described(file, id)
   local given = file:values(id, "settings")
   local path = read_path(given)
@@ -297,7 +298,7 @@ local function described(file, id)
   return { id = id, given = given, path = path, name = name, class = given.kind }
 end
 
--- A run's model comes after the run.
+-- Creates the model of a run after the run.
 local function in_order(file)
   local first, later = {}, {}
   for _, case in ipairs(file:cases()) do
@@ -308,7 +309,7 @@ local function in_order(file)
   return table.move(later, 1, #later, #first + 1, first)
 end
 
--- True if the parts of a value have the types of its class.
+-- Returns true if the parts of a value have the types of its class.
 local sound = {
   string = function(given) return type(given.is) == "string" end,
   boolean = function(given) return type(given.is) == "boolean" end,
@@ -413,7 +414,7 @@ end
 
 -- --- leaving -------------------------------------------------------------------------------------
 
--- True if the name is free or belongs to this session.
+-- Returns true if the name is free or belongs to this session.
 function session.suggested()
   if last then return last end
   for i = 1, math.huge do

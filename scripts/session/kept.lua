@@ -32,7 +32,7 @@ end
 
 -- --- contacts -------------------------------------------------------------------------------------
 
--- Definitions of contact{} and of the moves after it, the first one first.
+-- Returns the definitions of contact{} and of the moves after it, the first one first.
 local function calls_of(contact)
   local calls, one = {}, record(contact)
   while one do
@@ -98,7 +98,8 @@ local saved = setmetatable({}, { __mode = "k" })
 
 function kept.note_saved(value) saved[value] = true end
 
--- True if a file contains it: the session's, or the file of a measured trace or map.
+-- Returns true if a file contains the object: the session's file, or the file of a measured trace
+-- or map.
 function kept.is_saved(value) return saved[value] or (type(value) == "table" and rawget(value, "path") ~= nil) end
 
 return kept

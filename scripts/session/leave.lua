@@ -5,7 +5,7 @@ local session = require "archard.session.file"
 
 local leave = {}
 
--- The question, or nil if nothing would be lost.
+-- Returns the question, or nil if nothing would be lost.
 function leave.question()
   local unsaved = own.unsaved()
   if not unsaved[1] then return nil end
@@ -16,7 +16,7 @@ function leave.question()
     table.concat(names, ", "), session.suggested())
 end
 
--- Meaning of an answer: true to leave, false to stay, nil if it is neither.
+-- Returns the meaning of an answer: true to leave, false to stay, nil if it is neither.
 function leave.answer(line)
   local letter = line:lower():match("^%s*(%a)")
   if letter == "n" then return true end

@@ -17,10 +17,11 @@ for name in next, globals do there[name] = true end
 -- Some globals of the program may be created after this file was loaded.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
--- True if the name is reserved for a global of the program.
+-- Returns true if the name is reserved for a global of the program.
 own.is_taken = is_ours
 
--- "wear", "study", ...: the class of an object of archard, else the type; "program" for parts of the program.
+-- Returns the class of an object of archard, such as "wear" or "study", else the type of the value;
+-- "program" for parts of the program.
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)
@@ -31,7 +32,7 @@ function own.class(value)
   return rawequal((require "archard")[address], value) and "program" or address
 end
 
--- List of { name=, value=, class= } in the order of names.
+-- Returns a list of { name=, value=, class= } in the order of names.
 function own.list()
   local list = {}
   for name, value in next, globals do
@@ -48,7 +49,8 @@ local function is_plain(value)
   return type(value) == "table" and (metatable == nil or (type(metatable) == "table" and metatable.__plain))
 end
 
--- A list of numbers that are exact as doubles: one value of any length.
+-- Returns true for a list of numbers that are exact as doubles. Such a list counts as one value,
+-- whatever its length.
 local function is_list(value)
   local count = #value
   for i = 1, count do
@@ -69,9 +71,10 @@ local function sorted_keys(value)
   return keys
 end
 
--- Calls visit(path, value, class, owner) for all globals and the values in their tables, in order: path is the
--- list of keys, { "w" } or { "runs", 1 }; owner the result or contact that the value is a part of, or nil.
--- The parts of a value are visited once, and not where visit returns false.
+-- Calls visit(path, value, class, owner) for all globals and the values in their tables, in order.
+-- path is the list of keys, such as { "w" } or { "runs", 1 }. owner is the result or contact that
+-- the value is a part of, or nil. The parts of a value are visited once, unless visit returns false
+-- for the value.
 function own.visit(visit)
   local seen = {}
   local look
@@ -101,7 +104,7 @@ function own.visit(visit)
   end
 end
 
--- Printable form of a path: "runs[1].first".
+-- Returns the printable form of a path, such as "runs[1].first".
 function own.spoken(path)
   local parts = { path[1] }
   for i = 2, #path do parts[i] = spelling.index(path[i]) end
@@ -114,8 +117,8 @@ local function is_unsaved(value, class)
   return kept.is_class(class) and not kept.is_saved(value)
 end
 
--- Runs after the first update, results and contacts that no file contains in their present state: a list of { path=,
--- value=, class= }.
+-- Returns the runs after the first update, the results and the contacts that no file contains in
+-- their present state: a list of { path=, value=, class= }.
 function own.unsaved()
   local list, seen = {}, {}
   own.visit(function(path, value, class)

@@ -31,7 +31,7 @@ local function cut(text, room)
     and text:sub(1, utf8.offset(text, room - 2) - 1) .. "..." or text
 end
 
--- The lines as text.
+-- Returns the lines as text.
 local function lines()
   local rows, wide, class_wide = own.list(), 0, 0
   for _, each in ipairs(rows) do

@@ -33,7 +33,8 @@ local function ask(name)
   return shell.ask(shell.line(words))
 end
 
--- "2 running, 6 pending" from one line for each share; nil if no line contains a state.
+-- Returns a text such as "2 running, 6 pending" from one line for each share; nil if no line
+-- contains a state.
 local function count(lines)
   local states, order = {}, {}
   for state in lines:gmatch("%f[^%z\n](%u[%u_]+)%s*%f[%z\n]") do
@@ -44,7 +45,7 @@ local function count(lines)
   return order[1] and table.concat(order, ", ")
 end
 
--- The state of a job; nil also if Slurm has already forgotten it.
+-- Returns the state of a job; nil also if Slurm no longer has a record of it.
 function array.state(job)
   local said, fine = ask(job.name)
   if not fine then

@@ -1,5 +1,5 @@
--- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options, on several machines
--- with common files. The interface is that of slurm/array.lua.
+-- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options,
+-- on several machines with common files. The interface is described in slurm/array.lua.
 
 local shell = require "archard.lib.shell"
 local text_file = require "archard.lib.text_file"
@@ -8,8 +8,8 @@ local parallel = { program = "parallel" }
 
 function parallel.is_name(text) return text:find "^%d+$" ~= nil end
 
--- Quotes a path for a command of GNU parallel, which replaces {}, {#}, {= Perl =} (and \xAF<, which it converts to the
--- latter); an inserted empty string prevents this.
+-- Quotes a path for a command of GNU parallel, which replaces {}, {#} and {= Perl =} (and also
+-- \xAF<, which it converts to the last of these). An inserted empty string prevents this.
 local function literal(path) return (shell.quote(path):gsub("[{\xAF]", "%0''")) end
 
 -- Starts the job in a new session, so that it continues after this program and Ctrl-C does not reach it.

@@ -186,7 +186,7 @@ local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
   "simulated_depth", "measured_depth", "runs" } }
 
--- A line with the value of one quantity, its spread and its confidence range, if known.
+-- Returns a line with the value of one quantity and, if known, its spread and its confidence range.
 local function number_line(self, name, format, text)
   local value, spread = self[name], self.spread[name]
   local low, high = (self.low or {})[name], (self.high or {})[name]

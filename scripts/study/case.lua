@@ -31,19 +31,20 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
--- The engine's warning in this case, or nil.
+-- Returns the engine's warning in this case, or nil.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
   return text and check.plain(tostring(text))
 end
 
--- The definition of a case's model, from which archard.measure reads the names of its bodies; a joint is not built.
+-- Returns the definition of a case's model, from which archard.measure reads the names of its
+-- bodies; a joint is not built.
 function case.named(self)
   local model = self.definition.model
   return model and model.cup and joint_bodies or model
 end
 
--- The last row of the history, or nil.
+-- Returns the last row of the history, or nil.
 function computed.last(self)
   local history = self.history
   if not history then return nil end
@@ -87,7 +88,8 @@ end
 
 local methods = {}
 
--- The stored surface of a body at the last stored distance <= `distance` [mm]; without `distance`, the final surface.
+-- Returns the stored surface of a body at the last stored distance <= `distance` [mm]; without
+-- `distance`, the final surface.
 local function surface(self, where, body, distance)
   local names = measure.bodies(self.model)
   local called = rawequal(body, nil) and names.upper or naming.body(where, { model = { bodies = names } }, body)
@@ -121,7 +123,7 @@ function methods:pressure(body, distance)
   return strict.table({ x = found.x, p = found.p, distance = found.distance }, "case:pressure")
 end
 
--- The distances [mm] at which surfaces are stored.
+-- Returns the distances [mm] at which surfaces are stored.
 function methods:distances()
   local list = {}
   for _, each in ipairs(self.surfaces) do
@@ -130,13 +132,13 @@ function methods:distances()
   return list
 end
 
--- Sum of both wear depths at each position, Eq. (31).
+-- Returns the sum of both wear depths at each position, Eq. (31).
 function methods:combined(distance)
   local where = "case:combined"
   return measure.combined(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- The cylinder's share of the sum of both depths, Eq. (30), at positions with wear.
+-- Returns the cylinder's share of the sum of both depths, Eq. (30), at positions with wear.
 function methods:local_partition(distance)
   local where = "case:local_partition"
   return measure.local_partition(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
@@ -147,7 +149,7 @@ function methods:wear() return joint_file.wear(self.study:store(), self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
--- Names of all fields and methods of a case, with or without a value.
+-- Names of all fields and methods of a case, including fields without a value.
 local own = { id = true, label = true, status = true, message = true, seconds = true, settings = true, study = true }
 local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end

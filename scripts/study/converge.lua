@@ -25,8 +25,8 @@ local function pick(given, fields)
   return picked
 end
 
--- Splits `given` into the fields that can be written to a run file and the functions, by name. A run file cannot hold
--- functions; the search of a single case uses no run file.
+-- Splits `given` into the fields that can be written to a run file and the functions, by name. A
+-- run file cannot contain functions; the search of a single case uses no run file.
 local function without_functions(given)
   local plain, functions = merged(given), {}
   for name, value in pairs(given) do
@@ -119,7 +119,7 @@ local function number(format, value)
   return value and format:format(value) or "-"
 end
 
--- True if the values of a list never increase.
+-- Returns true if the values of a list never increase.
 local function falls(list, value)
   for i = 2, #list do
     if value(list[i]) > value(list[i - 1]) then return false end
@@ -145,7 +145,7 @@ local function mesh_lines(mesh)
   return table.concat(lines, "\n")
 end
 
--- The jump, with "≥" if no larger jump was tried; see notes.
+-- Returns the jump, with "≥" if no larger jump was tried; see notes.
 local function shown_jump(found)
   return (found.capped and "≥" or "") .. number("%g", found.jump)
 end
@@ -220,14 +220,15 @@ end
 
 -- --- Table 1 of the paper --------------------------------------------------------------------------
 
--- The row with this alpha and stroke, or nil.
+-- Returns the row with this alpha and stroke, or nil.
 local function row_of(rows, alpha, stroke)
   for _, row in ipairs(rows) do
     if row.settings.alpha == alpha and row.settings.stroke == stroke then return row end
   end
 end
 
--- Rows of strings: alpha; then for each stroke the paper's jump, the computed jump and increments.
+-- Returns rows of texts: alpha; then for each stroke the paper's jump, the computed jump and the
+-- increments.
 local function paper_rows(rows)
   local paper = require "archard.study.paper"
   local result = { { "α" } }
@@ -253,13 +254,14 @@ end
 local methods = {}
 local class = { __name = "convergence", __methods = methods, __fields = { "mesh", "cases" } }
 
--- Table 1 of the paper with the computed values beside it, as rows of strings; nil for other studies.
+-- Returns Table 1 of the paper with the computed values beside it, as rows of texts; nil for other
+-- studies.
 function methods:table_1()
   if not row_of(self.cases, 0.5, 0.11) or #self.cases < 20 then return nil end
   return paper_rows(self.cases)
 end
 
--- Notes on the cases whose search ended at a bound, as a list of strings.
+-- Returns notes on the cases whose search ended at a bound, as a list of texts.
 function methods:notes() return notes_of(self.cases) end
 
 function class.__tostring(self)

@@ -68,7 +68,8 @@ end
 
 -- --- default file name ---------------------------------------------------------------------------
 
--- Default file name without extension: the name of the study, of the script, or "study".
+-- Returns the default file name without extension: the name of the study, of the script, or
+-- "study".
 local function base_name(self)
   local script = type(arg) == "table" and type(arg[0]) == "string" and arg[0]:match "([^/]+)%.lua$"
   local name = self.named and self.name or script or "study"
@@ -83,7 +84,8 @@ local function is_free(where, self, path)
   end))
 end
 
--- The default run file of a study: NAME.archard, or NAME-2.archard, ... if the earlier names are used by other data.
+-- Returns the default run file of a study, NAME.archard, or NAME-2.archard and so on if the earlier
+-- names have other data.
 function definitions.usual_path(where, self)
   local base = base_name(self)
   if base == "" then base = "study" end

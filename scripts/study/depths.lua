@@ -25,7 +25,7 @@ local function simulate(fields, k, alpha, counter)
   return run.depth.cylinder + run.depth.plate, run.depth_partition
 end
 
--- Refuses depths that need an unrealistically large k, as their unit is not mm.
+-- Refuses depths that need an unrealistically large k, because their unit is probably not mm.
 local function check_unit(sum, simulated, k)
   local needed = k * (sum / simulated) ^ 1.5 -- a scar of depth h has a volume of about h^1.5
   if needed <= largest_k then return end
@@ -35,13 +35,13 @@ end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Initial inverse Jacobian of both residuals: ln of the depths is proportional to 2/3 ln k, the share to alpha. An
--- unknown with a fixed value has a row and a column of zeros.
+-- Returns the initial inverse Jacobian of both residuals: ln of the depths is proportional to 2/3
+-- ln k, the share to alpha. An unknown with a fixed value has a row and a column of zeros.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end
 
--- Broyden's update of the inverse `h` for a step `dx` that changed the residuals by `df`.
+-- Makes Broyden's update of the inverse `h` for a step `dx` that changed the residuals by `df`.
 local function update(h, dx, df)
   local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
   local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
@@ -52,7 +52,7 @@ local function update(h, dx, df)
   end
 end
 
--- The next step; alpha changes by at most nine tenths of its distance to 0 or 1.
+-- Returns the next step; alpha changes by at most nine tenths of its distance to 0 or 1.
 local function step_from(x, h, f)
   local of_k = -(h[1][1] * f[1] + h[1][2] * f[2])
   local of_alpha = -(h[2][1] * f[1] + h[2][2] * f[2])
@@ -93,7 +93,7 @@ local function refuse_k(found, sum)
     .. "this field k is computed too"):format(found.sum, sum))
 end
 
--- Standard deviations of k and alpha over the tests, with a search for each test.
+-- Returns the standard deviations of k and alpha over the tests, with a search for each test.
 local function spreads(cylinder, plate, from, options)
   local k, alpha, runs = {}, {}, 0
   for i, c in ipairs(cylinder) do

@@ -16,7 +16,8 @@ local figures = {}
 
 local most_curves = 8 -- number of colours of a picture
 
--- Title as "α = 0.25, s = 0.11 mm" if all varied settings are numbers, else the label of the case.
+-- Returns a title such as "α = 0.25, s = 0.11 mm" if all varied settings are numbers, else the
+-- label of the case.
 local function title_of(case)
   local parts = {}
   for _, name in ipairs(case.study.varied) do
@@ -37,12 +38,12 @@ local function finished(cases)
   return curves
 end
 
--- "8 of 9 cases" if some cases are not drawn, else nil.
+-- Returns a text such as "8 of 9 cases" if some cases are not drawn, else nil.
 local function share_of(curves, cases)
   return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
 end
 
--- Half the width shown: the widest contact, worn or unworn, plus a margin [mm].
+-- Returns half the width shown [mm]: the widest contact, worn or unworn, plus a margin.
 local function reach_of(curves, widen)
   local reach = 0
   for _, curve in ipairs(curves) do
@@ -54,7 +55,7 @@ local function reach_of(curves, widen)
   return 1.3 * reach
 end
 
--- The figure of profiles, which joints do not have.
+-- Returns the figure of profiles, which joints do not have.
 local function final_state(cases)
   local curves = finished(cases)
   if #curves == 0 or not curves[1].case.hertz then return nil end

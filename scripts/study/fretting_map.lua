@@ -1,12 +1,13 @@
--- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips partially or slips
--- grossly, from steady cycles under an alternating tangential force, and the borders between these regimes.
--- plot/fretting_map.lua draws the map.
+-- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips
+-- partially or slips grossly, from periodic cycles under an alternating tangential force, and the
+-- borders between these regimes. plot/fretting_map.lua draws the map.
 --
--- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin when the
--- slip annulus reaches a given share of the width; a share this small is usually narrower than one element. The width
--- of the stick zone is therefore computed at forces up to sliding, and 1 - (stick width / contact width)^n is fitted by
--- b1 s + b2 s^2, where s is the force divided by the sliding force: for the Hertz contact it equals s, with n = 2 of
--- cylinders and 3 of balls (Cattaneo and Mindlin).
+-- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined
+-- to begin when the slip annulus reaches a given share of the width; a share this small is usually
+-- narrower than one element. The width of the stick zone is therefore computed at forces up to
+-- sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the force
+-- divided by the sliding force. For the Hertz contact this equals s, with n = 2 for cylinders and 3
+-- for balls (Cattaneo and Mindlin).
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -26,7 +27,7 @@ for _, setting in ipairs(require "archard.settings".contact) do
 end
 for _, own in ipairs{ "x", "load_angle", "average" } do fields[own] = nil end
 
--- Checks that each number is larger than the one before.
+-- Checks that each number is larger than the previous one.
 local function check_growing(given, name, unit)
   local list = given[name]
   if not check.list.test(list) or #list == 0 then
@@ -42,8 +43,9 @@ end
 
 -- --- steady cycles -------------------------------------------------------------------------------
 
--- Width of the stick zone at an end of a cycle, divided by the contact width; nil if all nodes of one side stick, as
--- the mesh cannot resolve the slip there. In 3-D the root of the share of the area.
+-- Returns the width of the stick zone at an end of a cycle, divided by the contact width; nil if
+-- all nodes of one side stick, as the mesh cannot resolve the slip there. In 3-D it is the root of
+-- the share of the area.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
   if type(zones) == "number" then return zones < 1 and math.sqrt(zones) or nil end
@@ -65,8 +67,8 @@ local function amplitude(pressed, share)
   return (there.x - back.x) / 2
 end
 
--- The amplitude from which all of the contact slips. Forces on maps of cells are exact to 1e-5 of the sliding force, so in 3-D it
--- is extrapolated from 99 % by Mindlin's 1 - (1 - s)^(2/3).
+-- Returns the amplitude from which the whole contact slips. Forces on maps of cells are exact to
+-- 1e-5 of the sliding force, so in 3-D it is extrapolated from 99 % by Mindlin's 1 - (1 - s)^(2/3).
 local function gross_amplitude(pressed)
   if type(pressed.stick) ~= "number" then return amplitude(pressed, sliding) end
   local near = 0.99
@@ -86,8 +88,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- The force, as a share of the sliding force, at which the slip annulus reaches `annulus` of the width; `sliding` if it
--- stays smaller until sliding begins.
+-- Returns the force, as a share of the sliding force, at which the slip annulus reaches `annulus`
+-- of the width; `sliding` if the annulus stays smaller until sliding begins.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do

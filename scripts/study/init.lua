@@ -24,7 +24,7 @@ local definition_fields = merged({ base = check.table, vary = check.table, name 
   cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
   sample = check.table }, of_samples)
 
--- The samples of a study, or nil; without samples, their options are refused.
+-- Returns the samples of a study, or nil; without samples, their options are refused.
 local function read_sample(where, given)
   if given.sample then return require "archard.uncertainty.design".read(where, given) end
   for _, name in ipairs{ "n", "design", "seed", "indices" } do
@@ -42,7 +42,7 @@ local function refuse_two(where, given)
   end
 end
 
--- The flat settings of every case; without vary, cases and sample, base is the only case.
+-- Returns the flat settings of every case. Without vary, cases and sample, base is the only case.
 local function expand(where, given, sample)
   refuse_two(where, given)
   local cases = given.cases or sample and require "archard.uncertainty.design".cases(sample)
@@ -65,8 +65,8 @@ local function new(where, given)
   return setmetatable(self, class)
 end
 
--- The 20 cases of Table 1; `base` gives other fields of wear{} for all of them. With elements smaller than the paper's,
--- the cycles per update are reduced in proportion.
+-- study.paper(base): the 20 cases of Table 1, with the further fields of wear{} in `base`. With
+-- elements smaller than the paper's, the cycles per update are reduced in proportion.
 function study.paper(base)
   base = check.definition("study.paper", base or {}, check.anything)
   local size = settings.flatten("study.paper", base or {})["model.mesh.size"]
@@ -74,14 +74,15 @@ function study.paper(base)
     cases = require "archard.study.paper".cases(type(size) == "number" and size or nil) })
 end
 
--- The cases with stroke a on finer and finer meshes.
+-- study.meshes(base): the cases with stroke a on finer and finer meshes.
 function study.meshes(base)
   base = check.definition("study.meshes", base or {}, check.anything)
   return new("study.meshes", { name = "meshes of the paper", base = base, snapshots = 0,
     cases = require "archard.study.paper".mesh_cases() })
 end
 
--- The runs of the paper's convergence study (Fig. 8), by Eq. (4) and by Eq. (5).
+-- study.trials(base): the runs of the paper's convergence study (Fig. 8), by Eq. (4) and by Eq.
+-- (5).
 function study.trials(base)
   base = check.definition("study.trials", base or {}, check.anything)
   return new("study.trials", { name = "trials", base = base, snapshots = 0,
@@ -105,7 +106,7 @@ function study.open(path)
   return self
 end
 
--- The run file, open for reading.
+-- Returns the run file, open for reading.
 function methods:store()
   if not self.reading then
     if not self.file then
@@ -180,7 +181,7 @@ function methods:submit(options)
   return submit.run(self, options)
 end
 
--- The cases in order, with the results of the finished cases.
+-- Returns the cases in order, with the results of the finished cases.
 function methods:cases()
   local new_case = require "archard.study.case".new
   local list = {}
@@ -205,7 +206,7 @@ function methods:uncertainty(options) return require "archard.uncertainty.result
 
 function methods:failure(given) return require "archard.uncertainty.failure"(self, given) end
 
--- Closes the run file, if it is open.
+-- Closes the run file if it is open.
 function methods:close()
   if self.reading then self.reading:close() end
   self.reading = nil

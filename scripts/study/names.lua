@@ -7,7 +7,7 @@ local merged = require "archard.lib.merged"
 
 local tree -- tree of the known names; a name with an empty table has no names to check below it
 
--- Adds the names of a path, as "mesh.size", to the tree `at`.
+-- Adds the names of a path, such as "mesh.size", to the tree `at`.
 local function plant(at, path)
   for part in path:gmatch("[^.]+") do
     at[part] = at[part] or {}
@@ -49,7 +49,7 @@ local function refuse(where, at, prefix, name)
   check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(at))))
 end
 
--- Raises an error for an unknown name, as "model.mesh.sise".
+-- Raises an error for an unknown name, such as "model.mesh.sise".
 local function refuse_unknown(where, name)
   local at, prefix = tree, ""
   for part in name:gmatch("[^.]+") do

@@ -11,8 +11,8 @@ local function text_of(numbers)
   return table.concat(words, " ")
 end
 
--- Key of a body's profile or, in three dimensions, of its section { x= } or { z= }: a word without dots, as it becomes
--- part of a flat name in run files.
+-- Returns the key of a body's profile or, in three dimensions, of its section { x= } or { z= }: a
+-- word without dots, as it becomes part of a flat name in run files.
 function observe.surface(body, section)
   if not section then return body end
   return (("%s_%s_%.17g"):format(body, section.x and "x" or "z", section.x or section.z):gsub("%.", ","))

@@ -16,7 +16,7 @@ function panels.over_a(case, x)
   return map(x, function(value) return value / a end)
 end
 
--- Height of a worn surface [um]: the unworn shape minus the wear depth.
+-- Returns the height of a worn surface [um], which is the unworn shape minus the wear depth.
 function panels.shape(case, body, distance, mm)
   local profile = case:profile(body, distance)
   local radius = case.model.radius
@@ -39,8 +39,8 @@ end
 
 -- --- panels --------------------------------------------------------------------------------------
 
--- `reach`: half the width shown, in units of a. Heights are measured from the point of first contact of the unworn
--- surfaces.
+-- `reach` is half the width shown, in units of a. Heights are measured from the point of first
+-- contact of the unworn surfaces.
 local kinds = {
   cylinder = function(reach)
     return { ylabel = "height of cylinder / µm", xlabel = "x / a", xrange = { -reach, reach },
@@ -54,8 +54,8 @@ local kinds = {
   end,
 }
 
--- A panel of shapes or pressures: kind "cylinder", "plate" or "pressure"; curves is a list of { case=, title=,
--- distance=, series= }. options.mm: x and reach are in mm.
+-- Returns a panel of shapes or pressures: kind "cylinder", "plate" or "pressure"; curves is a list
+-- of { case=, title=, distance=, series= }. options.mm: x and reach are in mm.
 function panels.panel(kind, curves, options)
   local panel = kinds[kind](options.reach or 3)
   for i, curve in ipairs(curves) do
@@ -71,7 +71,7 @@ function panels.panel(kind, curves, options)
   return panel
 end
 
--- A panel of histories of one column, multiplied by `factor`.
+-- Returns a panel of histories of one column, multiplied by `factor`.
 function panels.course(column, factor, label, curves, options)
   local panel = { xlabel = "d / mm", ylabel = label, title = options.title, yrange = options.yrange,
     xrange = options.xrange }

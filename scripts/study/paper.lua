@@ -16,8 +16,8 @@ paper.jumps = {
   { 100, 50, 30, 1 },
 }
 
--- Eq. (28) [mm]: upper estimate of the depth of the first update. p in MPa; a cycle with the last
--- stroke, over the whole plate, is one stroke instead of two.
+-- Returns an upper estimate of the depth of the first update [mm], Eq. (28). p is in MPa. With the
+-- last stroke, over the whole plate, a cycle is one stroke instead of two.
 function paper.first_depth(jump, k, p, stroke)
   local strokes = stroke == paper.strokes[4] and 1 or 2
   return jump * k * p * strokes * stroke
@@ -27,7 +27,7 @@ end
 -- paper's, the cycles per update are reduced in proportion.
 local paper_size = 0.020 -- mm
 
--- Settings of the 20 cases on elements of `size` [mm].
+-- Returns the settings of the 20 cases on elements of `size` [mm].
 function paper.cases(size)
   local cases, share = {}, math.min(1, (size or paper_size) / paper_size)
   for row, alpha in ipairs(paper.alphas) do
@@ -39,7 +39,8 @@ function paper.cases(size)
   return cases
 end
 
--- Mesh dependence of the results: stroke a, all alpha > 0, element sizes [mm].
+-- Returns cases for the mesh dependence of the results: stroke a, all alpha > 0, element sizes
+-- [mm].
 paper.sizes = { 0.020, 0.010, 0.005 }
 
 function paper.mesh_cases()
@@ -56,7 +57,8 @@ function paper.mesh_cases()
   return cases
 end
 
--- Fig. 8: stroke a, alpha 0.5, at 1000 cycles; { increments, jump }, for both rules of integration.
+-- Returns the cases of Fig. 8: stroke a, alpha 0.5, at 1000 cycles, with { increments, jump }, for
+-- both rules of integration.
 paper.trials = { { 40, 50 }, { 40, 100 }, { 40, 200 }, { 200, 50 }, { 200, 100 }, { 200, 200 },
   { 16, 100 }, { 100, 100 } }
 

@@ -51,7 +51,7 @@ function progress:total_line(now, width)
     bar((self.done + part) / self.total, 20), self.done, self.total, failed, duration(left)), width)
 end
 
--- The lines for a terminal of `width` columns at time `now`; also called by the tests.
+-- Returns the lines for a terminal of `width` columns at time `now`; tests call it too.
 function progress:text(now, width)
   local lines = { self:total_line(now, width) }
   for i = 1, self.workers do

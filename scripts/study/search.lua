@@ -64,7 +64,8 @@ end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
--- Sawtooth of the pressure in the middle of the contact; the peaks at its edges are physical.
+-- Returns the sawtooth of the pressure in the middle of the contact; the peaks at its edges are
+-- physical.
 local function roughness(run)
   local pressure = run:pressure("upper")
   local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
@@ -85,7 +86,7 @@ local function asymmetry(run)
   return worst
 end
 
--- Largest difference between the profiles of two runs, as a share of the depth.
+-- Returns the largest difference between the profiles of two runs, as a share of the depth.
 local function difference(a, b)
   local worst = 0
   for _, body in ipairs{ "upper", "lower" } do
@@ -151,7 +152,8 @@ local function new_trial(given, limit, on_progress)
   return self
 end
 
--- Largest roughness of the reference run between two distances, including the next point on each side.
+-- Returns the largest roughness of the reference run between two distances, including the next
+-- point on each side.
 function trial:own_roughness(from, to)
   local course, worst = self.course, 0
   for i, point in ipairs(course) do
@@ -163,7 +165,8 @@ function trial:own_roughness(from, to)
   return worst
 end
 
--- Runs a trial of at most limit.updates updates. Returns the run and its largest roughness beyond the reference run.
+-- Makes a trial of at most limit.updates updates. Returns its run and its largest roughness beyond
+-- the reference run.
 function trial:run(jump, increments)
   local run = self:new_run(jump, increments)
   local worst, span = 0, jump * self.strokes * self.stroke
@@ -178,8 +181,8 @@ function trial:run(jump, increments)
   return run, worst
 end
 
--- True if a jump gives smooth and symmetric surfaces; false also if the engine refuses a step. Also returns roughness,
--- asymmetry and number of updates.
+-- Returns true if a jump gives smooth and symmetric surfaces; false also if the engine refuses a
+-- step. Also returns roughness, asymmetry and number of updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)
   local even, updates = 1, 0
@@ -197,7 +200,7 @@ function trial:good(jump, increments)
   return smooth and symmetric, worst, even, updates
 end
 
--- The ladder of round values: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
+-- Returns the ladder of round values: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
 local steps = { 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5 }
 local function rung(i) return steps[i % #steps + 1] * 10.0 ^ (i // #steps) end
 local function rung_of(value)
@@ -224,7 +227,8 @@ function trial:largest_jump(found, increments)
   end
 end
 
--- The smallest number of increments with smooth and symmetric profiles equal to those with `many`.
+-- Returns the smallest number of increments with smooth and symmetric profiles equal to those with
+-- `many`.
 local many, ladder = 400, { 200, 100, 64, 40, 32, 20, 16, 10, 8, 4 }
 search.most_increments, search.fewest_increments, search.ladder = many, ladder[#ladder], ladder
 

@@ -22,7 +22,7 @@ local function check_case(where, store, id, flat)
   end
 end
 
--- The flat settings of the cases; their ids must be 1, 2, ...
+-- Returns the flat settings of the cases; their ids must be 1, 2, ...
 local function cases_of(where, store)
   local list = {}
   for i, case in ipairs(store:cases()) do
@@ -70,5 +70,5 @@ local function read(where, store)
     flat = flat, sample = sample_of(where, store, flat) }
 end
 
--- (where, store) -> the study's { name=, snapshots=, task=, flat=, sample= }.
+-- (where, store) -> the study as { name=, snapshots=, task=, flat=, sample= }
 return function(where, store) return check.as(where, read, where, store) end

@@ -72,7 +72,7 @@ end
 
 -- --- following -----------------------------------------------------------------------------------
 
--- Number of cases finished by a share, from the last line of its log.
+-- Returns the number of cases finished by a share, from the last line of its log.
 local function gone_through(path)
   local file <close> = io.open(path, "r")
   if not file then return 0 end
@@ -88,7 +88,7 @@ local function counted(job)
   return sum
 end
 
--- Returns a progress display of a job; `mode` as the option progress of study:run.
+-- Returns a progress display of a job; `mode` has the values of the option progress of study:run.
 local function display(total, mode)
   local last
   local bar = mode == nil and progress.new{ total = total, label = "study", unit = "cases" }
@@ -167,7 +167,7 @@ local function absolute(path)
     text ~= "" and text or "no output (is the limit of open files too low?)"), "IO")
 end
 
--- The script of a share; the share's number comes from Slurm or is an argument.
+-- Returns the script of a share; the share's number comes from Slurm or is an argument.
 local function script_of(job, whole)
   local program = process.program() or check.fail(where, "the path of this program is unknown", "IO")
   local chunk = itself.chunk("study.share", whole, job.folder, job.shares, job.workers)
@@ -197,7 +197,8 @@ local function start(self, job, whole)
   write_note(job)
 end
 
--- The reason of a job without results: the last line of a share's log, else the first line of the engine's log.
+-- Returns the reason of a job without results: the last line of a share's log, else the first line
+-- of the engine's log.
 local function last_words(job)
   for i = 1, job.shares do
     local line = (text_file.read(job.log(i)) or ""):match("([^\n]+)%s*$")
@@ -224,8 +225,8 @@ local function new_job(folder, options, waiting)
   return job
 end
 
--- Runs the waiting cases as one job and merges its results; returns the job and the number of cases still waiting.
--- Error if no case was finished.
+-- Runs the waiting cases as one job and merges its results. Returns the job and the number of cases
+-- still waiting. Raises an error if no case was finished.
 local function round(self, options, folder, whole, waiting)
   local job = new_job(folder, options, waiting)
   start(self, job, whole)
@@ -240,7 +241,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- The cases in `asked` that have warnings.
+-- Returns the cases in `asked` that have warnings.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do

@@ -14,7 +14,7 @@ local tables = {}
 
 -- --- columns -------------------------------------------------------------------------------------
 
--- The last row of the history of a finished case; nil for other cases.
+-- Returns the last row of the history of a finished case; nil for other cases.
 local function last_of(case) return case.status == "done" and case.last or nil end
 
 local function of_last(name, factor)
@@ -24,7 +24,7 @@ local function of_last(name, factor)
   end
 end
 
--- Title, unit, format, value.
+-- Columns: title, unit, format, function for the value.
 local measured = {
   { "updates", "", "%d", of_last "update" },
   { "p_center", "MPa", "%.2f", of_last "p_center" },
@@ -41,7 +41,8 @@ local measured = {
   { "seconds", "s", "%.2f", function(case) return case.seconds end },
 }
 
--- Names of the bodies of a study's finished cases; the usual ones if they differ between cases.
+-- Returns the names of the bodies of a study's finished cases; the usual names if they differ
+-- between cases.
 local function bodies_of(study)
   local names
   for _, case in ipairs(study:cases()) do
@@ -52,7 +53,7 @@ local function bodies_of(study)
   return names or measure.bodies()
 end
 
--- Whether some finished case has a value, which may be NaN; true if no case is finished.
+-- Returns true if some finished case has a value, which may be NaN, or if no case is finished.
 local function is_measured(study, value_of)
   local finished = false
   for _, case in ipairs(study:cases()) do
@@ -62,7 +63,7 @@ local function is_measured(study, value_of)
   return not finished
 end
 
--- The measured columns that the cases have, with the names of the bodies.
+-- Returns the measured columns that the cases have, with the names of the bodies.
 local function measured_of(study)
   local list, bodies = {}, bodies_of(study)
   local named = { depth_cylinder = "depth_" .. bodies.upper, depth_plate = "depth_" .. bodies.lower }
@@ -72,7 +73,8 @@ local function measured_of(study)
   return list
 end
 
--- "the contact reaches the cup's rim": the beginning of a warning without the name of the function.
+-- Returns the beginning of a warning without the name of the function, such as "the contact reaches
+-- the cup's rim".
 local function shortened(warning) return warning:gsub("^[%l_]+:%l+: ", ""):match("^[^:(]*[^:(%s]") or warning end
 
 local function columns_of(study)
@@ -200,7 +202,8 @@ function tables.make(study, options)
   return written.returned("study:table", options.file)
 end
 
--- Rows of formatted texts, the titles first, without the columns in `omitted`: for HTML pages.
+-- Returns rows of formatted texts, the titles first, without the columns in `omitted`, for HTML
+-- pages.
 function tables.rows(study, omitted)
   local columns = columns_of(study)
   for _, name in ipairs(omitted or {}) do columns = without(columns, name) end

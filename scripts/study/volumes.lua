@@ -15,7 +15,7 @@ end
 
 -- --- one interval of distance ----------------------------------------------------------------------
 
--- Standard deviation of each quantity over the tests; of alpha to first order.
+-- Returns the standard deviation of each quantity over the tests; that of alpha to first order.
 local function deviations(cylinder, plate, c, p, work)
   local total = c + p
   local function of(f)
@@ -29,7 +29,7 @@ local function deviations(cylinder, plate, c, p, work)
   }
 end
 
--- Standard deviations for a single test with a known error of the volumes `err` [mm3].
+-- Returns the standard deviations for a single test with a known error of the volumes `err` [mm3].
 local function known_deviations(c, p, work, err)
   local total = c + p
   return { k = math.sqrt(2) * err / work, k_cylinder = err / work, k_plate = err / work,
@@ -58,7 +58,7 @@ end
 
 -- --- tables over the distance ----------------------------------------------------------------------
 
--- Start and end of each interval: 0 and the measured distances, inner distances twice.
+-- Returns the start and end of each interval: 0 and the measured distances, inner distances twice.
 local function points(distance)
   local list = {}
   for i, d in ipairs(distance) do
@@ -67,7 +67,8 @@ local function points(distance)
   return list
 end
 
--- Means of the intervals at `points`; in an interval without wear, alpha of the interval before is used.
+-- Returns the means of the intervals at `points`. In an interval without wear, alpha of the
+-- previous interval is used.
 local function steps(mean, name)
   local list = {}
   for i, each in ipairs(mean) do
@@ -77,7 +78,8 @@ local function steps(mean, name)
   return list
 end
 
--- Results of each interval between distances; volumes are lists by test of lists by distance.
+-- Returns the results of each interval between distances; volumes are lists by test of lists by
+-- distance.
 local function stretches(distance, cylinder, plate, given)
   local list = {}
   for i, d in ipairs(distance) do

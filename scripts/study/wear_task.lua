@@ -25,7 +25,7 @@ local function record(run, list)
   end
 end
 
--- The surfaces recorded before the run was saved; its state at that moment was saved with them.
+-- Returns the surfaces recorded before the run was saved, which were saved with its state.
 local function recorded(run, surfaces, is_due)
   local due, list, history = {}, {}, run.history
   for i, distance in ipairs(history.distance) do
@@ -37,7 +37,7 @@ local function recorded(run, surfaces, is_due)
   return list
 end
 
--- The saved run and its surfaces, or nil if the run was not saved.
+-- Returns the saved run and its surfaces, or nil if the run was not saved.
 local function saved_run(store, id)
   local fine, run = pcall(joint_file.wear, store, id)
   if fine and run.update > 0 and not run.done then return run, joint_file.surfaces(store, id) end

@@ -30,7 +30,7 @@ end
 
 local tasks = {}
 
--- The last values of the history's columns, by name.
+-- Returns the last values of the history's columns, by name.
 local function last_record(run)
   local values = {}
   for name, list in pairs(run.history) do values[name] = list[#list] end
@@ -52,7 +52,7 @@ function tasks.converge(store, id, on_progress)
   return function() store:set_values(id, "results", settings.flatten("converge", found)) end
 end
 
--- A trial of a fit: stores the results that the fit compares with measurements.
+-- Makes a trial of a fit: stores the results that the fit compares with measurements.
 function tasks.fit(store, id, on_progress)
   local observe = require "archard.study.observe"
   local readings, run = observe.run(settings.nest(store:values(id, "settings")),
@@ -76,8 +76,8 @@ local function progress_of(store, id)
   end
 end
 
--- The engine's warning in this case, or nil. The search of converge exceeds limits on purpose, so its warnings are
--- ignored.
+-- Returns the engine's warning in this case, or nil. The search of converge exceeds limits on
+-- purpose, so its warnings are ignored.
 local function warning_of(store)
   local text = warnings.take()
   return store:info("task") ~= "converge" and text or nil
@@ -159,8 +159,9 @@ local function handle_line(results, line)
   results:add(case)
 end
 
--- every: seconds between saves of a long case. folder, least: folder of the sandboxed script and free bytes of the disk,
--- which also apply to the worker; "" without a sandbox.
+-- every: seconds between saves of a long case. folder, least: folder of the sandboxed script and
+-- number of bytes that must stay free on the disk, which also apply to the worker; "" without a
+-- sandbox.
 return function(path, every, folder, least)
   if folder ~= "" then files.confine(folder, least) end
   local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),

@@ -1,5 +1,5 @@
--- A ball on a flat in three dimensions in CalculiX, unworn and worn, compared with archard's half-spaces; for make
--- peer.
+-- Compares a ball on a flat in three dimensions, unworn and worn, in CalculiX and in archard's
+-- half-spaces; for make peer.
 
 local deck = dofile(arg[0]:match("^.*/") .. "ball_deck.lua")
 
@@ -12,8 +12,9 @@ end
 
 local function zero() return 0 end
 
--- Stress normal to the surface on the axis in both programs, at CalculiX' node at a depth of about half the half width:
--- its surface pressures are extrapolated and cannot be compared on a worn surface.
+-- Returns the stress normal to the surface on the axis in both programs, at CalculiX' node at a
+-- depth of about half the half width. CalculiX' surface pressures are extrapolated and cannot be
+-- compared on a worn surface.
 local function on_axis(c, axis, half, surface)
   local nearest = axis[1]
   for _, node in ipairs(axis) do
@@ -28,7 +29,7 @@ local function largest(map)
   return most
 end
 
--- { title=, rows of both programs } of a contact on worn depths (x, z) -> mm.
+-- Returns { title=, rows of both programs } for a contact on worn depths (x, z) -> mm.
 local function case(ccx, folder, title, c, ball, flat, seconds)
   local half = math.max(c.half_width, c.half_width_z)
   local rim = (10 * half) ^ 2 -- outside it the ball is flat, so that the bodies keep their height

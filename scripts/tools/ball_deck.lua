@@ -1,10 +1,12 @@
--- Writes a ball on a flat as a deck for CalculiX: a quarter of both bodies (x, z >= 0), bricks of 20 nodes that are fine at
--- the contact. Both are blocks, the upper one's lower side has the heights of the ball: half-spaces differ from them by their
--- size alone. Lengths in mm, N, MPa; y is up.
+-- Writes a ball on a flat as a deck for CalculiX: a quarter of both bodies (x, z >= 0), bricks of
+-- 20 nodes that are fine at the contact. Both bodies are blocks, and the lower side of the upper
+-- block has the heights of the ball, so they differ from half-spaces only by their finite size.
+-- Lengths in mm, N, MPa; y is up.
 
 local deck = {}
 
--- Positions from 0 on: `count` equal steps up to `fine`, then each `growth` times the last one until `far`; with the middles.
+-- Returns positions from 0 on: `count` equal steps up to `fine`, then steps that grow by `growth`
+-- until `far`, with the middles of all steps.
 local function graded(fine, count, growth, far)
   local at, step, all = { 0 }, fine / count, {}
   for i = 1, count do at[#at + 1] = i * step end
@@ -19,14 +21,16 @@ local function graded(fine, count, growth, far)
   return all
 end
 
--- Corners and middles of edges of a brick on a lattice with two steps an element, in CalculiX' order; y is the second axis.
+-- Returns corners and middles of edges of a brick on a lattice with two steps per element, in
+-- CalculiX' order; y is the second axis.
 local order = {
   { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 2 },
   { 1, 0, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 0, 1, 0 }, { 1, 0, 2 }, { 2, 1, 2 }, { 1, 2, 2 }, { 0, 1, 2 },
   { 0, 0, 1 }, { 2, 0, 1 }, { 2, 2, 1 }, { 0, 2, 1 },
 }
 
--- A body: `surface` (x, z) -> y, layers towards `far` (above 0: the upper one). Numbers from `node` and `element` on.
+-- Writes a body: `surface` (x, z) -> y, layers towards `far` (above 0 for the upper body). Nodes
+-- and elements are numbered from `node` and `element` on.
 local function write_body(file, name, plan, layers, surface, side, far, node, element)
   local number = {}
   local function key(i, j, k) return (i * 1000 + j) * 1000 + k end
@@ -79,8 +83,8 @@ local function write_contact(file, name, body, reach, side)
   end
 end
 
--- case: upper, lower (x, z) -> y [mm]; E, nu by body; load, approach as expected, half_width of the contact; far [mm].
--- Returns the number of nodes of the ball and of both.
+-- case: upper, lower (x, z) -> y [mm]; E, nu by body; load; expected approach; half_width of the
+-- contact; far [mm]. Returns the number of nodes of the ball and of both bodies.
 function deck.write(path, case)
   local file <close> = assert(io.open(path, "w"))
   local fine, growth = 1.3 * case.half_width, 1.9

@@ -1,6 +1,6 @@
--- make bench: what archard costs, in one run. CPU seconds of one thread; peak memory as the kernel counts it.
--- After the script's name: "quick" leaves out the finer meshes; "sizes" shows how cost grows with the surface nodes, down
--- to 2.5 um, as a table and a plot (some minutes).
+-- make bench: costs of archard in one run. CPU seconds of one thread; peak memory as the kernel
+-- counts it. Arguments: "quick" omits the finer meshes; "sizes" prints and plots how the cost grows
+-- with the number of surface nodes, down to 2.5 um (some minutes).
 
 local function peak_memory()
   local file = io.open("/proc/self/status")
@@ -9,7 +9,7 @@ local function peak_memory()
   return kb and tonumber(kb) / 1024
 end
 
--- Processor seconds of the thread that calls.
+-- Returns the processor seconds of the calling thread.
 local function own_seconds()
   local file <close> = assert(io.open "/proc/thread-self/schedstat")
   return tonumber(file:read("a"):match "^%d+") / 1e9
@@ -26,7 +26,7 @@ local function line(what, value, unit, goal, note)
   io.write(string.format("  %-52s %9s %-4s %s\n", what, value, unit, goal and ("goal " .. goal) or note or ""))
 end
 
--- Microseconds per solution in a long run at frozen geometry, including all overhead.
+-- Returns the microseconds per solution in a long run at frozen geometry, including all overhead.
 local function solution_cost(model, finer)
   local w = wear{ model = model, geometry = "frozen", jump = 100 / finer }
   w:run{ distance = 132, progress = false }
@@ -35,7 +35,8 @@ local function solution_cost(model, finer)
   return 1e6 * seconds / (w.solutions - before)
 end
 
--- Microseconds per increment in a wear run at frozen geometry, cycles of 40 increments: the best of five.
+-- Returns the microseconds per increment in a wear run at frozen geometry, in cycles of 40
+-- increments: the best of five.
 local function cycle_cost(model, fields)
   local best = math.huge
   for _ = 1, 5 do
@@ -47,7 +48,7 @@ local function cycle_cost(model, fields)
   return best
 end
 
--- The same for one motion under a force in a given number of increments.
+-- Returns the microseconds per increment of a motion under a force in a number of increments.
 local function motion_cost(model, increments)
   local c = contact{ model = model, friction = 0.6 }:move{ tangential = 48 }
   local best, repeats = math.huge, math.ceil(400 / increments)
@@ -60,8 +61,8 @@ local function motion_cost(model, increments)
   return best
 end
 
--- Cost of increments with friction, similar bodies, and its ratio to increments without friction. No half is the
--- other's mirror image.
+-- Prints the cost of increments with friction between similar bodies, and its ratio to increments
+-- without friction. The two halves of a cycle are not mirror images here.
 local function friction_costs(model)
   local to_and_fro = { x = { -0.025, 0.0251, -0.025 }, increments = 40 }
   local plain = cycle_cost(model, { loading = to_and_fro })
@@ -75,7 +76,8 @@ local function friction_costs(model)
   compare("c:move under a force, 20 increments", motion_cost(model, 20))
 end
 
--- The 20 cases with Table 1's parameters, N-bar divided by `finer` (ripples grow faster on finer meshes).
+-- Runs the 20 cases with Table 1's parameters; N-bar is divided by `finer`, as ripples grow faster
+-- on finer meshes.
 local function twenty_cases(model, geometry, finer)
   local solutions = 0
   local seconds = timed(function()
@@ -110,7 +112,7 @@ local function measure(size, finer, goals)
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
 end
 
--- Cost of the same run on finer meshes: one row of the table of sizes.
+-- Returns the cost of the same run on finer meshes, one row of the table of sizes.
 local function cost_at(size)
   local finer = 0.02 / size
   local building, m = timed(function() return model_of(size) end)
@@ -125,7 +127,8 @@ local function cost_at(size)
   return row
 end
 
--- The exponent of its growth with the surface nodes, between the two finest meshes.
+-- Returns the exponent with which the cost grows with the number of surface nodes, between the two
+-- finest meshes.
 local function growth(rows, what)
   local a, b = rows[#rows - 1], rows[#rows]
   return math.log(b[what] / a[what]) / math.log(b.nodes / a.nodes)
@@ -155,7 +158,8 @@ local function sizes()
   plot(curves)
 end
 
--- Small cases, as in studies of thousands: elapsed time, with as many workers as processors.
+-- Runs small cases, as in studies of thousands of cases: elapsed time, with as many workers as
+-- processors.
 local function studies()
   local term, workers = require "archard.term", require "archard.process".processors()
   local file, loads = os.tmpname(), {}
@@ -174,7 +178,7 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
--- Samples of the reference case, drawn, run and stored, and their statistics.
+-- Draws, runs and stores samples of the reference case, and evaluates their statistics.
 local function samples(count, geometry)
   local term, workers = require "archard.term", require "archard.process".processors()
   local file = os.tmpname()
@@ -192,7 +196,7 @@ local function samples(count, geometry)
   line("bands and quantiles from them", string.format("%.2f", asked), "s")
 end
 
--- Sensitivities from one run and its repetitions with small changes.
+-- Computes sensitivities from one run and its repetitions with small changes.
 local function sensitivities()
   for _, jump in ipairs{ 100, "auto" } do
     local w = wear{ jump = jump }
@@ -203,7 +207,7 @@ local function sensitivities()
   end
 end
 
--- A fit to one pair of profiles, and one to generated data.
+-- Fits one pair of profiles and one set of generated data.
 local function fitting()
   local truth, data = wear{ k = 1.3e-8, alpha = 0.4, stroke = 0.22, jump = 50 }, {}
   truth:run{ progress = false }
@@ -217,7 +221,7 @@ local function fitting()
   line(("a fit of k and alpha to a pair of profiles, %d runs"):format(found.runs), string.format("%.2f", seconds), "s", "5")
 end
 
--- McColl's fretting case at its published length, in gross slip.
+-- Runs McColl's fretting case at its published length, in gross slip.
 local function fretting()
   local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
     stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
@@ -226,8 +230,9 @@ local function fretting()
   line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
 end
 
--- The paper's pair defined by body.cylinder{} and body.block{}, and by a Gmsh file of its mesh, which has no wear box,
--- so that unknowns are eliminated in another order and mirror images save no half strokes.
+-- Runs the paper's pair defined by body.cylinder{} and body.block{}, and by a Gmsh file of its
+-- mesh. The latter has no wear box, so that unknowns are eliminated in another order and mirror
+-- images save no half strokes.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
   model{ radius = 9 } -- the last model is cached
@@ -266,7 +271,7 @@ local function general_paths()
   end
 end
 
--- A million cycles of walking, 400 contacts: both bodies of a metal joint, and a liner.
+-- Runs a million cycles of walking with 400 contacts: both bodies of a metal joint, and a liner.
 local function joints()
   io.write("\nballs in sockets, 1e6 cycles of walking\n")
   local function walk(what, goal, definition, k, alpha)
@@ -284,7 +289,8 @@ local function joints()
   walk("the same on springs", "0.1", liner, 1e-9, 0)
 end
 
--- Half-spaces in three dimensions: contacts that fill most of N x N cells, a worn history, and its memory.
+-- Half-spaces in three dimensions: contacts that fill most of N x N cells, a history of wear, and
+-- its memory.
 local function half_spaces(quick)
   io.write("\nhalf-spaces in three dimensions\n")
   local half = hertz{ geometry = "3-D", load = 10 }.half_width
@@ -323,7 +329,7 @@ local function half_spaces(quick)
   end
 end
 
--- Elapsed milliseconds from the program's start to its end: the best of ten.
+-- Returns the elapsed milliseconds from the program's start to its end, the best of ten.
 local function starting()
   local term, best = require "archard.term", math.huge
   for _ = 1, 10 do

@@ -2,7 +2,7 @@
 
 local ccx = {}
 
--- True if the program is installed.
+-- Returns true if the program is installed.
 function ccx.there() return os.execute("command -v ccx >/dev/null 2>&1") == true end
 
 -- Runs NAME.inp in a folder, on one thread. Returns true on success, the output, and the CPU seconds.
@@ -15,14 +15,15 @@ local function run(folder, name)
   return said:find("Job finished", 1, true) and not said:find("*ERROR", 1, true), said, seconds
 end
 
--- The numbers of a line, twelve columns each, after the number of the node.
+-- Returns the numbers of a line after the number of the node; each has twelve columns.
 local function numbers_in(line)
   local values = {}
   for at = 14, #line - 11, 12 do values[#values + 1] = tonumber(line:sub(at, at + 11)) end
   return tonumber(line:sub(4, 13)), values
 end
 
--- Results of the last step by block (DISP, STRESS, CONTACT) and node; NODES has the positions.
+-- Returns the results of the last step by block (DISP, STRESS, CONTACT) and node; NODES has the
+-- positions.
 local function read_frd(path)
   local blocks, block = {}, nil
   for line in io.lines(path) do
@@ -42,7 +43,8 @@ local function read_frd(path)
   return blocks
 end
 
--- The last force on the cylinder and displacement of the base in the printed file, along y.
+-- Returns the last force on the cylinder and the last displacement of the base in the printed file,
+-- along y.
 local function prints_in(path)
   local file = assert(io.open(path))
   local text = file:read("a")
@@ -58,7 +60,7 @@ local function mises(s)
   return math.sqrt(((x - y) ^ 2 + (y - z) ^ 2 + (z - x) ^ 2) / 2 + 3 * (xy * xy + yz * yz + zx * zx))
 end
 
--- The largest von Mises stress of each body; `owner` gives the body of a node.
+-- Returns the largest von Mises stress of each body; `owner` maps a node to its body.
 local function largest_mises(stress, owner)
   local largest = {}
   for node, s in pairs(stress) do
@@ -79,7 +81,8 @@ local function pressures(blocks)
   return center, largest
 end
 
--- Stresses normal to the surface at the nodes of the lower body below x = z = 0, { y=, syy= } each, the deepest first.
+-- Returns stresses normal to the surface at the nodes of the lower body below x = z = 0, as a list
+-- of { y=, syy= }, the deepest first.
 local function below_axis(blocks, cylinder)
   local list = {}
   for node, s in pairs(blocks.STRESS) do
@@ -90,8 +93,9 @@ local function below_axis(blocks, cylinder)
   return list
 end
 
--- (folder, name, nodes of the cylinder, nodes of both bodies) -> { p_center=, p_max=, mises={ cylinder=, plate= }, force=,
--- approach=, seconds=, increments=, axis= }, or nil and what CalculiX said
+-- (folder, name, nodes of the cylinder, nodes of both bodies) -> { p_center=, p_max=, mises={
+-- cylinder=, plate= }, force=, approach=, seconds=, increments=, axis= }; or nil and the output of
+-- CalculiX
 function ccx.solve(folder, name, cylinder, both)
   local done, said, seconds = run(folder, name)
   if not done then return nil, said end

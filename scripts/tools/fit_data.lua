@@ -1,5 +1,6 @@
--- The measurements of examples/20_fit_profile.lua and examples/21_running_in_fit.lua: runs with known values,
--- read as instruments would, with seeded noise. archard scripts/tools/fit_data.lua writes them anew.
+-- Makes the measurements of examples/20_fit_profile.lua and examples/21_running_in_fit.lua: runs
+-- with known values, with seeded noise such as instruments have. archard scripts/tools/fit_data.lua
+-- writes the files.
 
 math.randomseed(20, 26)
 for _ = 1, 200 do math.random() end
@@ -21,7 +22,8 @@ local function at(surface, x)
   end
 end
 
--- A trace with points every 10 um over +-0.5 mm and .05 um of noise, with shift [mm], tilt and level [mm].
+-- Returns a trace with points every 10 um over +-0.5 mm and .05 um of noise, with shift [mm], tilt
+-- and level [mm].
 local function trace(run, body, shift, tilt, level)
   local surface, lines = run:profile(body), {}
   for i = -50, 50 do
@@ -39,7 +41,8 @@ worn:run()
 trace(worn, "cylinder", 0.006, 1.5e-4, -2e-4)
 trace(worn, "plate", -0.004, -1e-4, 3e-4)
 
--- Volumes of both bodies at intermediate distances, each with an error of 3 %; k falls to a third during running-in.
+-- Returns volumes of both bodies at intermediate distances, each with an error of 3 %; k falls to a
+-- third during running-in.
 local function k(state) return 1e-8 * (1 + 2 * math.exp(-state.distance / 200)) end
 local function alpha(state) return 0.35 + 0.3 * math.exp(-state.distance / 300) end
 local run <close> = wear{ k = k, alpha = alpha, stroke = 0.22, jump = 25 }

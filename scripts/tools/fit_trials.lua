@@ -1,5 +1,7 @@
--- How often the true values are in the 95 % ranges of fits to noisy data, and how long a fit takes:
--- archard scripts/tools/fit_trials.lua [trials, 100]
+-- Counts how often the true values are in the 95 % ranges of fits to noisy data, and measures the
+-- time of a fit.
+--
+--   archard scripts/tools/fit_trials.lua [trials, 100]
 local trial = dofile("tests/verify/lib/fit_trials.lua")
 local count = tonumber(arg[1]) or 100
 

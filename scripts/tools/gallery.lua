@@ -1,5 +1,6 @@
--- Runs the examples and keeps the last picture of each as FOLDER/NN_name.png. `make gallery` runs it, in a
--- folder for the files that examples leave.
+-- Runs the examples and keeps the last picture of each as FOLDER/NN_name.png. `make gallery` runs
+-- this script in a folder for the files that the examples write.
+--
 --   archard scripts/tools/gallery.lua FOLDER [NAME ...]
 
 local folder = assert(arg[1], "expected the folder for the pictures")

@@ -1,10 +1,13 @@
--- A hash of all that the 20 cases of the paper come to: every column of every update, the surfaces.
+-- Prints a hash of all results of the paper's 20 cases: every column of every update, and the
+-- surfaces.
+--
 --   archard scripts/tools/golden.lua WORKERS [broken]
--- `broken`: each case is saved after three updates and goes on from the file.
+--
+-- `broken`: each case is saved after three updates and continued from the file.
 
 local workers, broken = math.tointeger(arg[1]) or 1, arg[2] == "broken"
 
--- FNV-1a, 64 bit.
+-- Computes the FNV-1a hash of 64 bits.
 local function add(sum, bytes)
   for i = 1, #bytes do sum = (sum ~ bytes:byte(i)) * 1099511628211 end
   return sum

@@ -1,4 +1,5 @@
--- Writes the manual page archard-lua(7), made of the help entries, to standard output:
+-- Writes the manual page archard-lua(7), made from the help entries, to standard output:
+--
 --   archard scripts/tools/manpage.lua > build/man/archard-lua.7
 
 local help = require "archard.help"
@@ -12,7 +13,7 @@ local function escape(text)
   return (text:gsub("\\", "\\e"):gsub("^([.'])", "\\&%1"):gsub("\n([.'])", "\n\\&%1"))
 end
 
--- A new line for every sentence, and for every 76 characters.
+-- Begins a new line for every sentence and after every 76 characters.
 local function put_filled(text)
   text = text:gsub("%s+", " ")
   local line = ""
@@ -47,7 +48,7 @@ local function put_text(text)
   if literal then put(".Ed") end
 end
 
--- Text on the line of an item, protected from being read as macros.
+-- Formats text on the line of an item so that it is not read as a macro.
 local function item(text)
   local words = {}
   for word in escape(text):gmatch("%S+") do
@@ -84,7 +85,7 @@ local function options_of(address)
   return list
 end
 
--- Members of an object and of its fields: wear.depth.cylinder.
+-- Lists the members of an object and of its fields, such as wear.depth.cylinder.
 local function members_of(address, kind)
   local list = {}
   for _, entry in ipairs(help.all()) do

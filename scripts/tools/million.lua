@@ -1,7 +1,7 @@
--- The quasi-continuous history at full length: 10000 cycles of 100 increments, the geometry updated
--- at every increment, a million contact solutions at frozen stiffness. And what the user's own
--- functions cost in such a run. `archard scripts/tools/million.lua` prints it; require "million"
--- gives the function.
+-- Runs the quasi-continuous history at full length: 10000 cycles of 100 increments, with a geometry
+-- update at every increment, which is a million contact solutions at frozen stiffness. Also
+-- measures the cost of user functions in such a run. `archard scripts/tools/million.lua` prints the
+-- times; require "million" returns the function.
 
 local function timed(f)
   collectgarbage()
@@ -16,7 +16,7 @@ local function quasi_continuous(fields, cycles)
   return wear(definition)
 end
 
--- Microseconds of CPU time per increment, over a number of cycles.
+-- Returns the microseconds of CPU time per increment, over a number of cycles.
 local function cost(fields, cycles)
   local w = quasi_continuous(fields, cycles)
   local seconds = timed(function() w:run{ progress = false } end)
@@ -35,7 +35,7 @@ local functions = {
   { "local_factor, all nodes at once", { local_factor = { vector = with_vector } } },
 }
 
--- Prints the lines of the benchmark through `line(what, value, unit, goal)`; `cycles` may be fewer.
+-- Prints the lines of the benchmark by `line(what, value, unit, goal)`; `cycles` may be smaller.
 local function million(line, cycles)
   cycles = cycles or 10000
   local plain, w = cost({}, cycles)

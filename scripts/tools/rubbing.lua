@@ -1,5 +1,6 @@
--- What friction changes in the paper's cases, which leave it out: friction 0.3, gross sliding. Changes in percent of
--- the run without friction.
+-- Computes the effect of friction in the paper's cases, which omit it: friction 0.3, gross sliding.
+-- Changes are in percent of the run without friction.
+--
 --   archard scripts/tools/rubbing.lua
 
 local paper = require "archard.study.paper"

@@ -1,9 +1,13 @@
--- Explicit against implicit updates in the 20 cases of Table 1 at several element sizes: errors, updates, contact
--- solutions and seconds, as a Markdown table with a row for the five alphas of a stroke.
---   archard scripts/tools/schemes.lua [size in um ...]      20, 10 and 5 where none is given
--- Errors are the largest at any stored update, and those at the end, in the worst of the five. The reference of a case
--- is extrapolated from explicit runs with a fifth and a tenth of Table 1's N-bar, scaled with the element
--- size (ripples grow faster on finer meshes), and interpolated to the distances of the updates.
+-- Compares explicit and implicit updates in the 20 cases of Table 1 at several element sizes:
+-- errors, updates, contact solutions and seconds, as a Markdown table with a row for the five
+-- alphas of a stroke.
+--
+--   archard scripts/tools/schemes.lua [size in um ...]      default: 20, 10 and 5
+--
+-- Errors are the largest at any stored update and those at the end, of the worst of the five cases.
+-- The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
+-- N-bar, scaled with the element size (ripples grow faster on finer meshes), and interpolated to
+-- the distances of the updates.
 
 local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"
@@ -13,7 +17,7 @@ local schemes = {
   { "implicit, tolerance = 1e-3", function() return { scheme = "implicit", tolerance = 1e-3 } end },
 }
 
--- One run of a case.
+-- Makes one run of a case.
 local function run(case, model, fields)
   fields.stroke, fields.alpha, fields.model = case.stroke, case.alpha, model
   local w = wear(fields)
@@ -22,12 +26,14 @@ local function run(case, model, fields)
   return w, os.clock() - start
 end
 
--- Explicit runs whose errors, linear in the length of their updates, cancel in twice the finer minus the coarser.
+-- Makes explicit runs whose errors are linear in the length of their updates, so that they cancel
+-- in twice the finer minus the coarser result.
 local function reference(case, model)
   return { coarse = run(case, model, { jump = case.jump / 5 }).history, fine = run(case, model, { jump = case.jump / 10 }).history }
 end
 
--- Errors of a column in percent: the largest at any update, and that at the end. A body without wear has none.
+-- Returns errors of a column in percent: the largest at any update, and the error at the end. A
+-- body without wear has no error.
 local function errors(history, column, true_runs)
   local worst, off = 0, 0
   for i = 2, #history.distance do
@@ -39,7 +45,8 @@ local function errors(history, column, true_runs)
   return worst, off
 end
 
--- The largest values of several cases; updates and solutions also the smallest; seconds of all.
+-- Returns the largest values of several cases, for updates and solutions also the smallest, and the
+-- seconds of all.
 local function add(row, case, model, scheme, true_runs)
   local w, seconds = run(case, model, scheme[2](case.jump))
   for _, name in ipairs{ "depth_cylinder", "depth_plate", "p_center" } do

@@ -1,6 +1,9 @@
--- A study through Slurm beside the same study run here: the same bits, and cases a minute.
+-- Runs a study through Slurm and the same study in this process, compares their bits and prints the
+-- cases per minute.
+--
 --   scripts/slurm/node build/archard scripts/tools/slurm_check.lua [CASES] [SHARES] [FOLDER]
--- Cases are small (elements of 40 um, five updates): what counts is what goes around them.
+--
+-- Cases are small (elements of 40 um, five updates), so that the overhead dominates.
 
 local count, shares = tonumber(arg[1]) or 1000, tonumber(arg[2]) or 8
 local folder = arg[3] or os.tmpname()
@@ -9,7 +12,7 @@ assert(require "archard.process".make_folder(folder))
 local content = dofile((arg[0]:match("^(.*)scripts/tools/") or "") .. "tests/lua/lib/content.lua")
 local clock = require "archard.term".clock
 
--- The given number of cases with varying partition factor and load.
+-- Returns cases with varying partition factor and load.
 local function small_cases()
   local cases = {}
   for i = 1, count do cases[i] = { alpha = (i - 1) % 101 / 100, load = 80 + 40 * (i - 1) / count } end

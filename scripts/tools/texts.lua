@@ -1,8 +1,10 @@
--- The texts of the sources, of three words or more: blocks of comments, and string literals (help,
--- messages) except those of tests.
+-- Lists the texts of the sources that have three words or more: blocks of comments, and string
+-- literals (help, messages) except those of tests.
+--
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua list
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua draw NUMBER SEED
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua count WORD...
+--
 -- `list` prints each text after its file and line; `draw` prints NUMBER of them, drawn at random;
 -- `count` prints how often each Lua pattern occurs as a whole word, in comments and in literals.
 
@@ -16,7 +18,7 @@ local function add(kind, file, line, text)
   texts[#texts + 1] = { kind = kind, file = file, line = line, text = text }
 end
 
--- The literal whose opening quote is at `at`: its text and the position after it.
+-- Returns the literal whose opening quote is at `at`, as its text and the position after it.
 local function quoted(source, at)
   local quote, stop = source:sub(at, at), at + 1
   while source:sub(stop, stop) ~= quote and stop <= #source do
@@ -25,8 +27,9 @@ local function quoted(source, at)
   return source:sub(at + 1, stop - 1):gsub("\\n", " "):gsub("\\(.)", "%1"), stop + 1
 end
 
--- Of each language: a function that returns the kind, the text and the end of the token at `at`; the
--- characters that can begin a token; the pattern that may separate two literals of one text.
+-- For each language: a function that returns the kind, the text and the end of the token at `at`;
+-- the characters that can begin a token; and the pattern that may separate two literals of one
+-- text.
 local languages = {}
 
 local function c_token(source, at)
@@ -53,8 +56,8 @@ local function lua_token(source, at)
 end
 languages.lua = { token = lua_token, first = "[-'\"%[]", joint = "^%s*%.%.%s*$" }
 
--- Adds a token, or joins it to the last one: comments of consecutive lines are one comment, literals
--- side by side are one literal.
+-- Adds a token, or joins it to the last one: comments on consecutive lines are one comment, and
+-- adjacent literals are one literal.
 local function append(list, token, between, joint)
   local last = list[#list]
   local joins = last and last.kind == token.kind

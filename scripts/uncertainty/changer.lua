@@ -17,7 +17,7 @@ local ends = { distance = true, cycles = true }
 
 -- --- names ---------------------------------------------------------------------------------------
 
--- Names of all numbers of wear{} and the bodies, without those of the mesh.
+-- Returns the names of all numbers of wear{} and the bodies, except those of the mesh.
 local function names_of(definition)
   local names = {}
   for name, value in pairs(definition) do
@@ -29,7 +29,7 @@ local function names_of(definition)
   return names
 end
 
--- Names of the wear coefficients of bodies with their own k.
+-- Returns the names of the wear coefficients of bodies that have their own k.
 local function coefficients(definition)
   local names = {}
   for path, value in pairs(definition.flat) do
@@ -39,7 +39,7 @@ local function coefficients(definition)
   return names
 end
 
--- Default names of a sensitivity.
+-- Returns the default names of a sensitivity.
 function changer.usual(definition)
   local names = coefficients(definition)
   if #names == 0 then names = { "k", "alpha" } end
@@ -66,8 +66,8 @@ end
 
 -- --- changing a number ---------------------------------------------------------------------------
 
--- The value of k_cylinder or k_plate, and a function that returns a definition with another value; k and alpha follow
--- from both.
+-- Returns the value of k_cylinder or k_plate, and a function that makes a definition with another
+-- value; k and alpha follow from both coefficients.
 local function of_couple(run, name, definition)
   local there = { k_cylinder = run.k_cylinder, k_plate = run.k_plate }
   return there[name], function(value)
@@ -77,12 +77,12 @@ local function of_couple(run, name, definition)
   end
 end
 
--- The value at a path; the radius of a body defaults to the model's.
+-- Returns the value at a path. The default radius of a body is that of the model.
 local function value_at(flat, path)
   return flat[path] or path:match("%.radius$") and flat["model.radius"]
 end
 
--- A number of the model; for a name of both bodies, their common value.
+-- Returns a number of the model; for a name of both bodies, their common value.
 local function of_model(run, name, definition)
   local flat, paths = definition.flat, number.paths(name, definition.flat)
   local there = value_at(flat, paths[1])

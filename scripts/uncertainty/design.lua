@@ -12,7 +12,7 @@ local design = {}
 
 -- --- the fields ----------------------------------------------------------------------------------
 
--- The uncertain fields { name=, distribution= } sorted by path; flat: the base settings.
+-- Returns the uncertain fields { name=, distribution= } sorted by path. flat: the base settings.
 local function fields_of(where, given, flat)
   local list, there = {}, {}
   local function add(name, distribution)
@@ -66,7 +66,7 @@ local function check_correlation(where, i, item)
   end
 end
 
--- The correlation matrix for { {"k", "alpha", -0.5}, ... }; nil without correlations.
+-- Returns the correlation matrix for { {"k", "alpha", -0.5}, ... }; nil without correlations.
 local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -92,7 +92,7 @@ local function correlation_of(where, fields, given, flat)
   return matrix
 end
 
--- Lower triangular Cholesky factor of the matrix.
+-- Returns the lower triangular Cholesky factor of the matrix.
 local function cholesky(where, matrix)
   local lower = {}
   for i = 1, #matrix do
@@ -113,7 +113,7 @@ local function cholesky(where, matrix)
   return lower
 end
 
--- Number of cases for each point of the design.
+-- Returns the number of cases for each point of the design.
 local function cases_each(sample) return sample.indices and #sample.fields + 2 or 1 end
 
 local function check_count(where, sample)
@@ -152,7 +152,7 @@ end
 
 -- --- values --------------------------------------------------------------------------------------
 
--- The values of all fields at point i; columns: cumulative probabilities.
+-- Returns the values of all fields at point i. columns: cumulative probabilities.
 local function values_at(sample, columns, i)
   local values, score = {}, {}
   for f, field in ipairs(sample.fields) do
@@ -168,8 +168,8 @@ local function values_at(sample, columns, i)
   return values
 end
 
--- Cases of one point for Saltelli's design: a first set of values, a second one, and for each field the first set with
--- this field from the second set.
+-- Returns the cases of one point for Saltelli's design: a first set of values, a second one, and
+-- for each field the first set with this field from the second set.
 local function with_exchanges(sample, columns, i, cases)
   local second, count = {}, #sample.fields
   for f = 1, count do second[f] = columns[count + f] end
@@ -183,7 +183,7 @@ local function with_exchanges(sample, columns, i, cases)
   end
 end
 
--- All cases: n, or n (fields + 2) with indices.
+-- Returns all cases: n, or n (fields + 2) with indices.
 function design.cases(sample)
   local dimensions = #sample.fields * (sample.indices and 2 or 1)
   local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
@@ -199,7 +199,8 @@ end
 
 -- --- text in a run file --------------------------------------------------------------------------
 
--- The definition of the samples as text for the run file; the values are stored with the cases.
+-- Returns the definition of the samples as text for the run file; the values are stored with the
+-- cases.
 function design.text(sample)
   local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
     tostring(sample.indices)) }

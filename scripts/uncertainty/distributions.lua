@@ -7,7 +7,8 @@ local strict = require "archard.strict"
 
 local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
 
--- Text of a distribution, as "normal{ mean=100, deviation=5 }", which can be parsed again.
+-- Returns the text of a distribution, such as "normal{ mean=100, deviation=5 }", which can be
+-- parsed again.
 function class.__tostring(self)
   local parts = {}
   for _, name in ipairs{ "mean", "deviation", "low", "high" } do
@@ -19,7 +20,7 @@ function class.__tostring(self)
   return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
 end
 
--- True for the text of a distribution.
+-- Returns true for the text of a distribution.
 local kinds = { uniform = true, normal = true, lognormal = true }
 local function is_text(text)
   local kind, inside = text:match "^(%a+){ ([^{}]*) }$"
@@ -65,7 +66,7 @@ local function ordered(kind, low, high)
   end
 end
 
--- The deviation, or the variation times the mean.
+-- Returns the deviation, or the variation times the mean.
 local function spread_of(kind, given)
   required(kind, given, "mean", "the mean")
   if (given.deviation == nil) == (given.variation == nil) then
@@ -79,7 +80,8 @@ end
 
 local function same(x) return x end
 
--- A normal distribution on a transformed scale, truncated to [low, high]; to_scale and from_scale transform values.
+-- Returns a normal distribution on a transformed scale, truncated to [low, high]; to_scale and
+-- from_scale transform values.
 local function bell(kind, given, middle, width, to_scale, from_scale)
   local low, high = given.low or -math.huge, given.high or math.huge
   ordered(kind, low, high)

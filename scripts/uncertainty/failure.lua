@@ -33,7 +33,8 @@ local function check_reached(history, before)
   end
 end
 
--- True if a row of the history up to a distance, or the value at this distance, is beyond the limit.
+-- Returns true if a row of the history up to a distance, or the value at this distance, is beyond
+-- the limit.
 local function passes(history, name, past, before)
   check_reached(history, before)
   for i, d in ipairs(history.distance) do

@@ -5,7 +5,7 @@
 
 local indices = {}
 
--- mean(g) / mean(v) and its standard error from n pairs.
+-- Returns mean(g) / mean(v) and its standard error from n pairs.
 local function ratio(g, v)
   local n, sum_g, sum_v = #g, 0, 0
   for i = 1, n do sum_g, sum_v = sum_g + g[i], sum_v + v[i] end
@@ -20,7 +20,7 @@ local function middle_of(a, b)
   return sum / (2 * #a)
 end
 
--- by(a, b, mean, product) -> ratio of the mean product to the variance of both lists.
+-- by(a, b, mean, product) -> ratio of the mean product to the variance of both lists
 local function by(a, b, mean, product)
   local g, v = {}, {}
   for i = 1, #a do
@@ -30,7 +30,8 @@ local function by(a, b, mean, product)
   return ratio(g, v)
 end
 
--- First-order index: the second and the mixed set share only the field, so their covariance is its contribution.
+-- Returns the first-order index. The second and the mixed set share only the field, so their
+-- covariance is its contribution.
 local function first_of(a, b, mixed, mean)
   local little = by(a, b, mean, function(_, db, i) return db * (mixed[i] - a[i]) end)
   local most = by(b, mixed, middle_of(b, mixed), function(db, dm) return db * dm end)

@@ -1,9 +1,10 @@
--- Uses one mesh for all samples, that of the case with the median values, if the user gave none. A separate mesh for
--- each sample would double the run time and add mesh differences to the results.
+-- Chooses one mesh for all samples, that of the case with the median values, if the user gave no
+-- mesh. A separate mesh for each sample would double the run time and add mesh differences to the
+-- results.
 
 local settings = require "archard.definition.settings"
 
--- settings that change the mesh size; largest ratio of mesh sizes for one common mesh
+-- Settings that change the mesh size; largest ratio of mesh sizes for one common mesh.
 local largest_change = 1.5
 local function may_change(name) return name == "load" or name:match("^model%.") ~= nil end
 
@@ -15,7 +16,7 @@ local function has_own(flat)
   return false
 end
 
--- The element size of a case [mm].
+-- Returns the element size of a case [mm].
 local function size_of(flat)
   local run <close> = wear(settings.nest(flat))
   return run.model.mesh.size
@@ -25,7 +26,7 @@ local function with(flat, values)
   return settings.join("study", flat, values)
 end
 
--- The largest ratio of element sizes over the samples of one field.
+-- Returns the largest ratio of element sizes over the samples of one field.
 local function change_of(flat, middle, size, name)
   local low, high = flat[1][name], flat[1][name]
   for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end

@@ -10,7 +10,7 @@ local measure = require "archard.measure"
 
 local outcomes = {}
 
--- The unit of a column, "" if it has none; depths and volumes have the names of bodies.
+-- Returns the unit of a column, or "" if it has none; depths and volumes have the names of bodies.
 function outcomes.unit(name)
   local of_bodies = { depth = "mm", volume = "mm3" }
   for _, column in ipairs(columns) do
@@ -19,7 +19,8 @@ function outcomes.unit(name)
   return of_bodies[name:match "^%l+"] or ""
 end
 
--- The usual columns of a run or case: wear depths, by the names of its bodies, and a pressure.
+-- Returns the usual columns of a run or case: wear depths, by the names of its bodies, and a
+-- pressure.
 function outcomes.usual(run)
   local bodies = measure.bodies(run.model)
   return { "depth_" .. bodies.upper, "depth_" .. bodies.lower, run.history.p_center and "p_center" or "p_peak" }
@@ -38,7 +39,7 @@ function outcomes.names(where, of, history)
   return list
 end
 
--- The cases of the run file; all of them must have run.
+-- Returns the cases of the run file, all of which must have run.
 function outcomes.rows(study, where)
   if not study.sample then
     check.fail(where, ("study %s has no samples: create it with study{ sample={...} }"):format(study.name))
@@ -53,13 +54,14 @@ function outcomes.rows(study, where)
   return rows
 end
 
--- True if a case is a sample of the distributions; with indices, only the first two cases of each point are.
+-- Returns true if a case is a sample of the distributions. With indices, only the first two cases
+-- of each point are.
 function outcomes.is_sample(study, number)
   return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
 end
 
--- For each row, whether it is used; with indices, all cases of one point must be finished. Also returns the number of
--- failed cases.
+-- Returns for each row whether it is used, and the number of failed cases. With indices, all cases
+-- of one point must be finished.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
   for first = 1, #rows, group do
@@ -73,14 +75,14 @@ local function counted(study, rows)
   return kept, left_out
 end
 
--- The history of a finished case; a damaged file may have none.
+-- Returns the history of a finished case; a damaged file may have none.
 local function history_of(store, where, id)
   local history = joint_file.history(store, id)
   if history then return history end
   check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
 end
 
--- The first case of a study with a result; its history must be there.
+-- Returns the first case of a study with a result; its history must exist.
 function outcomes.first(study, where)
   for i, row in ipairs(outcomes.rows(study, where)) do
     if row.status == "done" and history_of(study:store(), where, row.id) then return study:cases()[i] end
@@ -104,7 +106,7 @@ function outcomes.each(study, where, visit)
   return failed, number
 end
 
--- The given distances, or 50 equal steps up to the end of the shortest case.
+-- Returns the given distances, or 50 equal steps up to the end of the shortest case.
 local function grid(at, shortest)
   if at then return at end
   local list = {}

@@ -4,12 +4,12 @@
 
 local levels, shrink = 8, 5
 
--- Richardson extrapolation of two differences with an error of second order.
+-- Makes the Richardson extrapolation of two differences with an error of second order.
 local function extrapolated(wide, narrow)
   return (shrink * shrink * narrow - wide) / (shrink * shrink - 1)
 end
 
--- The value of the list that differs least from its neighbours, and this difference.
+-- Returns the value of the list that differs least from its neighbours, and this difference.
 local function flattest(list)
   local best = { value = list[1], error = math.huge }
   for i = 2, #list - 1 do
@@ -19,8 +19,8 @@ local function flattest(list)
   return best
 end
 
--- derive(differences, step): differences(h) -> list of (f(x + h) - f(x - h)) / (2 h). Returns a list of { value=,
--- error= }; step is the largest h.
+-- derive(differences, step): differences(h) returns the list of (f(x + h) - f(x - h)) / (2 h); step
+-- is the largest h. Returns a list of { value=, error= }.
 return function(differences, step)
   local lists, before = {}, differences(step)
   for m = 1, #before do lists[m] = {} end

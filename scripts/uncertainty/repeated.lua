@@ -27,7 +27,7 @@ local function take_coefficients(definition)
   end
 end
 
--- The definition of a run of the engine.
+-- Returns the definition of a run of the engine.
 local function of_engine(run)
   local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }
@@ -50,7 +50,7 @@ function repeated.definition(run)
   return repeated.with_steps(run, definition)
 end
 
--- The cycles of the step of a history that starts at a distance [mm].
+-- Returns the number of cycles of that step of a history which begins at a distance [mm].
 local function step_from(history, distance)
   local i = 2
   while history.distance[i + 1] and history.distance[i] <= distance * (1 + 1e-9) do i = i + 1 end
@@ -66,7 +66,7 @@ function repeated.with_steps(run, definition)
   return repeated.in_parts(definition, 1)
 end
 
--- The same definition with each step divided into `parts`.
+-- Returns the definition with each step divided into `parts`.
 function repeated.in_parts(definition, parts)
   local history = definition.steps_chosen
   return merged(definition, { jump = function(state) return step_from(history, state.distance) / parts end })
@@ -74,7 +74,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Indices of the history's rows at the distances, which must all exist.
+-- Returns the indices of the history's rows at the distances, which must all exist.
 local function rows_at(history, distances)
   local rows, at = {}, 1
   for i, d in ipairs(distances) do
@@ -84,7 +84,7 @@ local function rows_at(history, distances)
   return rows
 end
 
--- The definition without the fields that wear{} does not accept.
+-- Returns the definition without the fields that wear{} does not accept.
 local function wear_fields(definition)
   local copy = merged(definition)
   copy.steps_chosen, copy.flat = nil, nil

@@ -20,7 +20,7 @@ local fields = { of = check.any "names", quantiles = check.list_of(check.share, 
 
 -- --- estimates from samples ----------------------------------------------------------------------
 
--- The indices of samples of the distributions among the used cases.
+-- Returns the indices of samples of the distributions among the used cases.
 local function samples_of(study, count)
   local list = {}
   for i = 1, count do
@@ -54,7 +54,7 @@ local function columns_for(quantiles)
   return result
 end
 
--- The estimates at the last distance from increasing numbers of samples.
+-- Returns the estimates at the last distance from increasing numbers of samples.
 local function convergence(list, quantiles, reach)
   local result, counts, n = columns_for(quantiles), {}, #list
   while n >= 8 and #counts < 5 do
@@ -70,7 +70,7 @@ end
 
 -- --- contribution of each field ------------------------------------------------------------------
 
--- Every group-th value, starting at `first`.
+-- Returns every group-th value, beginning with value number `first`.
 local function strided(values, first, group)
   local list = {}
   for i = first, #values, group do list[#list + 1] = values[i] end
@@ -95,7 +95,7 @@ local function columns_by_name(names)
   return list
 end
 
--- Rank correlations between each field and the last values.
+-- Returns the rank correlations between each field and the last values.
 local function rank_correlations(study, names, index, positions, last)
   local result = {}
   for _, name in ipairs(names) do
@@ -163,7 +163,8 @@ local function add_rows(lines, rows)
   for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
--- Relative changes of mean, deviation and outermost quantile by the second half of the samples.
+-- Returns the relative changes of mean, deviation and outermost quantile by the second half of the
+-- samples.
 local function convergence_line(self, name)
   local course = self[name].convergence
   local n = #course.n
@@ -190,7 +191,7 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
--- A note if n is not a power of 2, for which Sobol's points are evenly distributed.
+-- Returns a note if n is not a power of 2, for which Sobol's points are evenly distributed.
 local function uneven(sample)
   local power = 2 ^ math.floor(math.log(sample.n, 2) + 1e-9)
   if sample.design ~= "sobol" or sample.n == power then return nil end

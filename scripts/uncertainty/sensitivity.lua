@@ -31,7 +31,7 @@ local function names_of(name, given, usual)
   return list
 end
 
--- The distances of the history without the start.
+-- Returns the distances of the history without the start.
 local function distances_of(run)
   local list = {}
   for i, d in ipairs(run.history.distance) do
@@ -92,7 +92,7 @@ local function differences_for(self, value, set, changed)
   end
 end
 
--- Derivatives with a fixed change h and every step of the run divided into `parts`.
+-- Returns derivatives with a fixed change h and every step of the run divided into `parts`.
 local function with_parts(self, value, set, h, parts)
   return differences_for(self, value, set, function(definition)
     return repeated.in_parts(definition, parts)
@@ -122,10 +122,10 @@ end
 
 -- --- results that change in steps ----------------------------------------------------------------
 
--- largest relative change of the number; runs on each side of it; limit of the ripple
+-- Limits: largest relative change of the number; runs on each side of it; ripple.
 local widest, side, rippled = 0.24, 8, 0.03
 
--- The results of all runs, the outermost first, as these fail at the end of a range.
+-- Returns the results of all runs, the outermost first, as these fail at the end of a range.
 local function wide_runs(self, value, set, share)
   local points, lists = {}, {}
   for j = side, 0, -1 do
@@ -164,7 +164,7 @@ local function replace_rippled(self, value, set, definition, found, over)
   end
 end
 
--- Derivatives by a number; the first step is reduced if a run fails at the end of a range.
+-- Returns derivatives by a number; the first step is reduced if a run fails at the end of a range.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
     check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
@@ -181,7 +181,7 @@ local function derivatives(self, name, value, set, definition)
     400 * step, why.message), why.code)
 end
 
--- The elasticity; 0 for a result that is always 0.
+-- Returns the elasticity; 0 for a result that is always 0.
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
@@ -203,7 +203,7 @@ local function into_columns(self, name, value, found, there)
   end
 end
 
--- The unchanged results, to which elasticities refer; for automatic steps with their error.
+-- Returns the unchanged results, to which elasticities refer; for automatic steps with their error.
 local function results_of(self, run, definition)
   local there = values_of(run, self.of)
   if not definition.steps_chosen then

@@ -5,7 +5,7 @@
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
 
--- Powers of the points as a flat list by rows.
+-- Returns powers of the points as a flat list by rows.
 local function powers(points, degree)
   local flat = {}
   for _, t in ipairs(points) do
@@ -14,7 +14,8 @@ local function powers(points, degree)
   return flat
 end
 
--- Fits a polynomial; returns its slope at 0 with standard error, the scatter of the values, and its value at 0.
+-- Fits a polynomial and returns its slope at 0 with standard error, the scatter of the values, and
+-- its value at 0.
 local function polynomial(points, values, degree)
   local n, sum, slope, variance, middle = degree + 1, 0, 0, 0, 0
   local u, s, v = least_squares.svd{ a = powers(points, degree), rows = #points, columns = n }
@@ -31,7 +32,7 @@ local function polynomial(points, values, degree)
   return slope, scatter * math.sqrt(variance), scatter, middle
 end
 
--- factor on the error, as the deviations of neighbouring runs are correlated
+-- Factor on the error, as the deviations of neighbouring runs are correlated.
 local doubt = 2
 
 local rounding = 1e-10 -- relative; a smaller scatter is rounding

@@ -13,7 +13,7 @@ local function ends_of(flat, name)
   return low, high
 end
 
--- The history of the first case with the field set to a value; false if the run fails.
+-- Returns the history of the first case with the field set to a value; false if the run fails.
 local function history_with(flat, name, value)
   local made, run = pcall(wear, settings.nest(merged(flat[1], { [name] = value })))
   if not made then
@@ -28,7 +28,7 @@ local function history_with(flat, name, value)
   return fine and history
 end
 
--- True if two histories agree; columns that repeat settings are ignored.
+-- Returns true if two histories agree; columns that repeat settings are ignored.
 local setting_columns = { load = true, k = true, alpha = true, jump = true }
 
 local function equal(x, y)
