@@ -1,12 +1,13 @@
-/* Sites that enter or leave a contact within an increment: the share of its motion while open. */
+/* Sites that enter or leave a contact within an increment, and the share of the motion for which
+ * each was open. */
 #include "core/space/entering.h"
 
 #include "core/space/cerruti.h"
 
 #include <math.h>
 
-/* Approach of pressures whose gaps without it are known: their mean over the contact, by pressure;
- * where the bodies are apart, that of first contact. */
+/* Approach for known pressures and gaps (without approach): the mean gap over the contact, weighted
+ * by pressure. For separated bodies it is the approach of first contact. */
 static double approach_of(int n, const double *pressure, const double *gap) {
   double sum = 0, product = 0, least = INFINITY;
   for (int k = 0; k < n; k++) {
@@ -31,7 +32,7 @@ static int same_sites(int n, const double *before, const double *after) {
   return 1;
 }
 
-/* Gaps of one end of the increment [window], and its approach. */
+/* Computes the gaps [window] and the approach at one end of the increment. */
 static arc_status find_end(arc_halfspace *h, const double *const depth[ARC_BODIES],
                            const arc_halfspace_position *at, const space_traction *t, double *gap,
                            double *approach, arc_error *error) {

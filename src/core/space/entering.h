@@ -1,4 +1,4 @@
-/* Sites that are in contact at one end of an increment alone. */
+/* Sites that are in contact only at the beginning or only at the end of an increment. */
 #ifndef SPACE_ENTERING_H
 #define SPACE_ENTERING_H
 
@@ -9,10 +9,11 @@ typedef struct space_traction {
   const double *pressure, *q[2];
 } space_traction;
 
-/* Share of an increment's motion while sites were open that enter or leave the contact in it
- * [window], 0 for the others; *changes: 1 if any site enters or leaves. Gaps close in proportion to
- * the approach: exact while load and force grow in proportion and nothing slips. ARC_MEMORY; share
- * is spoilt then. */
+/* Computes for each site that enters or leaves the contact in an increment the share of the motion
+ * for which the site was open [window]; share is 0 for all other sites. Sets *changes to 1 if any
+ * site enters or leaves. Gaps close in proportion to the approach, which is exact while load and
+ * force grow in proportion and nothing slips. On failure (ARC_MEMORY) the contents of share are
+ * undefined. */
 arc_status arc_space_entering(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *at, const space_traction *before,
                               const space_traction *after, double *share, int *changes,

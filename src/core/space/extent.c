@@ -1,10 +1,10 @@
-/* Extents of contacts and scars, between the cells. */
+/* Extents of contacts and wear scars, interpolated between cells. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Values by cell; crossings of a level are computed by linear interpolation of value^power. */
+/* Values by cell. Positions where they cross the level are interpolated linearly in value^power. */
 typedef struct field {
   const double *value;
   int rows, columns, power;
@@ -17,7 +17,7 @@ static double at(const field *f, int i, int j) {
   return f->power == 2 ? v * v : v;
 }
 
-/* Largest of row i (along = 0), or of column i. */
+/* Largest value in row i (along = 0) or in column i. */
 static double largest_of(const field *f, int along, int i) {
   double most = 0;
   for (int j = 0, n = along ? f->rows : f->columns; j < n; j++)
@@ -25,8 +25,8 @@ static double largest_of(const field *f, int along, int i) {
   return most;
 }
 
-/* Position, in steps from the first line, at which the largest values of rows (columns) fall below
- * the level: by extrapolation with the slope inside, or interpolation if the next line is not 0. */
+/* Position, in lines (rows or columns), at which the largest value of a line falls below the level.
+ * It is interpolated if the next line is not 0, otherwise extrapolated with the slope inside. */
 static double edge(const field *f, int along, int from, int step) {
   const double inside = largest_of(f, along, from), before = largest_of(f, along, from - step),
                outside = largest_of(f, along, from + step);
@@ -50,7 +50,7 @@ static void find_extent(const field *f, int along, double size, double *half, do
   *center = ((from + to) / 2 - (n - 1) / 2.0) * size;
 }
 
-/* Value at the middle, interpolated between its neighbouring cells. */
+/* Value at the middle of the field, averaged over the middle cells. */
 static double middle(const field *f) {
   const int i = (f->rows - 1) / 2, j = (f->columns - 1) / 2, k = f->rows / 2, l = f->columns / 2;
   const double *v = f->value;
@@ -58,7 +58,7 @@ static double middle(const field *f) {
   return (v[i * n + j] + v[k * n + j] + v[i * n + l] + v[k * n + l]) / 4;
 }
 
-/* size_x: of a row's cells, along the motion. */
+/* size_x is the cell size along the motion. */
 static arc_halfspace_extent extent_of(const arc_halfspace_def *d, const field *f, double size_x) {
   arc_halfspace_extent e = {0};
   int inside = 0;

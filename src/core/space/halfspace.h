@@ -1,4 +1,4 @@
-/* Members of half-spaces, and functions shared in core/space. */
+/* Members of arc_halfspace, and functions that the files in core/space share. */
 #ifndef SPACE_HALFSPACE_H
 #define SPACE_HALFSPACE_H
 
@@ -10,64 +10,68 @@
 
 enum { SPACE_LEVELS = 5 };
 
-/* Displacements along the surface: of the pair by shear, and between shear and pressure where the
- * bodies differ. For the whole window. */
+/* Kernels on the whole window for the tangential displacement of the pair due to shear, and for the
+ * coupling between shear and pressure where the materials of the bodies differ. */
 typedef struct space_shear_kernels {
-  double self[2];         /* of a cell on itself along x and z [mm/MPa] */
-  convolution *along[3];  /* x by qx, x by qz (and z by qx), z by qz */
-  convolution *couple[2]; /* gap by qx and qz; NULL: equal materials */
-  convolution_work *work; /* a second one, for pairs of fields */
+  double self[2];         /* displacement of a loaded cell along x and z [mm/MPa] */
+  convolution *along[3];  /* x due to qx, x due to qz (and z due to qx), z due to qz */
+  convolution *couple[2]; /* gap due to qx and qz; NULL: equal materials */
+  convolution_work *work; /* second workspace, for pairs of fields */
 } space_shear_kernels;
 
 struct arc_halfspace {
   arc_halfspace_def def;
-  int cells;      /* of the window */
-  int rows;       /* of the lower body */
-  double *kernel; /* [nx][nz] displacement at a lag under unit pressure of a cell [mm/MPa] */
+  int cells;      /* number of cells in the window */
+  int rows;       /* number of rows on the lower body */
+  double *kernel; /* [nx][nz] displacement by distance, for unit pressure on a cell [mm/MPa] */
   double *recess[ARC_BODIES];
-  int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* sizes of boxes, largest first */
+  int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* box sizes, largest first */
   convolution *convolution[SPACE_LEVELS][SPACE_LEVELS], *inverse[SPACE_LEVELS][SPACE_LEVELS];
-  space_shear_kernels *shear; /* NULL before the first contact with friction */
-  pthread_mutex_t lock;       /* convolutions, created on first use */
-  convolution_work **work;    /* of each worker */
+  space_shear_kernels *shear; /* NULL until the first contact with friction */
+  pthread_mutex_t lock;       /* protects convolutions, created on first use */
+  convolution_work **work;    /* one workspace per worker */
   double *scratch;            /* [workers][2][window] */
   work_team *team;
 };
 
-/* A part of the window that contains the contact: rows x .. x + nx - 1, and similarly across. */
+/* A part of the window that contains the contact: rows x to x + nx - 1 and columns z to z + nz -
+ * 1. */
 typedef struct space_box {
   int x, z, nx, nz, level_x, level_z;
 } space_box;
 
-/* The convolution for boxes of a size, created on first use; its inverse symbol, for
- * preconditioning. */
+/* Return the convolution for boxes of one size, and its inverse symbol for preconditioning. Both
+ * are created on first use. */
 arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
 
-/* Displacement of a cell's centre by unit pressure on a rectangle a x b [half sides], whose centre
- * is (x, z) away, times E* of the couple (Love). */
+/* Displacement at the origin due to unit pressure on a rectangle of half sides a x b whose centre
+ * is at (x, z), multiplied by the pair's E* (Love's solution). */
 double arc_space_love(double x, double z, double a, double b);
-/* u ln(v + r) with r^2 = u^2 + v^2, of which the integrals over rectangles are made. */
+/* u ln(v + r) with r^2 = u^2 + v^2, the term from which the integrals over rectangles are
+ * composed. */
 double arc_space_term(double u, double v);
 
-/* Compliance of the pair to waves of q [1/mm]: displacement per pressure [mm/MPa]. */
+/* Compliance of the pair to a pressure wave of wave number q [1/mm]: displacement per pressure
+ * [mm/MPa]. */
 double arc_space_symbol(const arc_halfspace_def *def, double q);
-/* 1 / E* of the couple of the topmost materials. */
+/* 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
-/* Adds the rest beyond that of the topmost materials to the kernel [nx][nz], where there are layers
- * or bases. */
+/* Adds to the kernel [nx][nz] the contribution of layers and bases, that is the difference from
+ * half-spaces of the topmost materials. */
 arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, arc_error *error);
-/* Thickness of the thinnest top layer, or depth of a body without; 0: homogeneous half-spaces. */
+/* Thickness of the thinnest top layer, or the depth of a body without layers; 0 for homogeneous
+ * half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
-/* Hertz' contact of relative radii along and across the motion [mm] under a load [N], with the
- * modulus for waves of about the contact's length; errors of arc_hertz_ellipse_of. */
+/* Hertz' contact for relative radii along and across the motion [mm] and a load [N]. The modulus is
+ * that for waves of about the contact's length. Errors: as for arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 
-/* Initial guess of pressures under a load from the gap of a window. */
+/* Computes an initial guess of the pressures in a window from its gaps and the load. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure);
 
 static inline double space_x(const arc_halfspace_def *d, int rows, int i) {

@@ -11,7 +11,7 @@ static const double pi = 3.14159265358979323846;
 
 /* --- half-space ------------------------------------------------------------------------------- */
 
-/* For v < 0 the formula would cancel. */
+/* For v < 0 the formula u ln(v + r) would lose digits by cancellation. */
 double arc_space_term(double u, double v) {
   const double r = hypot(u, v);
   if (u == 0) return 0;
@@ -56,7 +56,8 @@ double arc_space_surface_compliance(const arc_halfspace_def *def) {
          1 / arc_material_E_star(top_of(&def->body[1]));
 }
 
-/* True if the body below is homogeneous. */
+/* Thickness of the top layer, or the depth of a body without layers; 0 for a homogeneous
+ * half-space. */
 static double top_thickness(const arc_halfspace_body *b) {
   return layers_of(b) > 0 ? b->layer[0].thickness : b->depth;
 }
@@ -70,7 +71,7 @@ double arc_space_thinnest(const arc_halfspace_def *def) {
   return thinnest;
 }
 
-/* A function on equal steps, cubic between them. */
+/* A function sampled at equal steps, with cubic interpolation. */
 typedef struct spline {
   int count;
   double from, step;
@@ -84,7 +85,7 @@ static int spline_create(spline *s, int count, double from, double to) {
   return s->value != NULL;
 }
 
-/* Slopes for continuous second derivatives; zero at both ends. */
+/* Computes slopes for continuous second derivatives, with slope 0 at both ends. */
 static void spline_finish(spline *s) {
   const int n = s->count;
   double *d = s->slope, *upper = s->slope + n;
@@ -98,7 +99,7 @@ static void spline_finish(spline *s) {
   for (int i = n - 2; i > 0; i--) d[i] -= upper[i] * d[i + 1];
 }
 
-/* Constant beyond its ends. */
+/* The value is constant outside the range of samples. */
 static double spline_at(const spline *s, double x) {
   const double place = fmin(fmax((x - s->from) / s->step, 0), s->count - 1);
   const int i = (int)fmin(place, s->count - 2);
@@ -107,12 +108,13 @@ static double spline_at(const spline *s, double x) {
          d[1] * t * t * u;
 }
 
-/* Difference of the compliance from that of the topmost materials: q times its symbol over ln q,
- * and its transform over asinh(r / t). */
+/* Difference between the compliance of the layered bodies and that of half-spaces of the topmost
+ * materials. `symbol` is q times the difference over ln q, and `radial` its Hankel transform over
+ * asinh(r / t). */
 typedef struct rest {
-  double t;       /* thinnest top [mm] */
-  double lowest;  /* below this q nothing changes any more [1/mm] */
-  double highest; /* beyond this q there is no rest */
+  double t;       /* thickness of the thinnest top layer [mm] */
+  double lowest;  /* wave number below which the symbol is constant [1/mm] */
+  double highest; /* wave number above which the difference is 0 */
   spline symbol, radial;
 } rest;
 
@@ -132,13 +134,13 @@ static int sample_symbol(const arc_halfspace_def *def, rest *r) {
   return 1;
 }
 
-/* Points and weights of Gauss' rule on [-1, 1], for points > 0. */
+/* Positive points of Gauss' rule on [-1, 1], and their weights. */
 static const double gauss_at[GAUSS / 2] = {0.1834346424956498, 0.5255324099163290,
                                            0.7966664774136267, 0.9602898564975363};
 static const double gauss_weight[GAUSS / 2] = {0.3626837833783620, 0.3137066458778873,
                                                0.2223810344533745, 0.1012285362903763};
 
-/* The integral of symbol J0(q radius) from q = a to b. */
+/* Integral of symbol times J0(q radius) from q = a to b. */
 static double panel(const rest *r, double radius, double a, double b) {
   const double middle = (a + b) / 2, half = (b - a) / 2;
   double sum = 0;
@@ -149,7 +151,8 @@ static double panel(const rest *r, double radius, double a, double b) {
   return half * sum;
 }
 
-/* Hankel's transform: panels grow with q, and hold about one wave of J0 at most. */
+/* Hankel transform. The integration panels grow with q, and each contains at most about one wave of
+ * J0. */
 static double transform(const rest *r, double radius) {
   const double ratio = 1.3, longest = radius > 0 ? 2 * pi / radius : INFINITY;
   double sum = 0, a = 0;
@@ -174,8 +177,8 @@ static double rest_at(const rest *r, double x, double z) {
   return spline_at(&r->radial, asinh(hypot(x, z) / r->t));
 }
 
-/* The integral over a cell at (x, z): near the origin and in cells as wide as the layer by Gauss'
- * rule, else by the middle. */
+/* Integral over a cell at (x, z): by Gauss' rule near the origin (within six cells or six
+ * thicknesses of the layer), elsewhere by the value at the middle. */
 static double rest_of_cell(const arc_halfspace_def *d, const rest *r, double x, double z) {
   const double area = d->size_x * d->size_z, size = fmax(d->size_x, d->size_z);
   double sum = 0;

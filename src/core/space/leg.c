@@ -1,5 +1,5 @@
-/* Legs of a loading history: load and motion or force change in proportion, in increments that are
- * halved until halving changes neither motion nor shear nor work. */
+/* Legs of a loading history. In a leg, load and motion (or force) change in proportion. Its
+ * increments are halved until halving changes neither motion nor shear nor work. */
 #include "archard/space.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ typedef struct leg {
   const double *const *depth;
   const arc_halfspace_leg *def;
   const arc_halfspace_options *options;
-  double xi[2], force[2];          /* at its start */
-  double carried, yielding, work;  /* scales of force [N], motion [mm] and work [N mm] */
+  double xi[2], force[2];          /* at the start of the leg */
+  double carried, yielding, work;  /* scales of force [N], motion [mm], work [N mm] */
   arc_halfspace_friction *coarser; /* NULL: none */
   arc_halfspace_effort *effort;
 } leg;
@@ -19,7 +19,7 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* One increment, to a share of the leg. */
+/* Advances by one increment to a share of the leg. */
 static arc_status advance(const leg *g, double share, const arc_halfspace_friction *guess,
                           arc_halfspace_friction *state, arc_error *error) {
   arc_halfspace_increment to = g->def->to;
@@ -36,14 +36,14 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- what halving changes --------------------------------------------------------------------- */
 
-/* Accepted changes in a part of a leg: of motion and shear, by the share of full slip; of work, by
- * that of the leg, which is at least `little` of friction times load times the displacement at full
- * slip, or by that of the part. Motion and work add up over a leg, errors of shear are forgotten.
- */
+/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are relative
+ * to full slip. A change of work is relative to the work of the leg or of the part. The work of the
+ * leg counts at least as `little` of friction times load times displacement at full slip. Errors of
+ * motion and work add up over a leg; errors of shear decay. */
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 1e-2,
                     little = 1e-3;
 
-/* Sum of the changes of shear, as a force [N]. */
+/* Sum of the changes of shear over the cells, as a force [N]. */
 static double shear_change(const leg *g, const arc_halfspace_friction *once,
                            const arc_halfspace_friction *twice) {
   double sum = 0;
@@ -52,7 +52,7 @@ static double shear_change(const leg *g, const arc_halfspace_friction *once,
   return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
-/* The scales of a leg, from it in one increment and in two. */
+/* Computes the scales of a leg from its solutions in one increment and in two. */
 static void find_scales(leg *g, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double mu = g->def->to.friction;
@@ -61,7 +61,8 @@ static void find_scales(leg *g, const arc_halfspace_friction *begin,
   g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
 }
 
-/* True if halves of a part of the leg change little of it. */
+/* True if the solution of a part in two halves differs little from the solution in one
+ * increment. */
 static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double own = twice->energy - begin->energy;
@@ -73,7 +74,7 @@ static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
 
 /* --- halving ---------------------------------------------------------------------------------- */
 
-/* A part of a leg, from one share of it to another. */
+/* A part of a leg, between two shares of its length. */
 typedef struct part {
   double from, to;
   int halvings;
@@ -82,7 +83,7 @@ typedef struct part {
 static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
                          arc_halfspace_friction *state, arc_error *error);
 
-/* Accepts the part in two increments; the coarser state follows in one. */
+/* Accepts the solution of a part in two increments; the coarser state advances in one increment. */
 static arc_status accept(const leg *g, part p, arc_halfspace_friction *end,
                          arc_halfspace_friction *state, arc_error *error) {
   const arc_halfspace_friction once = *state;
@@ -91,7 +92,7 @@ static arc_status accept(const leg *g, part p, arc_halfspace_friction *end,
   return g->coarser ? advance(g, p.to, state, g->coarser, error) : ARC_OK;
 }
 
-/* Refines the halves, of which the first has been solved in one increment. */
+/* Refines both halves of a part. The first half has been solved in one increment. */
 static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *begin,
                                 arc_halfspace_friction *middle, arc_halfspace_friction *state,
                                 arc_error *error) {
@@ -107,7 +108,8 @@ static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *be
   return status;
 }
 
-/* The part in two increments: *middle and *end, to be released in any case. */
+/* Solves a part in two increments, with the states *middle and *end. The caller frees both, also
+ * after an error. */
 static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, arc_halfspace_friction *middle,
                         arc_halfspace_friction *end, arc_error *error) {
@@ -118,7 +120,8 @@ static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begi
   return status == ARC_OK ? advance(g, p.to, once, end, error) : status;
 }
 
-/* *state: the part in one increment; replaced by the part in as many as it needs. */
+/* On input *state is the solution of the part in one increment. It is replaced by the solution in
+ * as many increments as necessary. */
 static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
                          arc_halfspace_friction *state, arc_error *error) {
   enum { most_halvings = 9 };
@@ -138,7 +141,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 
 /* --- legs ------------------------------------------------------------------------------------- */
 
-/* What the coarser state has missed of the work stays as it is over given increments. */
+/* If the user chose the increments, the coarser state copies the finer one, and its error of the
+ * work so far remains unchanged. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;
@@ -161,7 +165,7 @@ static arc_status go(leg *g, const arc_halfspace_friction *begin, arc_halfspace_
   return status == ARC_OK && g->coarser ? follow_finer(g, begin->energy, state, error) : status;
 }
 
-/* Moves a changed copy into a state, or drops it. */
+/* Moves a changed copy into the state, or frees the copy after an error. */
 static void commit(arc_status status, arc_halfspace_friction *copy, arc_halfspace_friction *state) {
   arc_halfspace_friction_end(status == ARC_OK ? state : copy);
   if (status == ARC_OK) *state = *copy;

@@ -1,4 +1,4 @@
-/* Sets up the active-set problem of positions on a box, and returns its solution to the window. */
+/* Sets up the active-set problem of positions on a box, and copies its solution to the window. */
 #include "core/space/positions.h"
 
 #include "core/base/memory.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { margin = 4 /* cells around the contact */ };
+enum { margin = 4 /* number of cells around the contact */ };
 
 /* --- symmetry --------------------------------------------------------------------------------- */
 
@@ -20,7 +20,7 @@ static int is_even(const double *value, int rows, int columns) {
   return 1;
 }
 
-/* The same in columns. */
+/* True if columns equal their mirror images exactly. */
 static int is_even_across(const double *value, int rows, int columns) {
   for (int i = 0; value && i < rows; i++)
     for (int j = 0; j < columns / 2; j++)
@@ -94,7 +94,7 @@ static arc_status fill_position(positions *p, const arc_halfspace_position *posi
   return status == ARC_OK ? arc_stroke_place(p->s.h, position->x, &p->s.place[j], error) : status;
 }
 
-/* ARC_MEMORY if positions times cells do not fit. */
+/* ARC_MEMORY if the arrays for all positions exceed the free memory. */
 static arc_status check_memory(const arc_halfspace *h, int count, arc_error *error) {
   static const double much = 256e6, mega = 1e6;
   const double bytes = arc_halfspace_bytes(&h->def, count);
@@ -147,9 +147,9 @@ space_box arc_space_window(const arc_halfspace *h) {
   return (space_box){.nx = h->def.nx, .nz = h->def.nz};
 }
 
-/* Rows and columns of cells. */
+/* Range of rows or columns. */
 typedef struct range {
-  int low, high; /* high < low: none */
+  int low, high; /* high < low: empty */
 } range;
 
 static void hold(range *r, int k) {
@@ -158,7 +158,8 @@ static void hold(range *r, int k) {
   if (k > r->high) r->high = k;
 }
 
-/* The smallest size that contains a range with its margin, and its start. */
+/* Returns the level of the smallest box size that contains a range and its margin; *from is the
+ * start of the box. */
 static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
   const int n = level[0];
   if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
@@ -184,7 +185,7 @@ static space_box box_of(const positions *p, range x, range z) {
   return box;
 }
 
-/* Range of cells in contact at any position. */
+/* Computes the ranges of cells that are in contact at any position. */
 static void find_ranges(const positions *p, range *x, range *z) {
   const arc_halfspace_def *d = &p->s.h->def;
   *x = *z = (range){0, -1};
@@ -197,7 +198,8 @@ static void find_ranges(const positions *p, range *x, range *z) {
         }
 }
 
-/* Rows between window and box; into: of the window. */
+/* Copies rows between window and box: from box to window if `into` is 1, otherwise from window to
+ * box. */
 static void copy_box(const positions *p, const space_box *box, int position, double *window,
                      double *boxed, int into) {
   const arc_halfspace *h = p->s.h;
@@ -214,7 +216,7 @@ static void copy_box(const positions *p, const space_box *box, int position, dou
 
 /* --- solution --------------------------------------------------------------------------------- */
 
-/* Initial guesses for positions without pressures. */
+/* Computes the initial guess for a position without pressures. */
 static void start_one(void *context, int position, int worker) {
   positions *p = context;
   const arc_halfspace *h = p->s.h;
@@ -228,7 +230,7 @@ static void start_one(void *context, int position, int worker) {
   arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
 }
 
-/* Finds cells outside the box that overlap, which widen the ranges. */
+/* Ranges of cells outside the box where the surfaces overlap, by position. */
 typedef struct outside {
   positions *p;
   space_box box;
@@ -260,7 +262,8 @@ static void look_outside(void *context, int position, int worker) {
     }
 }
 
-/* Widens the ranges by overlaps outside the box: *wider. */
+/* Extends the ranges to the cells outside the box where the surfaces overlap. *wider is 1 if there
+ * are any. */
 static arc_status check_outside(positions *p, const space_box *box, range *x, range *z, int *wider,
                                 arc_error *error) {
   const int n = p->s.count;
@@ -282,14 +285,14 @@ static arc_status check_outside(positions *p, const space_box *box, range *x, ra
   return ARC_OK;
 }
 
-/* Preconditioning pays for single contacts of many cells. */
+/* Preconditioning saves time only for a single contact of many cells. */
 static int is_preconditioned(const positions *p) {
   const stroke *s = &p->s;
   const int worn = s->c[ARC_UPPER] > 0 || s->c[ARC_LOWER] > 0, many = 96 * 96;
   return s->count == 1 && !worn && !s->h->def.periodic && s->box.nx * s->box.nz >= many;
 }
 
-/* Memory of a box: its arrays, and the active set's. */
+/* Arrays of a box and the workspace of its active set. */
 typedef struct box_memory {
   double *gap, *pressure;
   active_work *work;
@@ -354,7 +357,7 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
-/* Makes halves that are mirror images to rounding equal to the bit. */
+/* Makes two halves that are mirror images within rounding errors exactly equal. */
 static void make_even(void *context, int position, int worker) {
   const positions *p = context;
   const int nz = p->s.h->def.nz;
@@ -396,13 +399,13 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
 
 /* --- one by one ------------------------------------------------------------------------------- */
 
-/* Independent positions. */
+/* Data for the independent solution of positions. */
 typedef struct singles {
   positions *all;
   arc_status *status; /* [count] */
-  arc_error *error;   /* [workers] of the first that failed there */
+  arc_error *error;   /* [workers] error of the worker's first failed position */
   active_count *used; /* [count] */
-  int *failed;        /* [workers] position of the error + 1 */
+  int *failed;        /* [workers] index of the failed position + 1 */
 } singles;
 
 static void solve_single(void *context, int position, int worker) {
@@ -429,7 +432,8 @@ static void solve_single(void *context, int position, int worker) {
   if (g->status[position] != ARC_OK) g->failed[worker] = position + 1;
 }
 
-/* Status of the first failed position, and the work of all. */
+/* Returns the status of the first failed position, and sums the solver's work over all
+ * positions. */
 static arc_status settle(const singles *g, int workers, arc_error *error) {
   const int n = g->all->s.count;
   active_count *sum = &g->all->used;
@@ -465,7 +469,7 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* The sums of both bodies, or only of bodies with a given c. */
+/* Sums weight times pressure by site of both bodies, or only of bodies with c > 0. */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

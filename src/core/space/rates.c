@@ -15,7 +15,7 @@ static void fill_report(const positions *p, arc_halfspace_report *report) {
   for (size_t k = 0; k < all; k++) report->p_max = fmax(report->p_max, p->pressure[k]);
 }
 
-/* Pressures of all `count` positions: the solved ones, then their mirror images. */
+/* Stores the pressures of all `count` positions: the solved positions and their mirror images. */
 static void store_pressures(const positions *p, int count, double *pressure) {
   const arc_halfspace *h = p->s.h;
   const size_t cells = (size_t)h->cells, nz = (size_t)h->def.nz;
@@ -28,7 +28,7 @@ static void store_pressures(const positions *p, int count, double *pressure) {
              nz * sizeof *pressure);
 }
 
-/* Arrays of both bodies' sites, in one piece of memory. */
+/* Allocates one array per body, by site, in one block. */
 static int take_sites(const arc_halfspace *h, double *sites[ARC_BODIES]) {
   const size_t upper = (size_t)arc_halfspace_sites(h, ARC_UPPER),
                lower = (size_t)arc_halfspace_sites(h, ARC_LOWER);
@@ -94,7 +94,7 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
   return status;
 }
 
-/* True if the values of positions are mirror images in x, to the bit. */
+/* True if the values of opposite positions are exact mirror images in x. */
 static int values_are_mirrored(const arc_halfspace *h, int count, const double *value) {
   const size_t rows = (size_t)count * (size_t)h->def.nx, nz = (size_t)h->def.nz;
   for (size_t i = 0; i < rows / 2; i++)
@@ -163,9 +163,9 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
 /* --- largest eigenvalue ----------------------------------------------------------------------- */
 
 enum { most_powers = 60 };
-static const double settled = 0.005; /* change of the eigenvalue between iterations */
+static const double settled = 0.005; /* accepted change of the eigenvalue between iterations */
 
-/* Data of one iteration. */
+/* Workspace of the power iteration. */
 typedef struct tangent {
   positions *p;
   const arc_halfspace_wear *wear;
@@ -199,7 +199,7 @@ static double length_of(const tangent *t, double *const value[ARC_BODIES]) {
   return sqrt(sum);
 }
 
-/* depth := a chessboard pattern, with the smallest elastic resistance. */
+/* depth := a chessboard pattern, for which the elastic resistance is smallest. */
 static void start(const tangent *t) {
   const arc_halfspace *h = t->p->s.h;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -207,7 +207,8 @@ static void start(const tangent *t) {
       t->depth[b][k] = (k / h->def.nz + k % h->def.nz) % 2 ? 1 : -1;
 }
 
-/* rate := - d (c factor rate) of the depth, divided by its length. */
+/* rate := change of c factor (sum of weight p) due to the change `depth`, with opposite sign, over
+ * the length of `depth`. */
 static arc_status multiply(tangent *t, arc_error *error) {
   stroke *s = &t->p->s;
   active_count used = {0};

@@ -1,4 +1,4 @@
-/* Half-spaces as a kind of pair: surfaces over x and z, worn along x. */
+/* Half-spaces as a kind of pair: surfaces over x and z, with sliding along one axis. */
 #ifndef SPACE_KIND_H
 #define SPACE_KIND_H
 
@@ -6,7 +6,7 @@
 #include "core/pair/surfaces.h"
 #include "core/wear/run.h"
 
-/* Half-spaces on cells, shared by all surfaces that have these cells. */
+/* Half-spaces on cells, shared by all surfaces that have the same cells. */
 typedef struct space_grid {
   int references;
   arc_halfspace *h;
@@ -14,33 +14,33 @@ typedef struct space_grid {
       *z[ARC_BODIES]; /* [sites] coordinates of the sites [mm]; allocated as one block */
 } space_grid;
 
-/* An arc_shape of this kind. */
+/* The arc_shape of this kind of pair. */
 typedef struct space_shape {
   shape_handle handle;
   space_grid *grid;
-  double *depth[ARC_BODIES]; /* [sites] wear [mm]; one block with the lines */
-  double *line[ARC_BODIES];  /* [3 rows] of the profile in the middle, created on first use */
+  double *depth[ARC_BODIES]; /* [sites] wear depth [mm]; in one block with the lines */
+  double *line[ARC_BODIES];  /* [3 rows] profile in the middle, created on first use */
 } space_shape;
 
-/* An arc_contact of this kind. */
+/* The arc_contact of this kind of pair. */
 typedef struct space_contact {
   contact_handle handle;
   double *pressure;               /* [window] [MPa] */
-  arc_halfspace_friction rubbing; /* with friction; all zero without */
-  arc_halfspace_friction coarser; /* the same in half as many increments */
-  double origin;                  /* [mm] x at which xi was 0 */
+  arc_halfspace_friction rubbing; /* state with friction; all zero without friction */
+  arc_halfspace_friction coarser; /* state computed with half as many increments */
+  double origin;                  /* x at which xi was 0 [mm] */
 } space_contact;
 
-/* Positions that a window solves. With friction each site of the upper body slips by a distance of
- * its own there, and shear between unlike bodies adds to the gaps. */
+/* Positions at which the contact of a window is solved. With friction each site of the upper body
+ * has its own slip at each position, and shear between unlike bodies adds to the gaps. */
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
-  int *of;                          /* [points] position of each point of the block; friction */
-  double *slip;    /* [count][window] slip over the weight of the position; NULL: rigid slip, 1 */
-  double *gap;     /* [count][window] [mm] gaps by shear; NULL: none */
-  double unsteady; /* change of the gaps by the last slip solution, over the largest */
-  arc_halfspace_friction last; /* state of the last slip solution, to start from; zero: none */
+  int *of;         /* [points] index of the position of each point of the block; with friction */
+  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, 1 */
+  double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
+  double unsteady; /* change of the gaps in the last slip solution, over the largest gap */
+  arc_halfspace_friction last; /* last slip solution, the start of the next one; zero: none */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {
@@ -67,34 +67,37 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
                            arc_model **model, arc_error *error);
 void arc_space_end_model(arc_model *model);
 size_t arc_space_model_bytes(const arc_model *model);
-/* Hertz' contact of the pair under a load [N]. */
+/* Hertz' contact of the pair under a load [N], or the scales of a period for periodic surfaces. */
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
-/* The half-spaces of a model, without cells. */
+/* Returns the half-spaces of a model, without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Cells for a motion along x, or along z (turned), a load [N], a volume worn at the end [mm3],
- * positions within stroke / 2 [mm], a whole number of cells to an increment [mm] (0: any). */
+/* Chooses cells for a motion along x, or along z if `turned` is 1. They suit the load [N], the
+ * volume worn at the end [mm3] and positions within stroke / 2 [mm]. An increment [mm] is a whole
+ * number of cells; 0 allows any cell size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
-/* Limits a window to the maps of the bodies. */
+/* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
-/* A larger window, on each side by 1 / part of its cells or so, as far as maps go; ARC_ZONE: they
- * go no farther. */
+/* Enlarges the window on each side by about 1 / part of its cells, at most to the edge of the maps.
+ * ARC_ZONE: the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
-/* Requested width of a cell [mm]. */
+/* Cell width requested by the model [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
-/* Warns if a contact of this half width [mm] is too large for half-spaces. */
+/* Warns if a contact of this half width [mm] is too large for the half-space approximation. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks);
 
 /* --- space_periodic.c ------------------------------------------------------------------------- */
-/* The bodies of a model with periodic = true; a run with it. ARC_ARGUMENT. */
+/* Check the bodies of a model with periodic = true, and a run with such a model. Error:
+ * ARC_ARGUMENT. */
 arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error);
 arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_def *model,
                                         arc_error *error);
-/* An arc_recess_fn of a map, the body's definition, whose middle is x = z = 0. */
+/* An arc_recess_fn for a periodic map whose middle is x = z = 0; the context is the body's
+ * definition. */
 double arc_space_period_height(void *context, double x, double z);
-/* Scales of a period: half widths, mean pressure, height of the map. */
+/* Scales of one period: half widths, mean pressure, height of the map. */
 arc_hertz_ellipse arc_space_period(const arc_model_def *def, double load);
 double arc_space_period_step(const arc_model_def *def);
 void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_def *cells);
@@ -107,11 +110,11 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model);
 double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
                        const arc_loading *loading, double *parts);
 double arc_space_reach(const arc_model_def *model, double load);
-/* The initial cells of a run. */
+/* Returns the initial cells of a run. */
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
 
 /* --- space_shape.c ---------------------------------------------------------------------------- */
-/* Unworn surfaces on cells. */
+/* Creates unworn surfaces on cells. */
 arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
                             arc_error *error);
 arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const arc_shape *from,
@@ -120,7 +123,7 @@ arc_status arc_space_copy(const arc_shape *shape, arc_shape **copy, arc_error *e
 void arc_space_discard(arc_shape **shape);
 space_grid *arc_space_hold(space_grid *grid);
 void arc_space_let_go(space_grid **grid);
-/* Transfers surfaces to more cells of the same size. */
+/* Transfers surfaces to a larger number of cells of the same size. */
 arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *cells,
                             space_shape **grown, arc_error *error);
 arc_array *arc_space_save(const arc_shape *shape, size_t *count);
@@ -128,12 +131,13 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
                           size_t count, arc_shape **shape, arc_error *error);
 
 /* --- space_cycle.c ---------------------------------------------------------------------------- */
-/* The positions of a window, freed by arc_space_end_path. ARC_MEMORY. */
+/* Computes the positions of a window; arc_space_end_path frees them. Error: ARC_MEMORY. */
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
-/* Pressures [count][window] on given depths, the sums of weight times pressure by site and the peak
- * (rate), and with friction the slip of the cycle with its energy, forces and stick zone. */
+/* Computes the pressures [count][window] on given depths, the sums of weight times pressure by
+ * site, and the peak pressure (in rate). With friction also the slip of the cycle with energy,
+ * forces and stick zone. */
 arc_status arc_space_solve_path(arc_wear *w, const wear_window *window,
                                 const double *const depth[ARC_BODIES], space_path *path,
                                 wear_progress *progress, double *pressure, wear_rate *rate,
@@ -146,37 +150,40 @@ size_t arc_space_tangent_bytes(const arc_wear *w);
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
 /* --- space_slip.c ----------------------------------------------------------------------------- */
-/* Slip and shear of the steady cycle of a window with friction, on given depths: path->slip and
- * path->gap, with energy, force and stick zone to the rate. `pressure` [count][window]: those of
- * the positions; they are averaged over mirror images, and between unlike bodies they become those
- * of the cycle, which shear changes. */
+/* Computes slip and shear of the steady cycle of a window with friction on given depths. The
+ * results are path->slip and path->gap, and energy, force and stick zone in rate. `pressure`
+ * [count][window] contains the pressures of the positions. They are averaged over mirror images;
+ * for unlike bodies, where shear changes pressure, they are replaced by the pressures of the
+ * cycle. */
 arc_status arc_space_slip(arc_wear *w, const wear_window *window,
                           const double *const depth[ARC_BODIES], space_path *path, double *pressure,
                           wear_progress *progress, wear_rate *rate, arc_error *error);
-/* See arc_kind.loop: in increments fine enough to draw. */
+/* Computes the loop of a cycle (see arc_kind.loop), in increments fine enough for a plot. */
 arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
                           arc_loop **loop, arc_error *error);
 
 /* --- space_law.c ------------------------------------------------------------------------------ */
-/* True if the wear of a window is k p ds of rigid slip: a linear law without local factors. */
+/* True if the wear of a window is k p ds with rigid slip: a linear law without local factors. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
-/* Work of pressures [count][window] by site of a body: over the positions, the sum of weight, law,
- * local factor and pressure [MPa mm]. ARC_MEMORY, and errors of the local factor. */
+/* Computes the work of the pressures [count][window] at each site of a body: the sum over the
+ * positions of weight, law, local factor and pressure [MPa mm]. Errors: ARC_MEMORY, errors of the
+ * local factor. */
 arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
                           const space_path *path, const double *pressure, double mu, arc_body body,
                           double *work, arc_error *error);
-/* The same and its linear form about these pressures, by site: for pressures p nearby, work =
- * factor sum(weight p) + (1 - growth) work, with the growth of the law below. */
+/* Computes this work and its linearisation about these pressures at each site: for nearby pressures
+ * p, work = factor sum(weight p) + (1 - growth) work, with growth from arc_space_law_growth. */
 arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
                                double mu, arc_body body, double *work, double *factor,
                                arc_error *error);
-/* d ln(law p) / d ln p that the linear form uses, at least 1. */
+/* d ln(law p) / d ln p in the linearisation, at least 1. */
 double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_layers.c --------------------------------------------------------------------------- */
-/* Converts `due`, a depth [mm] at the largest wear coefficient of its layers, to that of site i of
- * a body, and with `share` not NULL the coefficient there relative to the largest. */
+/* Converts `due`, the depth [mm] that site i of a body would have with the largest wear coefficient
+ * of its layers, to the depth with the coefficients of the layers at this site. If `share` is not
+ * NULL, *share is the coefficient of the exposed layer over the largest one. */
 double arc_space_worn(const arc_shape *shape, arc_body body, int i, double due, double *share);
 void arc_space_through_layers(const arc_shape *shape, double *depth);
 double arc_space_open_share(const arc_wear *w, arc_body body);
@@ -194,28 +201,30 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_space_end_contact(arc_contact *contact);
-/* On a larger window and track, where the last solution failed with ARC_ZONE. */
+/* Enlarges window and track after a solution that failed with ARC_ZONE. */
 arc_status arc_space_widen_contact(space_contact *c, arc_error *error);
-/* The result of present pressures. */
+/* Computes the result of the contact from its present pressures. */
 void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
-/* ARC_ZONE where a load's contact [N] reaches the edge of the window; errors of a solution. */
+/* Checks whether the contact under a load [N] lies within the window. ARC_ZONE: the contact reaches
+ * the edge. Also errors of a contact solution. */
 arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
 /* --- space_friction.c ------------------------------------------------------------------------- */
-/* The bodies pressed together by the contact's definition; a motion from there. */
+/* Press the bodies together as the contact's definition describes, and move the pressed bodies. */
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);
-/* Number of cells that resolve the edge of the stick zone. */
+/* Chooses cells fine enough for the edge of the stick zone. */
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
-/* Width of a cell [mm] of a run with friction: as given, else fine enough for the zones
- * that slip and stick in its cycles. */
+/* Cell width [mm] of a run with friction: the width in the model's definition, else a width fine
+ * enough for the stick and slip zones of the cycles. */
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
-/* Sizes of shear [window] [MPa] and slip [window] [mm] of a contact with friction. */
+/* Computes the magnitudes of shear [window] [MPa] and slip [window] [mm] of a contact with
+ * friction. */
 void arc_space_sizes(const space_contact *c, double *shear, double *slip);
 
 arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);

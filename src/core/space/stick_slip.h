@@ -1,12 +1,14 @@
-/* Stick and slip over the cells of a contact whose pressures are known:
+/* Stick and slip of the cells of a contact with known pressures. The unknowns are the shear q and
+ * the slip along x and z. Either the motion xi is given, or the tangential force, which is the sum
+ * of area times q:
  *
  *   slip = known + xi - C q,  |q| <= bound,  slip = 0 where |q| < bound, else along q
  *
- * for shear q and slip along x and z, with the motion xi given, or its force sum of area q. It is
- * the minimum of q C q / 2 - q (known + xi) over |q| <= bound: convex.
+ * The solution is the minimum of the convex function q C q / 2 - q (known + xi) over |q| <= bound.
  *
- * An active set: cells that stick have two unknowns, cells that slip one, along the circle |q| =
- * bound, with Newton's method on it and conjugate gradients inside. */
+ * The method is an active set: cells that stick have two unknowns, and cells that slip have one
+ * along the circle |q| = bound. Newton's method solves for the unknowns, with conjugate gradients
+ * for its linear problems. */
 #ifndef SPACE_STICK_SLIP_H
 #define SPACE_STICK_SLIP_H
 
@@ -16,49 +18,52 @@ typedef enum stick_slip_state { SHEAR_NONE, SHEAR_STICK, SHEAR_SLIP } stick_slip
 
 typedef struct stick_slip_problem {
   arc_halfspace *h;
-  const double *bound;    /* [window] [MPa]; 0: the cell carries no shear */
+  const double *bound;    /* friction limit [window] [MPa]; 0: the cell carries no shear */
   const double *known[2]; /* [window] [mm] */
-  int by_force[2];        /* along x and z: the force is given, xi is computed */
+  int by_force[2];        /* for x and z: 1 if the force is given and xi is computed */
   double force[2];        /* [N] */
-  double tolerance;       /* of slip, relative to the largest displacement C q */
+  double tolerance;       /* tolerance of slip, relative to the largest displacement C q */
   const arc_callbacks *callbacks;
 } stick_slip_problem;
 
 typedef struct stick_slip_count {
   int sets, iterations, applications;
-  int flipping; /* increments that ended with cells alternating between stick and slip */
+  int flipping; /* increments at whose end some cells alternated between stick and slip */
 } stick_slip_count;
 
 /* Initial values, results and workspace of a solution. */
 typedef struct stick_slip_work {
-  double *q[2];                      /* [window] in and out */
-  double *slip[2];                   /* [window] out, of cells without shear too */
-  double xi[2];                      /* in and out */
-  stick_slip_state *state;           /* [window] in and out */
-  double *tangent[2];                /* [window] of unit length where cells slip */
-  double *diagonal;                  /* [window] slip over bound */
-  double *r[2], *z[2], *d[2], *a[2]; /* residual, preconditioned, direction, operator on it */
-  int *site, sites;                  /* cells that carry shear, of the present Newton step */
+  double *q[2];            /* [window] input and output */
+  double *slip[2];         /* [window] output, also for cells without shear */
+  double xi[2];            /* input and output */
+  stick_slip_state *state; /* [window] input and output */
+  double *tangent[2];      /* [window] unit vectors at cells that slip */
+  double *diagonal;        /* [window] slip over friction limit */
+  double *r[2], *z[2], *d[2],
+      *a[2];        /* residual, preconditioned residual, direction, operator times direction */
+  int *site, sites; /* list of cells that carry shear in the present Newton step */
   double *block;
 } stick_slip_work;
 
-/* All zero; NULL members on failure: ARC_MEMORY. */
+/* Allocates the workspace, all zero. On failure (ARC_MEMORY) its members are NULL. */
 arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error);
 void arc_stick_slip_end(stick_slip_work *w);
 
-/* ARC_ARGUMENT: a force that friction does not carry; ARC_NOT_CONVERGED, ARC_STOPPED. q and xi are
- * spoilt then. */
+/* Errors: ARC_ARGUMENT for a force above the friction limit, ARC_NOT_CONVERGED, ARC_STOPPED. After
+ * an error the contents of q and xi are undefined. */
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
 
-/* One Newton step: solves for the changes of q on the present sets, with slip of the present q, and
- * adds them to q, along tangents where cells slip, and to xi. `least`: residual [mm] from which
- * on it stops; it stops at a tenth of the first one too.
- * Returns 0 where the sets cannot carry the forces. */
+/* Makes one Newton step: solves for the changes of q on the present sets from the slip of the
+ * present q, and adds them to q (along the tangents where cells slip) and to xi. The iteration
+ * stops at the residual `least` [mm] or at a tenth of the first residual.
+ *
+ * Returns 0 if the sets cannot carry the forces. */
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
                           stick_slip_count *count);
 
-/* Largest slip error [mm]: of sticking cells, and along the tangents. */
+/* Largest error of slip [mm], over all components at sticking cells and the tangential component at
+ * slipping cells. */
 double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
 
 #endif
