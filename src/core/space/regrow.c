@@ -1,10 +1,10 @@
-/* Depths on another grid: larger windows, longer tracks, finer cells. */
+/* Transfers depths to another grid: a larger window, a longer track, finer cells. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Cells of one body along one axis, about 0. */
+/* Cells of one body along one axis, symmetric about 0. */
 typedef struct axis {
   int count;
   double size;
@@ -19,7 +19,7 @@ static axis along_z(const arc_halfspace *h) {
   return (axis){h->def.nz, h->def.size_z};
 }
 
-/* Position of cell i of an axis on another axis, in cells. */
+/* Converts the position of cell i on one axis to cells of the other axis. */
 static double place(const axis *to, int i, const axis *from) {
   const double x = (i - (to->count - 1) / 2.0) * to->size / from->size + (from->count - 1) / 2.0;
   return fabs(x - round(x)) < 1e-9 ? round(x) : x;
@@ -30,7 +30,7 @@ static double at(const double *value, const axis *x, const axis *z, int i, int j
   return value[(size_t)i * (size_t)z->count + (size_t)j];
 }
 
-/* Linear between four cells. */
+/* Bilinear interpolation between four cells. */
 static double between(const double *value, const axis *x, const axis *z, double u, double v) {
   const int i = (int)floor(u), j = (int)floor(v);
   const double s = u - i, t = v - j;

@@ -1,5 +1,5 @@
-/* Increments of a contact with friction: solves for pressures at fixed shear and for shear at fixed
- * pressures alternately until both converge (once for equal materials). */
+/* Increments of a contact with friction. Solves alternately for the pressures at fixed shear and
+ * for the shear at fixed pressures until both converge; for equal materials one pass suffices. */
 #include "core/space/entering.h"
 #include "core/space/stick_slip.h"
 
@@ -48,7 +48,7 @@ void arc_halfspace_friction_end(arc_halfspace_friction *state) {
   *state = (arc_halfspace_friction){.pressure = NULL};
 }
 
-/* E of a state [2][window]. */
+/* Slip of a state [2][window] from its motion, shear and pressures. */
 static void find_slip(const arc_halfspace *h, const double *pressure, const double *const q[2],
                       const double xi[2], double *const slip[2]) {
   arc_cerruti_shear(h, q, slip);
@@ -92,8 +92,8 @@ typedef struct increment {
   arc_halfspace_options options;
   const arc_halfspace_friction *from;
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
-  double *share;          /* [window] of the motion while a site was open */
-  double motion[2];       /* xi of the increment that these shares are of [mm] */
+  double *share;          /* [window] share of the motion for which a site was open */
+  double motion[2];       /* xi of the increment to which `share` refers [mm] */
   double last[2], was[2]; /* the motion one solution earlier, and its result */
   double approach, tolerance;
   stick_slip_work w;
@@ -126,7 +126,8 @@ static double largest(const double *value, int n) {
   return most;
 }
 
-/* Solves for pressures at fixed shear. *change: largest change relative to the largest pressure. */
+/* Solves for the pressures at fixed shear. *change is their largest change over the largest
+ * pressure. */
 static arc_status press(increment *s, double *change, arc_error *error) {
   const size_t n = (size_t)s->h->cells;
   double p = 0;
@@ -146,12 +147,12 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   return status;
 }
 
-/* Motion along i of a site in contact before it entered [mm]. */
+/* Motion along axis i before a site entered the contact [mm]; 0 for a site without pressure. */
 static double motion_before(const increment *s, int i, int k) {
   return s->pressure[k] > 0 ? s->share[k] * s->motion[i] : 0;
 }
 
-/* Solves for shear at fixed pressures. */
+/* Solves for the shear at fixed pressures. */
 static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   const int n = s->h->cells;
   const double least = carrying * largest(s->pressure, n);
@@ -176,7 +177,8 @@ static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *e
   return status;
 }
 
-/* Updates the shear used for pressures; relaxed after many sweeps, to avoid oscillation. */
+/* Updates the shear for the next pressure solution. After many sweeps the update is relaxed, to
+ * avoid oscillation. */
 static void hold(increment *s, double share) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);
@@ -194,15 +196,16 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
                             error);
 }
 
-/* The result of a motion grows more slowly than the motion: secant step towards their equality. */
+/* Secant step towards a motion that equals its own result. The result grows more slowly than the
+ * motion. */
 static double secant(double motion, double gives, double last, double gave) {
   static const double steepest = 0.9;
   const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
   return motion + (gives - motion) / (1 - fmax(0, fmin(slope, steepest)));
 }
 
-/* Under a force the motion of the increment is a result: stores it. Returns 1 if it was known
- * before. */
+/* Under a force the motion of the increment is a result of the solution. Returns 1 if it agrees
+ * with the assumed motion; otherwise stores an improved motion. */
 static int follow_motion(increment *s, int pass) {
   static const double settled = 1e-5;
   double off = 0, gave[2], size = 0;
@@ -223,7 +226,7 @@ static int follow_motion(increment *s, int pass) {
 
 /* --- alternation ------------------------------------------------------------------------------ */
 
-/* Shear of like bodies, whose pressures do not depend on it. */
+/* Solves for the shear of like bodies, whose pressures do not depend on shear. */
 static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 30 };
   int entering;
@@ -236,7 +239,7 @@ static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_er
   return status;
 }
 
-/* The pressures, unless they are given, then the shear. */
+/* Solves for the pressures, unless they are given, and then for the shear. */
 static arc_status like_bodies(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   double change;
   arc_status status = ARC_OK;
@@ -248,8 +251,8 @@ static arc_status like_bodies(increment *s, arc_halfspace_effort *effort, arc_er
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
-/* Share of a sweep's change of the shear: single sites may alternate between two states for ever
- * unless it becomes small. */
+/* Share of the shear's change that a sweep applies. With a share that does not become small, single
+ * sites may alternate between two states without end. */
 static double relaxation(int sweep) {
   enum { plain_sweeps = 15, equal_sweeps = 20 };
   static const double relaxed = 0.7, decay = 0.9, smallest = 0.02;
@@ -283,7 +286,8 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
   return ARC_OK;
 }
 
-/* Work of a site: the mean of its bounds over its slip. Sites that stick do none. */
+/* Friction work of a site: its slip times its mean friction limit in the increment. Sites that
+ * stick do no work. */
 static double work_of(const increment *s, const double *pressure, const double *const moved[2],
                       int k) {
   if (s->w.state[k] == SHEAR_STICK) return 0;
@@ -291,7 +295,8 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
-/* Slip while a site was in contact: w.slip excludes the slip before it entered. */
+/* Share of the motion for which a site was in contact. (w.slip excludes the slip before the site
+ * entered.) */
 static double in_contact(const increment *s, int k) {
   return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
 }

@@ -104,7 +104,8 @@ arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
   return ARC_OK;
 }
 
-/* On a shape whose window is for another load, the contact may need a larger one. */
+/* Solves the contact, in a larger window if necessary: the window of the shape may have been made
+ * for another load. */
 static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks *callbacks,
                                           arc_error *error) {
   enum { most_tries = 12 };
@@ -116,7 +117,7 @@ static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks 
   return status;
 }
 
-/* True if nothing has worn, so that cells can be chosen for the load. */
+/* True if nothing has worn, so that new cells can be chosen for the load. */
 static int is_unworn(const space_shape *s) {
   const int n = space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER);
   for (int i = 0; i < n; i++)
@@ -124,7 +125,7 @@ static int is_unworn(const space_shape *s) {
   return 1;
 }
 
-/* Returns a contact, or destroys it on failure. */
+/* Returns the contact in *result, or frees it after an error. */
 static arc_status finish(space_contact *c, arc_status status, const arc_callbacks *callbacks,
                          arc_contact **result) {
   if (status == ARC_OK) {
@@ -138,7 +139,7 @@ static arc_status finish(space_contact *c, arc_status status, const arc_callback
   return status;
 }
 
-/* *copy NULL: out of memory. */
+/* Copies a contact. *copy is NULL if there is no memory for the contact itself. */
 static arc_status copy_contact(const space_contact *from, space_contact **copy, arc_error *error) {
   const arc_halfspace *h = space_shape_of(from->handle.shape)->grid->h;
   space_contact *c = *copy = calloc(1, sizeof *c);
@@ -185,8 +186,8 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
   return finish(c, status, callbacks, result);
 }
 
-/* A contact with friction continues from its present position; one without friction depends on the
- * new position only. */
+/* With friction the motion continues from the present position. Without friction the contact
+ * depends only on the new position. */
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error) {
   const space_contact *before = (const space_contact *)(const void *)from;
@@ -239,8 +240,8 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};
 
-/* Fills the values of one body, [NAMES][sites]. Pressures of the lower body are at its present
- * position below the window. */
+/* Computes the values of one body, [NAMES][sites]. The pressures on the lower body are those of the
+ * window at the present position `at`. */
 static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
   const int n = space_sites(s, b), rows = n / d->nz;
@@ -249,7 +250,7 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   for (int i = 0; i < n; i++) {
     const double inside = recess[i] + s->depth[b][i];
     const int row = i / d->nz - (b == ARC_LOWER ? ahead : 0);
-    const int to = d->turned ? i % d->nz * rows + i / d->nz : i; /* z fastest */
+    const int to = d->turned ? i % d->nz * rows + i / d->nz : i; /* z varies fastest */
     values[X * n + to] = s->grid->x[b][i];
     values[Z * n + to] = s->grid->z[b][i];
     values[H * n + to] = s->depth[b][i];
@@ -258,11 +259,11 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   }
 }
 
-/* Arrays of friction on the upper body. */
+/* Number of arrays with results of friction, for the upper body. */
 enum { FRICTION_ARRAYS = 6 };
 
-/* Arrays of a solved contact; those of `wanted` names, and those of `more` [FRICTION_ARRAYS] (NULL:
- * none). */
+/* Returns the arrays of a solved contact whose names are in `wanted`, and the arrays `more`
+ * [FRICTION_ARRAYS] if it is not NULL. */
 static arc_status show(const space_shape *s, const double *pressure, double at, double update,
                        double distance, const int *wanted, int count, const arc_array *more,
                        arc_array **result, size_t *arrays, arc_error *error) {

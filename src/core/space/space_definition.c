@@ -1,4 +1,4 @@
-/* Definitions of wear runs in 3-D: derived values, valid combinations. */
+/* Definitions of wear runs in 3-D: derived values and valid combinations. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
@@ -11,7 +11,7 @@ static arc_status refuse(arc_error *error, const char *field, const char *why) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" %s", field, why);
 }
 
-/* Refuses settings that are not implemented in 3-D. */
+/* Rejects settings that are not implemented in 3-D. */
 static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   if (d->spin > 0) return refuse(error, "spin", "expected none");
   if (d->track > 0 && d->blocks > 0)
@@ -25,7 +25,8 @@ static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* The contact stays at one position: NSP, a pin on a disc, or surfaces without end. */
+/* True if the contact is solved at one position only: procedure NSP, a pin on a disc, or periodic
+ * surfaces. */
 static int rests(const arc_wear_def *d, const arc_model_def *model) {
   return d->track > 0 || d->procedure == ARC_NSP || model->periodic ||
          (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
@@ -51,8 +52,8 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* The compliance of layers and of a groove for shear is not available; bodies that separate lose
- * the shear of pressing. */
+/* Rejects friction with layers or a groove, whose compliance to shear is not available, and with
+ * bodies that separate, which lose the shear from pressing. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -116,7 +117,7 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Force per distance [N/mm] by which a force is converted to a distance: 2 a E*. */
+/* Factor between a force and a distance, 2 a E* [N/mm]. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -139,8 +140,9 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* One a cell; with friction, whose solution needs one a leg (two between unlike bodies: doses
- * within 0.4 %), as many of a force or of a short stroke. */
+/* Default number of increments: one per cell. With friction there are at least as many as the slip
+ * solution needs, one per leg (two between unlike bodies, for doses within 0.4 %). A cycle under a
+ * tangential force has exactly this number. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
@@ -171,7 +173,7 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
 
 /* --- cells ------------------------------------------------------------------------------------ */
 
-/* Twice the largest distance from x = 0 [mm]. */
+/* Twice the largest distance of the path from x = 0 [mm]. */
 static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   double most = 0;
   if (rests(def, model) || def->tangential > 0) return 0;
@@ -181,7 +183,7 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   return 2 * most;
 }
 
-/* Estimate of the worn volume at the end. */
+/* Estimated worn volume at the end; 0 if k is not constant [mm3]. */
 static double volume_of(const arc_wear_def *def) {
   const int known = !def->k_function && def->k_series.count == 0;
   return known ? def->k * def->load * def->distance : 0;
@@ -197,7 +199,7 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
   arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def, model),
                 increment, &cells);
-  const arc_halfspace_def bodies = arc_space_bodies(model); /* whose maps outlive this function */
+  const arc_halfspace_def bodies = arc_space_bodies(model); /* points to the maps of `model` */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (rests(def, model) && !arc_wear_alpha_stays_one(def)) {

@@ -1,4 +1,4 @@
-/* Contact objects with friction: pressing and motions. */
+/* Contacts with friction: pressing and motions. */
 #include "core/base/callbacks.h"
 #include "core/elastic/pair.h"
 #include "core/space/cerruti.h"
@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The rim of slip is a few hundredths of the contact wide at small forces: cells over the half
- * width with which Mindlin's loops are right to 0.4 % from a fifth of full slip on. */
+/* Default number of cells in the half width. At small forces the slip annulus is only a few
+ * hundredths of the contact wide. With 28 cells Mindlin's loops are accurate to 0.4 % from a fifth
+ * of full slip on. */
 static const double cells_of_friction = 28, usual_cells = 8;
 
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells) {
@@ -17,13 +18,13 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
   fine.mesh.fineness =
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
-  const arc_halfspace_def bodies = arc_space_bodies(def); /* whose maps outlive this function */
+  const arc_halfspace_def bodies = arc_space_bodies(def); /* points to the maps of `def` */
   for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
 }
 
 /* --- cells of runs ---------------------------------------------------------------------------- */
 
-/* Half of the largest change of a quantity in the cycles of a definition. */
+/* Half of the largest change of a quantity in the cycles of a run. */
 static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   double most = d->blocks == 0 ? plain : 0;
   for (int b = 0; b < d->blocks; b++) {
@@ -38,8 +39,8 @@ static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   return most;
 }
 
-/* Radius of the zone that sticks over that of the contact, by Mindlin: 1, it all sticks; 0: gross
- * slip. Where friction changes: at half of full slip. */
+/* Radius of the stick zone over the radius of the contact, by Mindlin: 1 for full stick, 0 for
+ * gross slip. If the friction coefficient varies, the share at half of full slip. */
 static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   if (!arc_wear_friction_is_known(d) || d->friction == 0) return cbrt(0.5);
   const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
@@ -54,7 +55,7 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   return sqrt(fmax(0, 1 - amplitude(d, 0, d->stroke / 2) / yielding));
 }
 
-/* Cells whose centre lies within an ellipse of these half axes, in cells, over its area. */
+/* Number of cells whose centre lies within an ellipse of these half axes [cells], over its area. */
 static double filling(double x, double z) {
   const int rows = (int)ceil(x), columns = (int)ceil(z);
   int inside = 0;
@@ -63,9 +64,9 @@ static double filling(double x, double z) {
   return inside / (acos(-1) * x * z);
 }
 
-/* Cell size, up to a sixth smaller, for which the area of sticking cells equals that of the stick
- * zone, since wear in partial slip ends with the load on this zone. Cells of a zone extend 0.1 of a
- * cell outside it. */
+/* Cell size, up to a sixth smaller than `size`, for which the area of the sticking cells equals
+ * that of the stick zone: wear in partial slip ends when this zone carries the load. The cells of a
+ * zone extend 0.1 of a cell beyond its edge. */
 static double fill_zone(double size, double x, double z) {
   enum { tries = 60 };
   static const double beyond = 0.1, play = 0.05, range = 1.0 / 6;
@@ -81,7 +82,7 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  static const double in_rim = 5, in_contact = 14, most = 64; /* over the half width */
+  static const double in_rim = 5, in_contact = 14, most = 64; /* cells in the half width */
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
   if (model->mesh.size > 0 || !(share > 0 && share < 1)) return arc_space_cell(model, def->load);
@@ -101,7 +102,7 @@ void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* Follows a leg, on a larger window if necessary. */
+/* Computes a leg, on a larger window if necessary. */
 static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
                            const arc_callbacks *callbacks, arc_halfspace_effort *effort,
                            arc_error *error) {
@@ -123,7 +124,7 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
   return status;
 }
 
-/* Warns of what the increments did not resolve. */
+/* Warns if the increments did not resolve the leg. */
 static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *effort,
                             const arc_callbacks *callbacks) {
   if (effort->unfinished > 0)
@@ -165,7 +166,8 @@ static arc_status read_state(space_contact *c, const arc_halfspace_effort *effor
 
 /* --- pressing --------------------------------------------------------------------------------- */
 
-/* More than one solution may exist beyond this product of friction and Dundurs' beta. */
+/* Warns if the product of friction and Dundurs' beta is so large that more than one solution may
+ * exist. */
 static void warn_coupling(const space_contact *c, const arc_halfspace_def *d,
                           const arc_callbacks *callbacks) {
   static const double unique = 0.4;
@@ -224,7 +226,8 @@ static arc_status check(const space_contact *c, const arc_motion_def *motion, do
                   fabs(x) >= fabs(z) ? "tangential" : "tangential_z", carried, hypot(x, z));
 }
 
-/* Shapes are read along x only. */
+/* Warns of a motion across x on shapes that vary with z: the lower body's shape is evaluated at
+ * displacements along x only. */
 static void warn_across(const space_contact *c, double z, const arc_callbacks *callbacks) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_halfspace *h = s->grid->h;

@@ -1,4 +1,4 @@
-/* Half-spaces as a kind of pair: the table and short functions. */
+/* Half-spaces as a kind of pair: the table of functions, and short functions. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -23,7 +23,8 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
-/* A stroke along the other axis would need other surfaces; a track is to be a narrow one. */
+/* Rejects a stroke along the other axis, for which the surfaces have the wrong cells, and a track
+ * whose radius is not large compared with the contact. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;
@@ -43,7 +44,7 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
 }
 
-/* Smallest stroke, in contact widths, for a groove, which has no ends. */
+/* Warns if the stroke is shorter than three contact widths, since a groove has no ends. */
 static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 3;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
@@ -60,7 +61,7 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
-/* Cells for the default load; contacts choose their own. */
+/* Creates unworn surfaces with cells for the default load; contacts choose other cells. */
 static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                          arc_error *error) {
   arc_halfspace_def cells;
@@ -76,7 +77,7 @@ static wear_sites sites(const arc_shape *shape, arc_body body) {
                       s->grid->z[body]};
 }
 
-/* Along the motion in the middle, into the shape's own arrays. */
+/* Profile along the motion in the middle, in arrays of the shape. */
 static arc_profile profile(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
@@ -198,7 +199,7 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
-/* The sawtooth part along the motion, in the middle. */
+/* Sawtooth component of the middle profile along the motion, over the largest depth. */
 static double roughness(const arc_wear *w, arc_body body) {
   const arc_profile line = profile(w->shape, body);
   const arc_wear_record *last = arc_wear_last(w);

@@ -1,4 +1,4 @@
-/* Wear through the layers of half-spaces. Their compliance stays that of the unworn thickness. */
+/* Wear through the layers of half-spaces. The compliance remains that of the unworn layers. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/space_kind.h"
 

@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static const double usual_cells = 8; /* over the unworn contact's half width */
+static const double usual_cells = 8; /* cells in the half width of the unworn contact */
 static const double widest_of_layer =
     3.5; /* cells, in the thinnest layer's thickness; 4 are allowed */
 
@@ -60,7 +60,8 @@ static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   return ARC_OK;
 }
 
-/* Curvatures of a body along x and z, of a map by the parabola that fits it best [1/mm]. */
+/* Computes the curvatures of a body along x and z [1/mm]; for a map, those of the best-fitting
+ * parabola. */
 static void body_curvatures(const arc_model_def *def, arc_body body, double *x, double *z) {
   const arc_body_def solid = arc_model_solid(def, body);
   *x = *z = 0;
@@ -70,7 +71,7 @@ static void body_curvatures(const arc_model_def *def, arc_body body, double *x, 
   if (solid.radius_z > 0) *z += 1 / solid.radius_z;
 }
 
-/* Relative ones of the pair. */
+/* Computes the relative curvatures of the pair [1/mm]. */
 static void find_curvatures(const arc_model_def *def, double *x, double *z) {
   *x = *z = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -82,7 +83,7 @@ static void find_curvatures(const arc_model_def *def, double *x, double *z) {
 }
 
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  static const double conformal = 0.1; /* relative curvature over that of the more curved body */
+  static const double conformal = 0.1; /* relative curvature over the larger body curvature */
   double x, z, most = 0;
   find_curvatures(def, &x, &z);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -157,7 +158,7 @@ size_t arc_space_model_bytes(const arc_model *model) {
 
 /* --- bodies and cells ------------------------------------------------------------------------- */
 
-/* An arc_recess_fn of a map, the body's definition. */
+/* An arc_recess_fn of a map; the context is the body's definition. */
 static double recess_of(void *context, double x, double z) {
   return -arc_body_map_height(context, x, z);
 }
@@ -168,7 +169,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
     d.body[b].material = def->material[b];
     for (int l = 0; l < ARC_MOST_LAYERS; l++) d.body[b].layer[l] = solid.layer[l];
-    d.body[b].depth = def->body[b].height; /* of a rigid base */
+    d.body[b].depth = def->body[b].height; /* distance to a rigid base */
     if (!arc_body_is_spatial(&solid)) continue;
     d.body[b].radius_x = solid.radius;
     d.body[b].radius_z = solid.radius_z;
@@ -227,7 +228,7 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
   arc_space_limit(def, cells);
 }
 
-/* Largest odd number of cells within `half` of 0. */
+/* Largest odd number of cells that lie within `half` of 0. */
 static int cells_within(double half, double size) {
   return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
 }
@@ -267,9 +268,9 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks) {
-  static const double small = 0.2;  /* contact over radius: slopes no longer count as small */
+  static const double small = 0.2;  /* contact over radius at which slopes are no longer small */
   const double fewest = 4;          /* cells in the half width */
-  static const double coarse = 1.5; /* cells over steps of a map */
+  static const double coarse = 1.5; /* cell width over step of a map */
   double x, z;
   if (def->periodic) return;
   find_curvatures(def, &x, &z);

@@ -1,4 +1,4 @@
-/* Rough surfaces that repeat themselves: a map is one period, its points are the cells. */
+/* Periodic rough surfaces: a map is one period, and its points are the cells. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static double step_of(const arc_series *axis) {
 
 static arc_status check_axis(const arc_series *axis, const arc_series *other, const char *name,
                              arc_error *error) {
-  static const double apart = 1e-6; /* of a step */
+  static const double apart = 1e-6; /* accepted deviation of a step, over the step */
   enum { fewest = 8 };
   if (axis->count < fewest || axis->count % 2 != 0)
     return arc_fail(error, ARC_ARGUMENT,
@@ -58,8 +58,8 @@ arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error) 
   return ARC_OK;
 }
 
-/* All points of the lower body have borne the same pressures after a whole number of periods, and
- * nearly so after many. */
+/* Checks the stroke if the lower body wears. After a whole number of periods all points of the
+ * lower body have borne the same pressures, and after many periods nearly the same. */
 static arc_status check_stroke(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
   static const double fewest = 2;

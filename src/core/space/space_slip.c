@@ -1,6 +1,7 @@
 /* Slip of a steady cycle with friction. In gross slip each site follows the motion after an elastic
- * lag, without a solver; in partial slip increments of stick and slip are solved from bodies that
- * are pressed together anew, so that no state outlives an evaluation. */
+ * lag, and no solver is needed. In partial slip the increments of stick and slip are solved. Each
+ * evaluation presses the bodies together anew, so that it does not depend on earlier
+ * evaluations. */
 #include "core/base/carve.h"
 #include "core/space/cerruti.h"
 #include "core/space/positions.h"
@@ -21,8 +22,8 @@ typedef struct cycle {
   wear_progress *progress;
   wear_rate *rate;
   int cells, unlike;
-  double *slid, *lag, *strain, *total; /* [window], lag [count][window] */
-  int whole;                           /* 1: all of the contact slips in some increment */
+  double *slid, *lag, *strain, *total; /* [window]; lag [count][window] */
+  int whole;                           /* 1: the whole contact slips in some increment */
 } cycle;
 
 static size_t row_of(const cycle *c, int at) {
@@ -42,7 +43,7 @@ static void add_to(const cycle *c, int at, double share) {
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
-/* Adds the slip of an increment, c->slid, `times` over to the positions it lies between. */
+/* Adds `times` the slip of an increment, c->slid, to the positions at its two ends. */
 static void add_increment(cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;
@@ -62,7 +63,7 @@ static void add_increment(cycle *c, int at, double times) {
 
 /* --- gross slip ------------------------------------------------------------------------------- */
 
-/* Elastic displacement of every position under full friction [mm]. */
+/* Computes the elastic displacement of every position under full friction [mm]. */
 static void find_lags(const cycle *c) {
   for (int j = 0; j < c->path->count; j++) {
     double *lag = c->lag + (size_t)j * (size_t)c->cells;
@@ -71,7 +72,8 @@ static void find_lags(const cycle *c) {
   }
 }
 
-/* A site slips by the motion that its elastic displacement does not follow. */
+/* Computes the slip of each site in an increment: the motion minus the change of the elastic
+ * displacement. */
 static void follow(const cycle *c, int at) {
   const double motion = c->block->x[at] - c->block->x[at - 1], *lag = c->lag + row_of(c, at);
   for (int k = 0; k < c->cells; k++) {
@@ -81,7 +83,7 @@ static void follow(const cycle *c, int at) {
   }
 }
 
-/* True if every site in contact slips somewhere in the cycle. */
+/* True if every site in contact slips at some point of the cycle. */
 static int all_slip(const cycle *c) {
   for (int j = 0; j < c->path->count; j++)
     for (int k = 0; k < c->cells; k++)
@@ -89,7 +91,8 @@ static int all_slip(const cycle *c) {
   return 1;
 }
 
-/* Gaps due to the shear of gross slip, in the same proportion as the elastic displacement. */
+/* Computes the gaps due to the shear of gross slip. Shear is in proportion to the elastic
+ * displacement. */
 static void add_gap(cycle *c, int at) {
   const size_t from = row_of(c, at);
   const double *p = c->pressure + from, *lag = c->lag + from;
@@ -138,7 +141,8 @@ static arc_status solve(const cycle *c, const arc_halfspace_increment *to,
   return arc_halfspace_slide(c->h, c->depth, to, &options, state, NULL, error);
 }
 
-/* Where the bodies are pressed together: in the middle of a plain stroke, else at the start. */
+/* Position at which the bodies are pressed together: the middle of a plain stroke, otherwise the
+ * start of the cycle. */
 static double reference(const wear_block *b) {
   return b->press > 0 ? (b->x[0] + b->x[(b->count - 1) / 2]) / 2 : b->x[0];
 }
@@ -178,7 +182,7 @@ static void take_slip(cycle *c, const arc_halfspace_friction *state) {
     c->slid[k] = state->stick[k] > 0 ? 0 : hypot(state->moved[0][k], state->moved[1][k]);
 }
 
-/* For unlike bodies pressures and gaps are those of the state at a point. */
+/* For unlike bodies copies the pressures and gaps of a state to those of point `at`. */
 static void take_pressures(const cycle *c, int at, const arc_halfspace_friction *state) {
   if (!c->unlike) return;
   double *gap = c->path->gap + row_of(c, at);
@@ -187,7 +191,7 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
   arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
 }
 
-/* Advances to point `at` and adds the slip of the increment, `times` over. */
+/* Advances to point `at` and adds `times` the slip of the increment. */
 static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
   const arc_halfspace_increment to = conditions(c, at, 1);
@@ -200,8 +204,8 @@ static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *
   return ARC_OK;
 }
 
-/* True if the second half of a cycle reverses the slip of the first half: like bodies under one
- * load, moved to and fro. */
+/* True if the slip in the second half of a cycle is the reverse of the slip in the first half. This
+ * is the case for like bodies under a constant load in a symmetric motion. */
 static int returns(const cycle *c) {
   const wear_block *b = c->block;
   const double *drive = b->tangential ? b->tangential : b->x;
@@ -224,7 +228,7 @@ static double change_of(const cycle *c, const double *before, const arc_halfspac
   return carried > 0 ? change / carried : 0;
 }
 
-/* Cycles from point 0 until the shear repeats. */
+/* Repeats cycles from point 0 until the shear no longer changes. */
 static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   enum { most_cycles = 40 };
   static const double steady = 1e-4;
@@ -242,8 +246,8 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
                   "the cycle of stick and slip is not periodic after %d repetitions", most_cycles);
 }
 
-/* A leg of one increment between like bodies is twice the first one, to half of the motion or
- * force: shear and slip are proportional then. */
+/* Computes a cycle with legs of one increment between like bodies. A leg doubles the shear and slip
+ * of the first increment, to half of the motion or force, as both are proportional. */
 static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = conditions(c, 1, 1);
@@ -287,9 +291,9 @@ static arc_status stick(cycle *c, arc_error *error) {
 
 /* --- results ---------------------------------------------------------------------------------- */
 
-/* Averages the fields of the positions over mirror images, which are equal but for the solvers'
- * tolerance: symmetric bodies stay symmetric. Across the motion always, along it for like bodies
- * in the middle. */
+/* Averages the fields of the positions over mirror images, so that symmetric bodies remain
+ * symmetric despite the solvers' tolerance. The average is always across the motion; for like
+ * bodies in the middle position it is also along the motion. */
 static void make_even(const cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
@@ -310,7 +314,7 @@ static void make_even(const cycle *c, double *value) {
     }
 }
 
-/* Width that never slips, of the size of a zone similar to the contact [mm]. */
+/* Width of the stick zone [mm], if its shape is similar to that of the contact. */
 static double stick_width(const cycle *c) {
   const double *p = c->pressure + row_of(c, c->block->count - 1);
   const arc_halfspace_extent e = arc_halfspace_contact_extent(c->h, p);
@@ -347,7 +351,7 @@ static int begin(cycle *c) {
   return ARC_CARVE(parts) != NULL;
 }
 
-/* Motions longer than a cell may be gross slip; the slip of others is always solved for. */
+/* Motions longer than a cell may be gross slip; for all other motions the slip is solved. */
 static arc_status run(cycle *c, arc_error *error) {
   const wear_block *b = c->block;
   const double cell = arc_space_reach(arc_model_definition(c->w->model), b->load);
@@ -410,14 +414,14 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Conditions within an increment, whose pressures are known under a constant load only. */
+/* Conditions within an increment. The pressures there are known only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
   arc_halfspace_increment to = conditions(c, at, (double)part / parts);
   if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
   return to;
 }
 
-/* Once round the cycle in parts of its increments, to the loop if it is not NULL. */
+/* Computes one cycle in parts of its increments, and stores the loop unless it is NULL. */
 static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state, arc_loop *loop,
                         arc_error *error) {
   double *x = loop ? (double *)(size_t)loop->x : NULL;
@@ -448,7 +452,7 @@ static arc_status trace_steady(const cycle *c, int parts, arc_loop *loop, arc_er
   return status;
 }
 
-/* The loop of a cycle whose slip has been solved for. */
+/* Computes the loop of a cycle from its slip solution. */
 static arc_status draw(cycle *c, arc_loop **loop, arc_error *error) {
   const int increments = c->block->count - 1;
   const int parts = increments < points_of_loop ? (points_of_loop - 1) / increments + 1 : 1;

@@ -1,6 +1,6 @@
-/* Stages of an implicit step on half-spaces: the pressures of all positions with the wear of the
- * stage in their gaps, one convex problem. A step starts from the shapes alone, so that its bits do
- * not depend on what was solved before. */
+/* Stages of an implicit step on half-spaces. The pressures of all positions, with the wear of the
+ * stage in their gaps, are the solution of one convex problem. A step starts from the shapes alone,
+ * so that its result does not depend, to the bit, on earlier solutions. */
 #include "core/space/space_kind.h"
 
 #include "core/base/carve.h"
@@ -9,16 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shares of the tolerance that gaps are solved to. */
+/* Tolerance of gaps over the tolerance of a step, in a stage and in an error estimate. */
 static const double of_stage = 0.03, of_estimate = 0.1;
 
 typedef struct stages {
   space_path path;
   double *pressure, *trial;                      /* [count][window] */
-  double *known[ARC_BODIES], *z[ARC_BODIES];     /* [sites] depths [mm], including the shape's */
-  int linear;                                    /* the wear is k p ds of one k; else */
-  double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] of own->pressure, see space_law.c */
-  double *open[ARC_BODIES]; /* [sites] factor times the exposed layer's share of k */
+  double *known[ARC_BODIES], *z[ARC_BODIES];     /* [sites] depths with those of the shape [mm] */
+  int linear;                                    /* 1: wear is k p ds with one k */
+  double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] see arc_space_linearise */
+  double *open[ARC_BODIES]; /* [sites] factor times k of the exposed layer over the largest k */
 } stages;
 
 arc_status arc_space_begin_stages(wear_stage *s) {
@@ -58,7 +58,7 @@ static void note(wear_stage *s, double peak) {
   s->progress->solutions += own->path.count;
 }
 
-/* Work of own->pressure, and its linear form. */
+/* Computes the work of own->pressure and its linearisation. */
 static arc_status linearise(wear_stage *s) {
   stages *own = s->own;
   arc_status status = ARC_OK;
@@ -96,9 +96,9 @@ arc_status arc_space_start(wear_stage *s, double *rate) {
   return ARC_OK;
 }
 
-/* The part of the depth of a site that pressures do not change, and own->open, where `due` is the
- * depth at the largest k of what they do not change, and `about` that of own->work: through layers
- * the depth is linear about there. */
+/* Returns the part of a site's depth that does not depend on the pressures, and stores own->open.
+ * `due` is this part with the largest k; `about` is the depth with own->work. Through layers the
+ * depth is linearised about `about`. */
 static double known_at(const wear_stage *s, int b, int i, double due, double about) {
   const stages *own = s->own;
   const double h = space_shape_of(s->window.shape)->depth[b][i];
@@ -112,8 +112,8 @@ static double known_at(const wear_stage *s, int b, int i, double due, double abo
   return h + worn + share * (due - about);
 }
 
-/* Depths of shape and s->known, with `more` on top where not NULL, and what the work of `pressure`
- * has beside its linear form. */
+/* Sets own->known to the depths of shape, s->known and `more` (unless NULL), plus the work of
+ * own->pressure minus its linear part. */
 static void set_known(wear_stage *s, double h, const double *more) {
   stages *own = s->own;
   arc_wear *w = s->run;
@@ -129,16 +129,17 @@ static void set_known(wear_stage *s, double h, const double *more) {
   }
 }
 
-/* Tolerance of gaps as a share of the error of a step's depths: at .03 the depths of a step change
- * by less than .01 of its tolerance, at .1 an estimated error by 5 %. */
+/* Tolerance of gaps as a share of the tolerance of a step's depths. A share of .03 changes the
+ * depths of a step by less than .01 of its tolerance; a share of .1 changes an estimated error by 5
+ * %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
   return tolerance > 0 ? fmin(coarsest, fmax(finest, share * tolerance)) : usual;
 }
 
-/* Solves own->z = own->known + h k rate of the linear form, gaps to a share of the tolerance;
- * starts from `pressure`, and leaves those of the solution there. */
+/* Solves own->z = own->known + h k rate with the linearised rate, for gaps within `share` of the
+ * tolerance. `pressure` is the initial guess and is replaced by the solution. */
 static arc_status solve(wear_stage *s, double h, double share, double *pressure, double *peak) {
   stages *own = s->own;
   const space_shape *shape = space_shape_of(s->window.shape);
@@ -159,8 +160,8 @@ static arc_status solve(wear_stage *s, double h, double share, double *pressure,
   return status;
 }
 
-/* own->z becomes the shape's and s->known depths with the work of own->pressure; returns by how
- * much it changes, over the deepest. */
+/* Sets own->z to the depths of the shape and s->known, plus the work of own->pressure. Returns the
+ * largest change over the largest depth. */
 static double take_work(wear_stage *s, double h) {
   stages *own = s->own;
   arc_wear *w = s->run;
@@ -183,7 +184,7 @@ static double take_work(wear_stage *s, double h) {
   return deepest > 0 ? change / deepest : 0;
 }
 
-/* Slip of the cycle on own->z, under own->pressure. */
+/* Computes the slip of the cycle on the depths own->z, under own->pressure. */
 static arc_status find_slip(wear_stage *s) {
   stages *own = s->own;
   const double *const depth[] = {own->z[ARC_UPPER], own->z[ARC_LOWER]};
@@ -191,10 +192,10 @@ static arc_status find_slip(wear_stage *s) {
                         &s->error);
 }
 
-/* Passes of the linear form until it is the law. */
+/* Repeats linearised solutions until they satisfy the law. */
 static arc_status solve_law(wear_stage *s, double h, double *peak) {
   enum { most_passes = 20 };
-  static const double settled = 1e-5; /* of the deepest */
+  static const double settled = 1e-5; /* change over the largest depth */
   stages *own = s->own;
   for (int pass = 0; pass < most_passes; pass++) {
     set_known(s, h, NULL);
@@ -235,7 +236,7 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   return ARC_OK;
 }
 
-/* The share of the load of a position that is elsewhere in the trial. */
+/* Share of the load of a position that the trial pressures carry at other cells. */
 static double shifted(const stages *own, int position, int cells) {
   const double *p = own->pressure + (size_t)position * (size_t)cells,
                *trial = own->trial + (size_t)position * (size_t)cells;
@@ -247,11 +248,11 @@ static double shifted(const stages *own, int position, int cells) {
   return load > 0 ? change / (2 * load) : 0;
 }
 
-/* A defect of the known part, seen through the stage: what stiff ripples it has, pressures take
- * back within the step. It is largest where cells enter the contact, whose pressure has a kink
- * there. Of that a quarter or less is left in the depths of any cell: runs to a tolerance of 1e-3
- * differ from those to 3e-5 by .1 to 1.2 tolerances at the worst cell (strokes of a/2 to 8 a,
- * alpha of 0 to 1, cells of a/6 and a/12, four distances). */
+/* Converts a defect of the known part to the error of the step: the pressures remove its stiff
+ * ripples within the step. The rest is largest where cells enter the contact, since their pressure
+ * has a kink there. A quarter of it, or less, remains in the depths of any cell. Runs with a
+ * tolerance of 1e-3 differ from runs with 3e-5 by .1 to 1.2 tolerances at the worst cell (strokes
+ * of a/2 to 8 a, alpha of 0 to 1, cells of a/6 and a/12, four distances). */
 double arc_space_error(wear_stage *s, double h, double *defect) {
   static const double left = 0.25;
   stages *own = s->own;

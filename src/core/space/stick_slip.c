@@ -1,4 +1,4 @@
-/* Stick and slip over a contact: sets of cells, and directions of slip. */
+/* Stick and slip over a contact: the sets of cells, and the directions of slip. */
 #include "core/space/stick_slip.h"
 
 #include "core/base/callbacks.h"
@@ -48,7 +48,8 @@ static void round_cell(stick_slip_work *w, int k, double bound) {
   if (q > 0) scale(w, k, bound / q);
 }
 
-/* Initial state of cells: the previous one if their shear is on the circle. */
+/* Sets the initial states of the cells: slip only for cells that slipped before and whose shear is
+ * on the circle. */
 static void start(const stick_slip_problem *p, stick_slip_work *w) {
   static const double nearly = 1 - 1e-9;
   for (int k = 0; k < p->h->cells; k++) {
@@ -65,8 +66,8 @@ static void start(const stick_slip_problem *p, stick_slip_work *w) {
   }
 }
 
-/* Under a given force some cells must stick: if all of them are outside the circle, those farthest
- * outside start to slip first. */
+/* Limit of |q| over bound above which a cell starts to slip. Under a given force some cells must
+ * stick, so that only the cells farthest outside the circle start to slip if all are outside. */
 static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   double least = INFINITY, most = 0;
   for (int k = 0; k < p->h->cells; k++)
@@ -97,7 +98,7 @@ static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fre
   return changes;
 }
 
-/* slip of the present q and xi; returns the largest displacement. */
+/* Computes the slip from the present q and xi; returns the largest displacement. */
 static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   double most = 0;
   arc_cerruti_shear(p->h, (const double *const[2]){w->q[0], w->q[1]}, w->a);
@@ -110,8 +111,8 @@ static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_s
   return most;
 }
 
-/* Cells that would slip against their shear by more than `nothing` [mm] stick; the others get
- * tangent and diagonal. */
+/* Sets cells that would slip against their shear by more than `nothing` [mm] to stick. Computes
+ * tangent and diagonal of the cells that continue to slip. */
 static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
                     const char *fresh) {
   int changes = 0;
@@ -133,7 +134,7 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Error of the given forces, over the friction limit; returns the larger share. */
+/* Computes the errors of the given forces over the friction limit; returns the larger error. */
 static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
   double sum[2] = {0, 0}, carried = 0;
@@ -224,8 +225,9 @@ static void update(double inverse[2][2], const double step[2], const double chan
       inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
 }
 
-/* The motion for which friction gives the forces: they are the gradient of a convex function of it.
- * This method is slower, and for forces near gross slip, where sets may not converge. */
+/* Computes the motion for which friction gives the forces, which are the gradient of a convex
+ * function of the motion. This slower method serves for forces near gross slip, where the sets may
+ * not converge. */
 static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
                               stick_slip_count *count, arc_error *error) {
   enum { most_motions = 100 };

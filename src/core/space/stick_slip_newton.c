@@ -1,5 +1,5 @@
-/* The linear problem of a Newton step on stick and slip: conjugate gradients with the resultants
- * held by projection, preconditioned by the operator's diagonal. */
+/* The linear problem of a Newton step for stick and slip. The method is conjugate gradients,
+ * preconditioned by the operator's diagonal. A projection keeps the resultant forces constant. */
 #include "core/space/stick_slip.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static int cells_of(const stick_slip_problem *p) {
   return p->h->cells;
 }
 
-/* Projection of v onto the free directions of one cell. */
+/* Projects v onto the free directions of one cell. */
 static void free_part(const stick_slip_work *w, int k, const double v[2], double part[2]) {
   part[0] = part[1] = 0;
   if (w->state[k] == SHEAR_NONE) return;
@@ -23,7 +23,7 @@ static void free_part(const stick_slip_work *w, int k, const double v[2], double
   part[1] = s * t[1];
 }
 
-/* The same divided by the operator's diagonal. */
+/* Projects v onto the free directions of one cell and divides it by the operator's diagonal M. */
 static void precondition_cell(const stick_slip_problem *p, const stick_slip_work *w, int k,
                               const double v[2], double z[2]) {
   const double *self = p->h->shear->self;
@@ -39,7 +39,7 @@ static void precondition_cell(const stick_slip_problem *p, const stick_slip_work
   }
 }
 
-/* Lists the cells that carry shear: all others keep q = 0. */
+/* Lists the cells that carry shear; all other cells keep q = 0. */
 static void list_sites(const stick_slip_problem *p, stick_slip_work *w) {
   w->sites = 0;
   for (int k = 0; k < cells_of(p); k++)
@@ -55,7 +55,8 @@ static double dot(const stick_slip_work *w, double *const a[2], double *const b[
   return sum;
 }
 
-/* The projection that holds the given forces: the sums of M^-1 of a unit motion, inverted. */
+/* Projection that keeps the given forces constant: the inverse of the sums of M^-1 times a unit
+ * motion. */
 typedef struct holding {
   double inverse[2][2];
   int singular;
@@ -91,12 +92,12 @@ static holding find_holding(const stick_slip_problem *p, const stick_slip_work *
   return h;
 }
 
-/* Motion whose M^-1 sums to `sum`. */
+/* Computes the motion for which M^-1 times the motion sums to `sum`. */
 static void motion_of(const holding *h, const double sum[2], double motion[2]) {
   for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
 }
 
-/* z := M^-1 (r - motion), of no sums along given forces. */
+/* z := M^-1 (r - motion), with the motion for which z sums to 0 along given forces. */
 static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
                          double motion[2]) {
   double sum[2] = {0, 0};
@@ -140,7 +141,7 @@ static void step(stick_slip_work *w, double length) {
     }
 }
 
-/* Changes q so that it sums to the given forces. */
+/* Changes q so that its sums equal the given forces. */
 static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const holding *h,
                         stick_slip_count *count) {
   const double area = p->h->def.size_x * p->h->def.size_z;
@@ -163,7 +164,7 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   step(w, 1);
 }
 
-/* The largest entry of r in free directions. */
+/* Largest entry of the residual r minus the motion, in free directions. */
 static double largest_residual(const stick_slip_work *w, const double motion[2]) {
   double most = 0;
   for (int s = 0; s < w->sites; s++) {

@@ -1,23 +1,24 @@
-/* Stresses below a half-space under normal pressure, by its solution for one wave. */
+/* Stresses in a half-space under normal pressure, from the solution for one pressure wave. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { widening = 4, components = 6 }; /* padding factor of the periodic box, against images */
+enum { widening = 4, components = 6 }; /* padding of the periodic box, against images */
 
-/* The zero frequency represents waves of about the length of the box, with this share of the first
- * frequency. It is zeta of the square lattice, as the stresses have a kink in |q| there. */
+/* The zero frequency stands for waves of about the length of the box, with this share of the first
+ * frequency. The number is zeta of the square lattice, since the stresses have a kink in |q| at
+ * 0. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {
-  double cx, cz, q; /* direction and number */
+  double cx, cz, q; /* direction and wave number */
   int zero;
 } wave;
 
-/* Factors of the pressure's wave in xx, yy, zz, xy, yz, xz at depth s >= 0, tension positive. *odd:
- * to be taken times the imaginary unit. */
+/* Factors from a pressure wave to the stresses xx, yy, zz, xy, yz, xz at depth s >= 0, with tension
+ * positive. If *odd is 1, the factor is imaginary. */
 static double factor(const wave *w, int component, double nu, double s, int *odd) {
   const double qs = w->q * s, e = exp(-qs), xx = w->cx * w->cx, zz = w->cz * w->cz;
   *odd = component == 3 || component == 4;
@@ -40,14 +41,14 @@ static double factor(const wave *w, int component, double nu, double s, int *odd
 static wave wave_of(int i, int j, int nx, int nz, double step_x, double step_z) {
   const double x = (i <= nx / 2 ? i : i - nx) * step_x, z = j * step_z, q = hypot(x, z);
   if (i == 0 && j == 0) return (wave){sqrt(0.5), sqrt(0.5), zero_wave * sqrt(step_x * step_z), 1};
-  /* an odd component has no wave of the highest number */
+  /* an odd component vanishes at the highest wave number */
   return (wave){2 * i == nx ? 0 : x / q, 2 * j == nz ? 0 : z / q, q, 0};
 }
 
 typedef struct plane {
-  int nx, nz; /* box */
+  int nx, nz; /* size of the box */
   double step_x, step_z;
-  double *values, *pressure, *spectrum; /* [nx][nz], spectra [nx][nz / 2 + 1] pairs */
+  double *values, *pressure, *spectrum; /* [nx][nz]; spectra [nx][nz / 2 + 1] of pairs */
 } plane;
 
 static void multiply(const plane *b, int component, double nu, double s) {
