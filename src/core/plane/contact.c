@@ -1,4 +1,4 @@
-/* The contact object: a solved problem and its results. */
+/* The contact object: a solved contact problem and its results. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 #include "core/elastic/contact_estimate.h"
@@ -57,7 +57,7 @@ static void read_pressures(arc_contact *c) {
   }
 }
 
-/* Shear along the surface, and with it the forces on the nodes. */
+/* Stores the shear tractions, and adds them to the forces on the nodes. */
 static void read_shear(arc_contact *c) {
   if (!c->has_friction) return;
   memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->problem.nc * sizeof(double));
@@ -76,7 +76,7 @@ static double driving_force(const arc_contact *c) {
   return sum;
 }
 
-/* Sum of the forces along the normals [N/mm]. */
+/* Sum of the normal forces [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
   for (int k = 0; k < c->problem.count; k++) sum += c->problem.f[k];
@@ -102,7 +102,7 @@ static void read_result(arc_contact *c) {
       .iterations = c->has_friction ? c->iterations : c->problem.iterations};
 }
 
-/* Refuses settings that break the rotational symmetry. */
+/* Rejects settings that break the rotational symmetry. */
 static arc_status check_revolved(const arc_model *model, const arc_contact_def *def,
                                  arc_error *error) {
   if (arc_model_definition(model)->geometry != ARC_AXISYMMETRIC) return ARC_OK;
@@ -140,7 +140,7 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   return status;
 }
 
-/* Results from the solved problem. */
+/* Computes all results of the solved problem. */
 static void read_all(arc_contact *c) {
   read_pressures(c);
   read_shear(c);
@@ -155,13 +155,13 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
 }
 
-/* Rounds to three digits, upwards if possible [mm]. */
+/* Rounds a zone width [mm] to three digits, upwards if possible. */
 static double round_zone(double zone, double widest) {
   const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
   return up <= widest ? up : floor(widest / unit) * unit;
 }
 
-/* True if no zone of the plate can reach the contact. */
+/* True if the contact lies outside the widest possible zone of the plate. */
 static int is_off(const arc_contact *c) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (arc_model_body(c->handle.shape->handle.model, ARC_UPPER)->chart.polar) return 0;
@@ -177,9 +177,9 @@ static arc_status explain_position(const arc_contact *c, arc_error *error) {
       arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* Zones that are sufficient for a contact: the automatic ones, or twice the present width if these
- * are not wider. 0: the bodies have no space for the contact and two open elements on either side.
- */
+/* Computes zones that are sufficient for a contact: the automatic zones, or twice the present width
+ * if the automatic zones are not wider. Returns 0 if a body is too narrow for the contact and two
+ * open elements on either side. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;
@@ -196,7 +196,7 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
   return more;
 }
 
-/* Error message for a contact beyond the zones. */
+/* Composes the error message for a contact beyond the zones. */
 static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (!error || arc_model_is_given(c->handle.shape->handle.model)) return ARC_ZONE;
@@ -215,7 +215,7 @@ static arc_status explain_zones(const arc_contact *c, arc_error *error) {
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* [N]; 0 where one of the bodies is worn. */
+/* Load [N]; 0 if one of the bodies is worn. */
 static double unworn_load(const arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_shape_depth(c->handle.shape, (arc_body)b) > 0) return 0;

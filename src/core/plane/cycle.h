@@ -1,4 +1,4 @@
-/* Cycles in the plane: contact at every point of a block on two meshes, and the wear. */
+/* Cycles in the plane: contact and wear at every point of a block, on two meshes. */
 #ifndef PLANE_CYCLE_H
 #define PLANE_CYCLE_H
 
@@ -6,7 +6,7 @@
 #include "core/friction/friction.h"
 #include "core/wear/run.h"
 
-/* One solved point of the path. Arrays by body; one block. */
+/* Solution at one point of the path. Arrays by body, in one block. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
   double *q[ARC_BODIES]; /* wear rate: p times the factors of law and position [MPa] */
@@ -14,14 +14,15 @@ typedef struct wear_point {
   double *f[ARC_BODIES]; /* local factor */
 } wear_point;
 
-/* The present block, its problems and the last two solved points: point i in point[i % 2]. */
+/* The present block with its problems, and the last two solved points: point i is in point[i %
+ * 2]. */
 typedef struct wear_path {
-  const wear_block *block; /* NULL: none yet */
+  const wear_block *block; /* NULL until the first block */
   int problems;
   contact_problem *problem; /* [problems] */
-  int nodes;                /* surface nodes of both bodies */
+  int nodes;                /* number of surface nodes of both bodies */
   wear_point point[2];
-  wear_point image[2]; /* their mirror images, if local factors differ */
+  wear_point image[2]; /* mirror images of the points, if local factors differ */
 
   /* with friction */
   int has_friction;
@@ -33,12 +34,11 @@ typedef struct wear_path {
 /* Data of a run in the plane. */
 typedef struct plane_cycle {
   wear_path path;
-  contact_problem reference; /* plate at x = 0, nominal load */
-  double *slip;              /* [4 n] of an increment, or of mirror images */
-  double
-      *down; /* [n] lowering of the surface by the depths of the window, see arc_shape_downward */
-  double *width;         /* [n] of the nodes' cells [mm] in the window before */
-  double *plate, *below; /* [np], [nc] depths of the plate, and those under the cylinder's nodes */
+  contact_problem reference; /* problem with plate at x = 0 and nominal load */
+  double *slip;              /* [4 n] slip of an increment, or mirror images */
+  double *down;  /* [n] lowering of the surface per depth of the window, see arc_shape_downward */
+  double *width; /* [n] widths of the nodes' cells in the previous window [mm] */
+  double *plate, *below; /* [np] depths of the plate; [nc] these depths at the cylinder's nodes */
 } plane_cycle;
 
 static inline plane_cycle *plane_of(const arc_wear *w) {
@@ -48,22 +48,21 @@ static inline wear_path *path_of(const arc_wear *w) {
   return &plane_of(w)->path;
 }
 
-/* -d rate / d depth, at frozen compliance and along y. Neighbouring points with nearly equal
- * contact are grouped, which is accurate enough for Newton's method. */
+/* -d rate / d depth, along y, at constant compliance. Neighbouring points with nearly the same
+ * contact form groups, which is accurate enough for Newton's method. */
 struct wear_tangent {
   int nc, np;
-  double width;  /* [mm] range of plate positions in a group; 0: no groups */
+  double width;  /* range of plate positions in a group [mm]; 0: no groups */
   double *value; /* [n x n], n = nc + np, column-major; cylinder first */
   struct jacobian_group *group;
 };
 
 /* --- path.c ----------------------------------------------------------------------------------- */
-/* Allocates the points. ARC_MEMORY: nothing needs to be freed. */
+/* Allocates the points. After an error (ARC_MEMORY) there is nothing to free. */
 arc_status arc_path_create(wear_path *path, const arc_model *model, int has_friction);
 void arc_path_free(wear_path *path);
-/* Creates problems for a block, unless it is the present one. ARC_MEMORY: there is no present
- * block.
- */
+/* Creates the problems of a block, unless it is the present block. After an error (ARC_MEMORY)
+ * there is no present block. */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
                           arc_error *error);
 /* Sets a point to zero (no contact). */
@@ -76,38 +75,41 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progre
                              wear_rate *rate, arc_error *error);
 /* Total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
-/* Ratio of the wear on a slope to that of the same pressure on a level surface. */
+/* Ratio of the wear rate on a slope to that on a level surface under the same pressure. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
-/* Solves the point window->first only, to check that the contact is inside the zones. */
+/* Solves only the point window->first, to check that the contact lies inside the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 
 /* Updates the problem of point `at` of the present block for a window. */
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error);
-/* Pressures and wear rates of a solved problem. */
+/* Computes pressures and wear rates of a point from its solved problem. */
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_problem *p,
                          wear_point *point, arc_error *error);
 
-/* Multiplies a point's q by the local factors. */
+/* Multiplies a point's wear rates q by the local factors. */
 arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
                                        wear_point *point, arc_error *error);
 
-/* Adds work at the cylinder's nodes [MPa mm], a density along x, times local factors to the wear of
- * both bodies: the plate gets the same through the coupling (Eq. 15). on [np] is workspace. */
+/* Adds the wear due to work at the cylinder's nodes [MPa mm], a density along x. The work is
+ * multiplied by the local factors. The coupling (Eq. 15) transfers the same work to the plate. on
+ * [np] is workspace. */
 void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
                     const double *work, double *on, wear_rate *rate);
 
 /* --- mirror.c --------------------------------------------------------------------------------- */
-/* True if the contact in the second half of a window mirrors that in the first. */
+/* True if the contact in the second half of a window is the mirror image of that in the first
+ * half. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
-/* True if the wear does not, because of local factors. */
+/* True if local factors make the wear of a window asymmetric although its contact is symmetric. */
 int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
-/* Mirrors point `at`, just solved; `law` has its wear rate without local factors. */
+/* Computes the mirror image of point `at`, the last solved point. `law` contains the point's wear
+ * rate without local factors. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
-/* Replaces depths [n] by their mean with their mirror image. */
+/* Replaces depths [n] by the mean of the depths and their mirror image. */
 void arc_wear_symmetrise(const arc_wear *w, double *depth);
-/* Extends the wear of a first half, and its Jacobian, to the whole window; `images`: the wear of
- * the other half, or NULL if it is the mirror image. */
+/* Extends the wear of the first half of a window, and its Jacobian, to the whole window. `images`
+ * is the wear of the second half, or NULL if this wear is the mirror image. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
                          wear_rate *rate);
 
@@ -121,7 +123,7 @@ arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progr
                               arc_loop **loop, arc_error *error);
 
 /* --- slip.c ----------------------------------------------------------------------------------- */
-/* Adds the work of the increment that ends at `at`, with the elastic part of the slip. */
+/* Adds the work of the increment that ends at point `at`, with the elastic part of the slip. */
 void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 
 /* --- jacobian.c ------------------------------------------------------------------------------- */
@@ -130,12 +132,12 @@ void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
-/* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's sum;
- * points are passed in order. sliding [surface] of both bodies: the sliding distance of each node
- * if it differs from share, its largest value. */
+/* Adds share * (-d q / d depth) of point `at`, the last solved point, to the sum of the window.
+ * Points must be added in order. sliding [surface] is the sliding distance of each node of both
+ * bodies if it differs from share, which is the largest sliding distance. */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const sliding[ARC_BODIES]);
-/* After the last problem: value is complete. */
+/* Completes `value` after the last problem. */
 void arc_wear_jacobian_finish(wear_tangent *j);
 
 /* --- plane_definition.c ----------------------------------------------------------------------- */
@@ -147,28 +149,28 @@ arc_status arc_plane_check(const arc_wear_def *def, const arc_model_def *model, 
 /* --- increments.c ----------------------------------------------------------------------------- */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts);
-/* Warns of increments too long for the contact. */
+/* Warns if the user's increments are too long for the contact. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 
 /* --- revolved.c ------------------------------------------------------------------------------- */
-/* Checks the settings for models of revolution. ARC_ARGUMENT. */
+/* Checks the settings for bodies of revolution. Error: ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
-/* Half width of a flat scar of a volume [mm3] on a cylinder of that radius, or on a ball. */
+/* Half width of a flat scar of a given volume [mm3] on a cylinder of this radius, or on a ball. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
-/* Slip at surface node i relative to that at the reference radius: 1 unless the bodies spin. */
+/* Slip at surface node i over the slip at the reference radius: 1 unless the bodies spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
 /* --- measures.c ------------------------------------------------------------------------------- */
-/* True for alpha = 0 over the whole plate, where the contact never changes. */
+/* True for alpha = 0 and a stroke over the whole plate, where the contact never changes. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
 double arc_plane_roughness(const arc_wear *w, arc_body body);
-/* Largest depth of the plate [mm]; of a track, its mean depth as wide as the contact is. The record
- * has volume and half width. */
+/* Largest depth of the plate [mm]. For a track it is the mean depth over the width of the contact.
+ * The record must contain volume and half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* Size of the evenly worn surface per thickness [mm]: the plate's width; for a track 1 mm wide
+/* Area of the evenly worn surface per thickness: the plate's width [mm]; for a track 1 mm wide
  * [mm2]. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -197,26 +199,27 @@ arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
 /* --- remesh.c --------------------------------------------------------------------------------- */
 /* True if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear box
- * (ARC_GEOMETRY), so that a larger mesh can help. */
+ * (ARC_GEOMETRY) and a larger mesh can help. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* Number of rows of a wear box that contains evenly worn layers; 0 if it has them. */
+/* Number of rows of a wear box that contains the evenly worn layers; 0 if the present box contains
+ * them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
 /* True if the zones of the run fit on bodies of this radius. */
 int arc_wear_can_grow(const arc_wear *w);
 
-/* Copies the run to larger meshes. Errors: those of arc_model_build, `why` if they cannot be
- * larger; *result is NULL then. */
+/* Copies the run to larger meshes. Errors: as for arc_model_build, or `why` if the meshes cannot
+ * become larger. After an error *result is NULL. */
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                          arc_wear **result, arc_error *error);
 
-/* Copies the run to a given mesh, for arc_wear_set. Errors: those of arc_wear_grow, ARC_ARGUMENT
- * for imported meshes. */
+/* Copies the run to the mesh that the user chose by arc_wear_set. Errors: as for arc_wear_grow;
+ * ARC_ARGUMENT for imported meshes. */
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
-/* Warns about new meshes of a run, with the reason. */
+/* Warns about new meshes of a run, with the reason `why`. */
 void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const char *why,
                             const arc_callbacks *callbacks);
 
@@ -224,28 +227,29 @@ void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const c
 void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
                             const arc_callbacks *callbacks);
 
-/* Reports a failed step. If the contact left the mesh, the message also says why the run does not
- * get a larger one: `trouble` (may be empty), or a step too long, with the required mesh. */
+/* Reports a failed step. If the contact left the mesh, the message explains why the run has no
+ * larger mesh: because of the error `trouble` (may be empty), or because the step is too long; it
+ * includes the required mesh. */
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 
 /* --- rims.c ----------------------------------------------------------------------------------- */
-/* Recreates a new run on meshes that resolve the slip zones; *finer is NULL if they are resolved,
- * sizes are given, or there is no friction. */
+/* Recreates a new run on meshes that resolve the slip zones. *finer is NULL if the present meshes
+ * resolve them, if the user chose the sizes, or without friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
-/* Largest element size [mm] that resolves the slip zones of the last update; INFINITY without them.
- */
+/* Largest element size [mm] that resolves the slip zones of the last update; INFINITY without slip
+ * zones. */
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
-/* Converts a depth [mm] at the largest wear coefficient to the depth with the coefficients of the
- * layers below node i, starting at h. */
+/* Converts the depth [mm] `due` by which node i would wear with the largest wear coefficient to the
+ * depth with the coefficients of the layers below this node, from depth h on. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
-/* The same for all nodes of both surfaces, cylinder first. */
+/* Converts the depths of all nodes of both surfaces, cylinder first (see
+ * arc_wear_through_layers). */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
-/* Wear coefficient of node i after `depth` more wear, relative to the largest.
- */
+/* Wear coefficient of node i after `depth` more wear, over the largest coefficient. */
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 
 #endif

@@ -38,13 +38,13 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Shear over pressure at the last node in contact, along +x on the cylinder. */
+/* Shear over pressure at the last node in contact, positive along +x on the cylinder. */
 static double shear_at(const arc_contact *c, int right) {
   const int last = c->problem.set[right ? c->problem.active - 1 : 0];
   return c->state.t[c->problem.lo + last] / c->problem.f[last];
 }
 
-/* Tractions at the surface nodes; point values next to smooth edges. */
+/* Computes the tractions at the surface nodes; near smooth edges they are point values. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
   const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
   const int n = c->count[body];
@@ -82,8 +82,8 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Poisson's ratio at the nodes, into szz: on an interface that of the layer above. Elements run
- * from the surface on. */
+/* Stores Poisson's ratio at the nodes in szz; at an interface it is that of the upper layer.
+ * Elements are numbered from the surface on. */
 static void fill_ratios(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)
@@ -95,7 +95,7 @@ static void fill_ratios(const elastic_body *body, arc_field *field) {
 }
 
 /* Stress normal to the section at node n, with Poisson's ratio `nu`, from the stresses in the
- * section and the strain around the axis; on the axis it equals the radial stress. */
+ * section and the hoop strain. On the axis this stress equals the radial stress. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
@@ -117,7 +117,7 @@ static void derive_invariants(const elastic_body *body, arc_field *field) {
   }
 }
 
-/* Stresses turn twice as vectors do. */
+/* Rotates the stresses. Stress tensors rotate by twice the angle of vectors. */
 static void turn_stresses(const placing *to, arc_field *field) {
   const double c = to->cos, s = to->sin;
   for (int k = 0; k < field->nodes && s != 0; k++) {
@@ -128,7 +128,7 @@ static void turn_stresses(const placing *to, arc_field *field) {
   }
 }
 
-/* Transforms results to the position of the body. */
+/* Transforms the results to the position of the body. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
   const placing to = arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->problem.x,
                                        c->problem.angle);
@@ -137,7 +137,8 @@ static void place(const arc_contact *c, arc_body body, double *xy, double *u, ar
   turn_stresses(&to, field);
 }
 
-/* Nodal displacements u and box nodes, then stresses; work holds u and xy. */
+/* Computes the displacements u of all nodes from those of the box, and then the stresses. `work` is
+ * memory for u and xy. */
 static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
                              double *box, arc_error *error) {
   const shape_side *side = &c->handle.shape->side[body];
@@ -150,7 +151,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   arc_shape_box(side, side->xy, even, box);
   const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);
   if (status != ARC_OK) return status;
-  /* without a wear box the shape is unworn */
+  /* without a wear box the mesh is that of the unworn shape */
   const arc_mesh *mesh = side->body->mesh;
   arc_shape_nodes(c->handle.shape, body, xy);
   if (recover(c, body, mesh->rows > 0 ? xy : mesh->xy, u, field) != ARC_OK)

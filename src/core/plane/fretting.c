@@ -1,10 +1,13 @@
-/* Wear of a cycle with friction: increments of stick and slip on a given shape, from bodies pressed
- * anew, until the cycle is periodic; the last cycle is used. Every evaluation begins with separated
- * bodies. Nodes that slip in a cycle lose the memory of earlier cycles, and nodes that never slip
- * keep the tractions of pressing; so no history must be stored between updates, slip due to the
- * update itself is in no cycle, and a stored run continues to the same bits. Work is computed at
- * the cylinder's nodes, also for nodes that open or close within the increment; the plate gets the
- * same work through the coupling (Eq. 15). */
+/* Wear of a cycle with friction. On a given shape the bodies are pressed anew, and increments of
+ * stick and slip are solved until the cycle is periodic; the last cycle counts.
+ *
+ * Every evaluation begins with separated bodies. Nodes that slip in a cycle lose the memory of
+ * earlier cycles, and nodes that never slip keep the tractions from pressing. So updates need no
+ * stored history, slip due to the update itself is in no cycle, and a stored run continues to the
+ * same bits.
+ *
+ * Work is computed at the cylinder's nodes, also for nodes that open or close within the increment;
+ * the plate gets the same work through the coupling (Eq. 15). */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
@@ -23,12 +26,12 @@ typedef struct fretting {
   const wear_window *window;
   wear_progress *progress;
   wear_rate *rate;
-  arc_loop *loop;    /* NULL: not needed */
+  arc_loop *loop;    /* NULL: no loop required */
   double *start;     /* [2 nc] f and t at the start of the cycle */
   double *least;     /* [nc] smallest force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] */
-  double between;    /* [N] of the state as the cycle began */
+  double between;    /* energy between the nodes at the start of the cycle, per thickness [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -57,7 +60,7 @@ static arc_status advance(fretting *r, int at, const friction_step *step, arc_er
                             step, &path->state, error);
 }
 
-/* Solves the contact at point `at`, with its wear. */
+/* Solves the contact and computes the wear at point `at`. */
 static arc_status go_to(fretting *r, int at, arc_error *error) {
   arc_wear *w = r->w;
   wear_path *path = path_of(w);
@@ -73,22 +76,23 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   return arc_wear_take(w, r->window, &path->problem[b->problem_of[at]], point, error);
 }
 
-/* The path to point 0, which is the last one as well. */
+/* Copies the last point of the path to point 0, which is the same state. */
 static void wrap(fretting *r) {
   wear_path *path = path_of(r->w);
   const int last = path->block->count - 1;
   if (last % 2 != 0) arc_path_copy(path, &path->point[1], &path->point[0]);
 }
 
-/* Half-planes of the same material do not shear each other when they are pressed; the outer shapes
- * of bodies on which Hertz' formulas hold make less of it than 1e-4 of a cycle's energy. */
+/* Half-planes of the same material do not shear each other when they are pressed together. For
+ * bodies on which Hertz' formulas hold, the outer shapes cause shear below 1e-4 of a cycle's
+ * energy. */
 static int shear_when_pressed(const arc_wear *w) {
   const arc_model_def *model = arc_model_definition(w->model);
   return arc_contact_mismatch(model->geometry, model->material) != 0 ||
          !arc_model_is_hertzian(model);
 }
 
-/* Presses the bodies at point b->press as for a contact object. */
+/* Presses the bodies at point b->press, as for a contact object. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -104,7 +108,8 @@ static arc_status press(fretting *r, arc_error *error) {
   return status;
 }
 
-/* From separation: presses the bodies, then moves to the end of the cycle, which is its start. */
+/* Presses the separated bodies together, and then moves to the end of the cycle, which is also its
+ * start. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
@@ -122,14 +127,14 @@ static arc_status approach(fretting *r, arc_error *error) {
 
 /* --- wear */
 
-/* Pressure and slip at one end of the increment into the rate of both bodies. */
+/* Adds the work of pressure and slip at one end of the increment to the rate of both bodies. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
   const wear_block *b = path_of(w)->block;
   const wear_point *point = &path_of(w)->point[at % 2];
   const contact_problem *p = &path_of(w)->problem[b->problem_of[at]];
   const double *slip = path_of(w)->state.slip;
-  if (b->line[at] == 0) return; /* lifted off */
+  if (b->line[at] == 0) return; /* bodies are separated */
   for (int i = 0; i < w->nc; i++) {
     const double pressure = point->p[ARC_CYLINDER][i], sliding = share * b->repeat * fabs(slip[i]);
     r->work[i] = 0;
@@ -140,7 +145,7 @@ static void add_end(fretting *r, int at, double share) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Slip at all points in touch; the largest of it [mm] to `most`. */
+/* True if all nodes in contact slip; *most is the largest slip [mm]. */
 static int slips_everywhere(const friction_state *s, double *most) {
   int touching = 0, stuck = 0;
   *most = 0;
@@ -153,7 +158,8 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
-/* Sliding distance of a node of the plate, from the work of its partners. */
+/* Adds a point to the Jacobian. The sliding distance of a node of the plate follows from the work
+ * of its partners. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const sliding[ARC_BODIES] = {r->work, r->on};
@@ -227,8 +233,8 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
-/* Cap the stick width at the contact width, as rounding may slip where the force just reaches its
- * earlier maximum. */
+/* Computes the width that never slips. Nodes that slip only by rounding errors, where the force
+ * just reaches its earlier maximum, count as sticking. The width is at most the contact width. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -244,7 +250,7 @@ static void find_stick(fretting *r) {
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
-/* Scales all nodes by the same factor. */
+/* Scales the wear of all nodes by the same factor. */
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
@@ -252,7 +258,7 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* The outermost nodes in contact get the energy between the nodes at the edges, half each. */
+/* Adds the energy between the nodes to the two outermost nodes in contact, half to each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -271,8 +277,8 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Distributes the energy between the nodes in proportion to that of the nodes, at most as much; the
- * rest goes to the edges. */
+/* Distributes the energy between the nodes in proportion to the energy at the nodes, at most the
+ * same amount; the outermost nodes get the rest. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);
@@ -325,7 +331,7 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Converts to forces on the whole thickness and the energy of the whole loop. */
+/* Converts the loop to forces on the whole thickness and to the energy of one cycle. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;

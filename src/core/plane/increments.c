@@ -9,9 +9,9 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
-/* arc_wear_reach for several loads. */
+/* Accurate length of an increment, as arc_wear_reach, for repeated calls with several loads. */
 static double reach_of(contact_pair *pair, double load) {
-  static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
+  static const double share = 0.125; /* centre pressures within 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
 }
 
@@ -20,15 +20,17 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* Sliding distance up to point i [mm]: of the plate, and of the contact, which follows the load. */
+/* Sliding distance from point i - 1 to point i [mm], of the plate and of the contact, which follows
+ * the load. */
 static double sliding_of(const arc_loading *from, const arc_model_def *model, int i) {
   const double sliding = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (!from->load_angle) return sliding;
   return sliding + fabs(arc_model_arc_length(model, from->load_angle[i] - from->load_angle[i - 1]));
 }
 
-/* Under a load that falls to zero the contact becomes arbitrarily narrow: all loads below this
- * share of the mean together wear less than this share of the total. */
+/* Smallest load that determines the length of increments. Without this limit a load that falls to
+ * zero would need infinitely many, as the contact becomes arbitrarily narrow. All loads below 1 %
+ * of the mean together cause less than 1 % of the wear. */
 static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;
@@ -46,10 +48,10 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
   return sliding_of(from, pair->def, i) / reach_of(pair, fmax(load, least));
 }
 
-/* Number of increments for the contact there, unless given by the user. */
+/* Number of increments that the contact needs, or the number that the user chose. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* a contact at rest, with only the load changing */
+  enum { of_load = 100 }; /* for a contact at rest under a varying load */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;
@@ -66,7 +68,7 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* Longest increment / accurate length. */
+/* Length of the longest increment over the accurate length. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
@@ -79,9 +81,9 @@ static double longest_increment(const arc_wear *w) {
   return longest;
 }
 
-/* Warns of given numbers of increments that are too small. */
+/* Warns if the number of increments that the user chose is too small. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double leap = 4; /* half the contact's half width */
+  static const double leap = 4; /* in accurate lengths: half of the contact's half width */
   const arc_wear_def *d = &w->def;
   if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
       d->slide == ARC_SLIDE_Z)

@@ -21,13 +21,13 @@ double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear
   return record->volume_plate / (arc_plane_even_width(w) * 2 * record->half_width);
 }
 
-/* Hertz' contact for unworn surfaces. */
+/* True if the contact is that of the unworn surfaces, by Hertz. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
   return arc_plane_stays_as_it_is(&w->def, arc_model_definition(w->model)) &&
          arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
-/* The reference problem on a shape, solved under the nominal load. */
+/* Solves the reference problem on a shape under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
   const double line = w->def.load / arc_model_definition(w->model)->thickness;
   arc_contact_problem_set_angle(&plane_of(w)->reference, arc_radians(w->def.load_angle));
@@ -74,7 +74,7 @@ arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
                         const arc_wear_record *measured) {
-  static const double middle = 0.8; /* pressures fall steeply at the edges */
+  static const double middle = 0.8; /* share of the half width, without the steep edges */
   if (stays_hertzian(w, shape)) return 0;
   return arc_contact_problem_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
 }

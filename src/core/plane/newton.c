@@ -1,6 +1,6 @@
-/* Newton on the depths of both surfaces. The Jacobian and its factors are reused over the stages of
- * a step while the iteration converges well; a step with new ones is halved until the residual
- * decreases. */
+/* Newton's method for the depths of both surfaces. The stages of a step reuse the Jacobian and its
+ * factors while the iteration converges well. A step with a new Jacobian is halved until the
+ * residual decreases. */
 #include "core/plane/newton.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -10,9 +10,9 @@
 #include <string.h>
 
 enum { newton_limit = 15, halvings = 5 };
-/* Convergence limit relative to the largest depth; with a tolerance, relative to it. */
+/* Convergence limit over the largest depth; with a tolerance, over this tolerance. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
-/* Required contraction of each iteration with a reused Jacobian. */
+/* Required contraction per iteration with a reused Jacobian. */
 static const double contraction = 0.4;
 
 /* Length of the path of a block [mm]. */
@@ -25,8 +25,8 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Positions of the plate that share a Jacobian lie within two elements, and within a part of the
- * path: all of a path of one element as one did not converge. */
+/* Width of a group of plate positions that share a Jacobian: two elements, but at most a part of
+ * the path. (With one group for a path of one element the method did not converge.) */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -56,7 +56,8 @@ static arc_status create_resting(newton *s) {
                           : ARC_MEMORY;
 }
 
-/* True if symmetric to the bit; with friction only to rounding. */
+/* True if the depths remain symmetric to the bit; with friction they are symmetric only within
+ * rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
@@ -96,7 +97,7 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
-/* Worn area of one body by a rate [mm2]. */
+/* Worn area of one body for a rate [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
   for (int i = 0; i < s->at->window.shape->side[b].n; i++)
@@ -104,7 +105,7 @@ static double area_on(const newton *s, arc_body b, const double *rate) {
   return sum;
 }
 
-/* Worn area of both bodies in a cycle [mm2]. */
+/* Worn area of both bodies per cycle [mm2]. */
 static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
@@ -125,7 +126,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* --- the linear system ------------------------------------------------------------------------ */
 
-/* Unknowns: nodes that wear and were in contact. */
+/* Factorises I + h k J for the unknowns: the nodes that wear and were in contact. */
 static arc_status factorise(newton *s, double h) {
   const double *rates = s->jacobian->value;
   int m = 0;
@@ -156,7 +157,7 @@ static arc_status direction(newton *s, double h, double *x) {
 
 /* --- a stage ---------------------------------------------------------------------------------- */
 
-/* residual = z - known - h rate; its largest entry. */
+/* Computes residual = z - known - h rate; returns its largest entry. */
 double arc_newton_residual(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->residual[i] = s->at->z[i] - s->at->known[i] - h * rate[i];
   return largest_of(s->residual, s->n);
@@ -175,7 +176,7 @@ int arc_newton_is_hopeless(const newton *s, arc_status status) {
          status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
-/* Removes negative wear of nodes and keeps the total `area`. */
+/* Sets negative wear of nodes to zero and keeps the total `area`. */
 static void push_only(const newton *s, arc_body b, double area, double *rate) {
   const int n = s->at->window.shape->side[b].n;
   for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
@@ -184,8 +185,8 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
 }
 
 /* Adds the last step. Its pressures are those of the linear model, whose resultant is the load, so
- * volumes remain exact. The plate receives the forces of the cylinder; with a Jacobian common to
- * several positions its volume would be off by 2e-9. */
+ * that volumes remain exact. The plate receives the forces of the cylinder, because several
+ * positions share a Jacobian, by which the plate's volume would have an error of 2e-9. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;
@@ -204,9 +205,10 @@ static double product(const double *a, const double *b, int n) {
   return sum;
 }
 
-/* The error of a kept Jacobian is mostly one mode, that of nodes which have entered the contact
- * since; a secant through the last two iterates (Anderson's method, depth 1) removes it. step is
- * the improved step; defect the plain one; `last` the previous defect, `taken` its step. */
+/* Improves the step. The error of a reused Jacobian is mostly one mode, due to nodes that have
+ * entered the contact since. A secant through the last two iterates (Anderson's method, depth 1)
+ * removes this mode. `step` is the improved step and `defect` the plain step; `last` is the
+ * previous defect and `taken` the step that was made then. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -219,7 +221,8 @@ static void accelerate(newton *s, int it) {
   memcpy(s->last, s->defect, bytes);
 }
 
-/* The residual of an iterate, and the step to its zero; *size is the largest entry of the step. */
+/* Computes the residual of an iterate and the Newton step; *size is the largest entry of the
+ * step. */
 static arc_status find_defect(newton *s, double h, const double *rate, double *size) {
   arc_newton_residual(s, h, rate);
   memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
@@ -228,8 +231,8 @@ static arc_status find_defect(newton *s, double h, const double *rate, double *s
   return status;
 }
 
-/* Halves the step, up to a limit, until the residual decreases. A contact that leaves its zone
- * counts as no decrease. */
+/* Halves the step, up to a limit, until the residual decreases. If the contact leaves its zone,
+ * this counts as no decrease. */
 static arc_status walk(newton *s, double h, double *rate, int most) {
   const double before = arc_newton_residual(s, h, rate);
   double share = 1, last = 0;
@@ -245,8 +248,7 @@ static arc_status walk(newton *s, double h, double *rate, int most) {
   return status;
 }
 
-/* Iterates with the present Jacobian while it converges well, then with a new one.
- */
+/* Iterates with the present Jacobian while the convergence is good, then with a new Jacobian. */
 static arc_status solve_moving(newton *s, double h, double *rate) {
   double last = 0, size;
   for (int it = 0, since = 0; it < newton_limit; it++, since++) {
@@ -271,7 +273,8 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* Scales energy and even wear with the wear, since the last step is not evaluated again. */
+/* Scales energy and even wear in proportion to the wear, since the last step is not evaluated
+ * again. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
@@ -294,7 +297,7 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Relative change of the forces of a problem by errors of depths. */
+/* Relative change of the forces of a problem due to errors of depths. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -305,8 +308,9 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Of the problems at the ends and in the middle of the path: those at hand, of the last solution. A
- * run in closed form has no path, and pressures that no depth changes. */
+/* Largest relative change of the forces of three problems, at the ends and in the middle of the
+ * path, in their last solutions. A run in closed form has no path, and its pressures do not depend
+ * on depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
@@ -331,8 +335,8 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/* Normal force over the sliding [N/mm mm]: from the depths if they determine it, since the last
- * step is not solved again; else from the last evaluation. */
+/* Normal force integrated over the sliding distance [N/mm mm]. It follows from the depths if they
+ * determine it, since the last step is not solved again; otherwise from the last evaluation. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;

@@ -4,11 +4,11 @@
 
 #include <math.h>
 
-/* Largest number of increments of a cycle, and of a history that is run once. */
+/* Largest number of increments of a cycle, and of a history without repetition. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
-/* Refuses even wear in holes, where it would change the clearance, and on surfaces that are not
- * flat. */
+/* True if the stroke covers the whole plate, which then wears evenly. False for holes, where even
+ * wear would change the clearance, and for surfaces that are not flat. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
     return 0;
@@ -79,7 +79,7 @@ wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model
 
 /* --- checks ----------------------------------------------------------------------------------- */
 
-/* Refuses rotations and load angles without a hole. */
+/* Rejects rotations and load angles for models without a hole. */
 static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
                                 double most, const arc_model_def *model, int number,
                                 arc_error *error) {
@@ -111,7 +111,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         error, ARC_ARGUMENT,
         "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
         d->stroke);
-  const double widest = 0.75 * width; /* the mesher's widest zone less a contact */
+  const double widest = 0.75 * width; /* widest zone of the mesher minus the contact width */
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -133,7 +133,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   return ARC_OK;
 }
 
-/* Checks that local slip is along x. */
+/* Rejects friction for motions whose local slip is not along x. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -166,7 +166,8 @@ static arc_status refuse_path(const char *field, double most, double got, arc_er
                   field, most, got);
 }
 
-/* Points of a loading are not increased if the user gave the increments. */
+/* Limits the number of increments of the path. Points of a loading count without subdivision if the
+ * user chose the increments. */
 static arc_status check_path(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
   const double stroke = strokes ? 2 * half_increments(d, model) : 0;

@@ -1,4 +1,4 @@
-/* The plane as a kind: two meshed bodies that touch along a line of nodes. */
+/* The plane as a kind of pair: two meshed bodies in contact along a line of nodes. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
@@ -51,8 +51,8 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- checks of positions */
 
-/* Points of a block with extreme positions of the plate, of the load, and of the load on the plate.
- */
+/* Computes the points of a block with extreme positions of the plate, of the load, and of the load
+ * on the plate. */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;
@@ -86,7 +86,8 @@ static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_B
                   angle);
 }
 
-/* Error at an end of a path; for a narrow zone with the width needed. */
+/* Reports an error at an end of a path. If the zone is too narrow, the message includes the
+ * required width. */
 static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def *def = arc_model_definition(w->model);
@@ -155,8 +156,9 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_friction_warn(w->model, mu, "wear", callbacks);
 }
 
-/* Warns of narrow slip zones: with 0.5 to 1.6 elements volumes of 10000 cycles were 9 to 35 % off,
- * with 3 to 4 elements 3 to 8 %; energies twice as much. */
+/* Warns if slip zones are narrow. With 0.5 to 1.6 elements in a slip zone volumes of 10000 cycles
+ * had errors of 9 to 35 %, with 3 to 4 elements 3 to 8 %. The errors of energies were twice as
+ * large. */
 static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 5, few = 2;
   const arc_wear_record *now = arc_wear_last(w);

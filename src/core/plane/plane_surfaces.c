@@ -1,4 +1,4 @@
-/* The surfaces of the plane as arrays, for output and as state. */
+/* The surfaces of the plane as arrays, for output and for the stored state. */
 #include "core/plane/cycle.h"
 
 enum { X, H, Y, P, NAMES };

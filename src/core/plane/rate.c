@@ -1,6 +1,6 @@
-/* The wear of a cycle, or of a part of it, on a given shape: contact at every point of the path,
- * integrated by Eq. (4) or (5) and multiplied by the repetitions of the block (Eqs. 22, 26 and 27).
- */
+/* Wear of a cycle, or of a part of a cycle, on a given shape. The contact at every point of the
+ * path is integrated by Eq. (4) or (5) and multiplied by the repetitions of the block (Eqs. 22, 26
+ * and 27). */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Initial gaps deeper by the window's depths along the normals. */
+/* Increases the initial gaps by the window's depths along the normals. */
 static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   const double *down = plane_of(w)->down;
   double *plate = plane_of(w)->plate, *below = plane_of(w)->below;
@@ -20,8 +20,8 @@ static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   }
 }
 
-/* Law and slip are evaluated at the cylinder's nodes, where pressure is an unknown; the plate gets
- * the same wear rate, as both bodies have the same pressure at a pair of points. */
+/* Evaluates law and slip at the cylinder's nodes, where pressure is an unknown. The plate gets the
+ * same wear rate, since both bodies have the same pressure at a pair of points. */
 static void apply_law(const arc_wear *w, const wear_window *window, const contact_problem *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
@@ -76,12 +76,12 @@ void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_poin
       rate->node[b][i] += added[b][i] * (w->def.local_factor ? point->f[b][i] : 1);
 }
 
-/* Solves point `at` of the block at hand into `point`. */
+/* Solves point `at` of the present block into `point`. */
 static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, wear_point *point, arc_error *error) {
   const wear_block *block = path_of(w)->block;
   arc_path_clear(path_of(w), point);
-  if (block->line[at] == 0) return ARC_OK; /* lifted off */
+  if (block->line[at] == 0) return ARC_OK; /* bodies are separated */
   contact_problem *p = &path_of(w)->problem[block->problem_of[at]];
   arc_status status = arc_wear_prepare(w, window, at, error);
   if (status == ARC_OK && at > window->first)
@@ -92,23 +92,24 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* NSP or sliding along z under a constant load: the next point equals the last one. */
+/* True if the contact at a point equals that at the previous point: NSP, or sliding along z, under
+ * a constant load. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
   return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
-/* Nodes' cells of a window's shape [mm]. */
+/* Stores the widths of the nodes' cells on the shape of a window [mm]. */
 static void note_widths(const arc_wear *w, const wear_window *window) {
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++)
       sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
 }
 
-/* The last state of the previous window: its surfaces have been worn since, but its forces,
- * pressure times width, are continued. Work with elastic slip uses the problem for the transfer to
- * the plate. */
+/* Adapts the last state of the previous window to surfaces that have worn since: its forces,
+ * pressure times width, remain. With elastic slip also the problem is updated, for the transfer of
+ * work to the plate. */
 static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
                               arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -124,7 +125,7 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
   return meets ? arc_wear_prepare(w, window, window->first, error) : ARC_OK;
 }
 
-/* Solves point `at` of a window, from the previous one. */
+/* Solves point `at` of a window, from the previous point. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
@@ -136,7 +137,7 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
   return ARC_OK;
 }
 
-/* Wear of the increment that ends at `at`, by the points there and before it. */
+/* Adds the wear of the increment that ends at `at`, from the points at its two ends. */
 static void add_increment(const arc_wear *w, const wear_point point[2], int at, wear_rate *rate) {
   const wear_block *block = path_of(w)->block;
   const wear_point *now = &point[at % 2], *before = &point[(at + 1) % 2];
@@ -153,10 +154,11 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* On a slope the sliding distance is the plate's times the cosine, and the length is larger than
- * its projection on x, on which pressure times width is force: a depth along the normal removes the
- * area k force |dx|. Out of the plane every slope slides the whole distance, except in holes, where
- * pressures are those on the hole's area; for bodies of revolution areas are projected onto x. */
+/* On a slope the sliding distance is that of the plate times the cosine, and the length exceeds its
+ * projection on x by the same factor. Pressure times the projected width is force. So a depth along
+ * the normal removes the area k force |dx|. In motion out of the plane every slope slides the whole
+ * distance. In holes pressures refer to the hole's area; for bodies of revolution areas are
+ * projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;
@@ -178,15 +180,15 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
     }
 }
 
-/* Eq. (27): under a stroke over the whole plate each of its nodes passes under the whole profile;
- * with Archard's law the integral of p is the load. */
+/* Even wear, Eq. (27). In a stroke over the whole plate the whole pressure profile passes over each
+ * of its nodes; with Archard's law the integral of p is the load. */
 static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* The same for work with the total slip: the loss of all its nodes, per length. */
+/* Even wear from work with total slip: the wear of all nodes of the plate, per length. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -215,8 +217,8 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Normal force on the cylinder at a point [N/mm]; with a spin weighted by the local slip over the
- * reported slip. */
+/* Normal force on the cylinder at a point [N/mm]. With a spin it is weighted by the local slip over
+ * the reported slip. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
@@ -225,7 +227,8 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* True if the normal force differs from the load (hollow surfaces, spin). */
+/* Adds the normal force times the sliding distance, if the normal force differs from the load
+ * (hollow surfaces, spin). */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;
@@ -246,19 +249,21 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
   return solve_point(w, window, window->first, &unreported, &path_of(w)->point[0], error);
 }
 
-/* The mirror image of point `at`, with its own local factors, wears in proportion to the image. */
+/* Adds the wear of the mirror image of point `at` with its own local factors. Without these factors
+ * it is the image of the point's wear. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
   wear_point law = path_of(w)->point[at % 2];
-  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not used here */
+  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* u is unused without elastic slip */
   if (block->line[at] > 0) apply_law(w, window, &path_of(w)->problem[block->problem_of[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);
   return status;
 }
 
-/* Sums up a window, point by point; into `images` the mirror images, where they are wanted. */
+/* Sums the wear of a window point by point, and the wear of the mirror images unless `images` is
+ * NULL. */
 static arc_status integrate(arc_wear *w, const wear_window *window, wear_progress *progress,
                             wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
@@ -292,7 +297,7 @@ static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_pr
   if (status != ARC_OK) return status;
   arc_wear_add_mirror(w, window, images, rate);
   for (int at = half.last + 1; at <= window->last; at++)
-    progress->solutions += path_of(w)->block->line[at] > 0; /* images are solutions too */
+    progress->solutions += path_of(w)->block->line[at] > 0; /* mirror images count as solutions */
   return ARC_OK;
 }
 

@@ -1,26 +1,26 @@
-/* Remeshing of runs that outgrow their meshes: both meshes are rebuilt wider, deeper or coarser and
- * the worn surfaces interpolated. The new meshes depend on the state of the run only, so that a
- * stored run gets the same ones. */
+/* Remeshing of runs that outgrow their meshes. Both meshes are rebuilt wider, deeper or coarser,
+ * and the worn surfaces are interpolated. The new meshes depend only on the state of the run, so
+ * that a stored run gets the same meshes. */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Growth of the cylinder's zone (a factor), and of the depth of the wear box. */
+/* Growth factors of the cylinder's zone and of the depth of the wear box. */
 static const double wider = 1, deeper = 2;
 
-/* Automatic element sizes follow the contact: a contact with this many times the elements of a new
- * one gets larger elements. For a ring that wears a block to 25 half widths the depth is .02 % off
- * the rigid limit at 4, .05 % at 3. Elements become larger by sqrt(2) at a time: the outline of a
- * scar of half width b then loses h^2/(8 b^2) of its area, which scaling of the depths restores;
- * .04 %, with a factor of 2 .12 %. */
+/* Automatic element sizes follow the contact. If a contact contains this many times the elements of
+ * a new contact, the elements become larger. For a ring that wears a block to 25 half widths, the
+ * depth differs from the rigid limit by .02 % with 4 and by .05 % with 3. Elements become larger by
+ * sqrt(2) at a time. The outline of a scar of half width b then loses h^2/(8 b^2) of its area, .04
+ * % (.12 % with a factor of 2), and scaling of the depths restores this area. */
 static const double rich = 4;
 
 /* --- sizes that have been outgrown */
 
 /* Half width of the worn part of a body [mm]. */
 static double worn_half(const arc_wear *w, arc_body b) {
-  static const double edge = 0.01; /* of the deepest node */
+  static const double edge = 0.01; /* share of the largest depth */
   const shape_side *side = &w->shape->side[b];
   const double least = edge * arc_shape_depth(w->shape, b);
   double half = 0;
@@ -29,10 +29,10 @@ static double worn_half(const arc_wear *w, arc_body b) {
   return half;
 }
 
-/* A sudden increase of the required zone or wear box is caused by a step that is too long; a larger
- * mesh would hide that. */
+/* True if the contact has grown gradually into its zone. If the required zone or wear box increases
+ * suddenly, the step is too long, and a larger mesh would hide this. */
 static int has_grown_into_zone(const arc_wear *w) {
-  static const double share = 0.4; /* of the zone */
+  static const double share = 0.4; /* share of the zone */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};
@@ -49,7 +49,7 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* True if the wear that changes a surface is deeper than that share of its wear box. */
+/* True if the shape-changing wear of a body is deeper than a share of its wear box. */
 static int is_deep(const arc_wear *w, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];
@@ -59,7 +59,8 @@ static int is_deep(const arc_wear *w, double share) {
   return 0;
 }
 
-/* Shares of a wear box: deep enough to be outgrown; so deep that new meshes get a deeper one. */
+/* Depth over depth of the wear box: where a box counts as outgrown, and where new meshes get a
+ * deeper box. */
 static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
 
 int arc_wear_layer_rows(const arc_wear *w) {
@@ -101,7 +102,7 @@ static void set_rows(arc_model_def *def, double rows) {
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
-  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a mesh later would be one more */
+  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* coarsens early, to save a remeshing */
   const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
@@ -184,7 +185,7 @@ void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const char *why = "the wear outgrows its mesh";
-  if (old->fineness > 0 && mesh->size > old->size) return; /* only coarser, not reported */
+  if (old->fineness > 0 && mesh->size > old->size) return; /* coarser meshes are not reported */
   if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly enter the wear box";
   if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
   arc_wear_report_meshes(before, now, why, callbacks);
@@ -202,13 +203,13 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* The given mesh on the bodies of the run. */
+/* Returns the model of the run's bodies with a mesh that the user chose. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;
   double needed[ARC_BODIES];
   def.mesh = *mesh;
-  if (mesh->rows == 0) def.mesh.rows = 1; /* a wear box that fits does not lack rows */
+  if (mesh->rows == 0) def.mesh.rows = 1; /* avoids an error for missing rows */
   arc_model_fit(&def, w->def.load);
   if (mesh->rows == 0)
     def.mesh.rows = (int)fmin(ARC_SHAPE_MOST_ROWS, ceil(depth / def.mesh.height - 1e-9));

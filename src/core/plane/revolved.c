@@ -54,8 +54,8 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                   d->alpha);
 }
 
-/* b^3 = 3 R V / 2 per length, or on a ball b^4 = 4 R V / pi; that of a spin is V b / spin or less.
- */
+/* On a cylinder b^3 = 3 R V / 2 per length, on a ball b^4 = 4 R V / pi. With a spin the volume V is
+ * reduced to V b / spin, or less. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume) {
   const double pi = acos(-1);
@@ -66,14 +66,14 @@ double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double
                : cbrt(1.5 * radius * volume / model->thickness);
 }
 
-/* The mean radius [mm] of the area of node i, between it and a neighbour, times this area. */
+/* Mean radius [mm] of the area between node i and a neighbour, times this area. */
 static double moment_beside(const revolution *r, double x, double other) {
   const double a = fabs(r->axis + x), b = fabs(r->axis + other), whole = b * b - a * a;
   if (whole == 0) return 0;
   return 2 * (b * b * (b * b * b - a * a * a) / 3 - (pow(b, 5) - pow(a, 5)) / 5) / whole;
 }
 
-/* The mean radius for a node on the axis. */
+/* A node on the axis has the mean radius of its area. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i) {
   const revolution *r = &side->body->chart.revolved;
   const double *at = side->settled, x = at[2 * i];

@@ -1,12 +1,12 @@
-/* Meshes for partial slip: surfaces slip in rims at both edges of the contact, which may be far
+/* Meshes for partial slip. Surfaces slip in zones at both edges of the contact. These may be far
  * narrower than the elements that a contact needs without friction. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Minimum number of elements in a slip zone: volumes of 10000 cycles are within 1 % from there on
- * where the zone that sticks ends halfway between two nodes, within 2 % elsewhere. */
+/* Minimum number of elements in a slip zone. With at least this number volumes of 10000 cycles are
+ * accurate to 1 % if the stick zone ends halfway between two nodes, and to 2 % otherwise. */
 static const double in_rim = 5;
 
 /* Largest automatic number of columns, in a zone of this many half widths. */
@@ -14,14 +14,12 @@ static const double most_columns = 320, contact_widths = 3;
 
 /* Slip zone of a cycle of a block. */
 typedef struct cycle_of {
-  double share; /* half the range of the tangential force, over the friction limit; 1: all of the
-                   contact slips */
-  double stick; /* [mm] width that never slips */
+  double share; /* half the range of the tangential force, over the friction limit; 1: gross slip */
+  double stick; /* width that never slips [mm] */
 } cycle_of;
 
-/* The tangential force: given, or for a stroke from a cycle on the present mesh, which has it
- * accurately from the stiffness of the bodies. If the cycle fails, the run's first step reports the
- * error. */
+/* Computes a cycle on the present mesh, which gives its tangential force accurately from the
+ * stiffness of the bodies. If the solution fails, the run's first step reports the error. */
 static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   const wear_window window = {.block = block,
                               .shape = w->shape,
@@ -44,8 +42,9 @@ static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   return cycle;
 }
 
-/* Half widths [mm] of the contact and of its stick zone. For similar half-planes of any shape the
- * stick zone is as wide as the contact under L - Q / mu; for worn shapes it is measured. */
+/* Computes the half widths [mm] of the contact and of its stick zone. For similar half-planes of
+ * any shape the stick zone is as wide as the contact under the load L - Q / mu; for worn shapes its
+ * width is a result of the cycle. */
 static void find_rim(const arc_wear *w, const wear_block *block, const cycle_of *cycle,
                      double *contact, double *stick) {
   const arc_model_def *def = arc_model_definition(w->model);
@@ -62,8 +61,8 @@ double arc_wear_rim_size(const arc_wear *w) {
   return fmax(0, now->half_width - now->stick_width / 2) / in_rim;
 }
 
-/* The size [mm] with enough elements in the rims of a block's cycle. A node sticks or slips as a
- * whole: where the zone ends halfway between two of them neither counts too much. */
+/* Element size [mm] with enough elements in the slip zones of a block's cycle. A node sticks or
+ * slips as a whole; the size is chosen such that the stick zone ends halfway between two nodes. */
 static double size_for(arc_wear *w, const wear_block *block, double mu) {
   static const double rounding = 1e-9;
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;

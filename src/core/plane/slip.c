@@ -1,24 +1,24 @@
-/* Wear of an increment with elastic slip: work on pairs of points in contact. The plate's material
- * point slides over the cylinder's by the rigid motion plus the change of both displacements, each
- * at its own point; since the plate's point moves along, this includes the change of u along its
- * motion. Work is computed at the cylinder's nodes; the plate gets the same work through the
- * coupling, so that volumes have the ratio k_c to k_p (Eq. 15). */
+/* Wear of an increment with elastic slip: work on pairs of points in contact. A material point of
+ * the plate slides on the cylinder by the rigid motion plus the change of the displacements of both
+ * points. Since the plate's point moves, its change includes the variation of u along the path.
+ * Work is computed at the cylinder's nodes; the plate gets the same work through the coupling, so
+ * that volumes have the ratio k_c to k_p (Eq. 15). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Work of an increment: arrays by surface node. */
+/* Data for the work of an increment; arrays by surface node. */
 typedef struct increment {
-  const wear_point *end;          /* the present end */
-  const contact_problem *problem; /* of this end */
+  const wear_point *end;          /* solution at the present end */
+  const contact_problem *problem; /* problem at this end */
   double rigid, share;            /* motion of the plate [mm]; weight of this end */
-  const double *moved_c;          /* [nc] displacement along x since the increment began [mm] */
-  const double *moved_p;          /* [np] */
+  const double *moved_c;          /* [nc] change of displacement along x in the increment [mm] */
+  const double *moved_p;          /* [np] change of the plate's displacement [mm] */
   double *under, *work, *plate;   /* [nc], [nc], [np] workspace */
 } increment;
 
-/* Slip and pressure of one end into the rate of both bodies. */
+/* Adds the work of slip and pressure at one end to the rate of both bodies. */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   const contact_problem *p = inc->problem;
   arc_contact_problem_to_cylinder(p, inc->moved_p, inc->under);
@@ -29,7 +29,7 @@ static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   arc_wear_share(w, p, inc->end, inc->work, inc->plate, rate);
 }
 
-/* NSP: the same contact throughout; the plate's material passes below it by `rigid`. */
+/* For NSP the contact is constant, and the plate's material passes below it by `rigid`. */
 static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
   const double *x = w->shape->side[ARC_PLATE].settled;
   for (int l = 0; l < w->np; l++) {
@@ -54,7 +54,7 @@ void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate) {
   if (w->manner.procedure == ARC_NSP) carried_along(w, point[1]->u[ARC_PLATE], inc.rigid, moved_p);
   for (int end = mean ? 0 : 1; end < 2; end++) {
     const int here = at - 1 + end;
-    if (block->line[here] == 0) continue; /* lifted off */
+    if (block->line[here] == 0) continue; /* bodies are separated */
     inc.end = point[end];
     inc.problem = &path_of(w)->problem[block->problem_of[here]];
     add_end(w, &inc, rate);

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-/* Adjacent sticking nodes, by their indices in the active set. */
+/* A zone of adjacent sticking nodes, by their indices in the active set. */
 typedef struct stick_zone {
   const arc_contact *c;
   int first, last;
-  double edge[2]; /* [mm] */
+  double edge[2]; /* edges [mm] */
 } stick_zone;
 
 typedef double stress_at(const arc_contact *c, int set); /* [MPa] */
@@ -16,7 +16,7 @@ static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
 }
 
-/* True if the node and the next one stick. */
+/* True if the node and the next node stick. */
 static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
@@ -31,24 +31,25 @@ static double x_of(const arc_contact *c, int set) {
   return c->x[ARC_CYLINDER][c->problem.lo + c->problem.set[set]];
 }
 
-/* mu p at a node [MPa]. */
+/* Friction limit mu p at a node [MPa]. */
 static double bound(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->handle.def.friction * c->problem.f[k] / c->problem.wc[c->problem.lo + k];
 }
 
-/* Square of a stress over the distance from the other edge [mm]. */
+/* Square of a stress over the distance from the opposite edge [mm]. */
 static double squared(const stick_zone *z, int set, double other, stress_at *stress) {
   const double r = stress(z->c, set);
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* Distance from the last node that sticks, to the right or left, to the end of a stress [mm]. mu p
- * - |q| falls as the square root of the distance from the edge, like the pressure of a contact: for
- * Hertz' loads its square divided by the distance from the other edge is linear. The line is fitted
- * to nodes away from the edge, where means over elements are as accurate as point values; with a
- * single node the edge is halfway to the next one. A node, which has the mean, sticks slightly
- * longer than the surface there: the edge may be before it, by up to h / 4. */
+/* Distance [mm] from the last sticking node, on the right or left, to the point where a stress
+ * vanishes. mu p - |q| falls with the square root of the distance from the edge, as the pressure of
+ * a contact does. For Hertz' loads its square over the distance from the opposite edge is linear.
+ * The line is fitted to nodes away from the edge, where means over elements are as accurate as
+ * point values; with a single node the edge is halfway to the next node. A node represents a mean
+ * and sticks slightly longer than the surface point there, so that the edge may lie up to h / 4
+ * before the node. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;
@@ -67,17 +68,18 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* The edge of a stick zone whose last node is the last in contact: the contact's edge, moved
- * inwards by the reserve that motion has used since. */
+/* Edge of a stick zone that extends to the last node in contact: the contact's edge, moved inwards
+ * by the reserve that the motion has used. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);
   return ends[right] - (right ? 1 : -1) * less;
 }
 
-/* Without slipping nodes on a side the zone ends with the contact, until the plate moves. */
+/* Computes both edges. On a side without slipping nodes the zone ends with the contact until the
+ * plate moves. */
 static void find_edges(stick_zone *z) {
-  enum { rounds = 4 }; /* iterations, since each edge depends on the other */
+  enum { rounds = 4 }; /* iterations, since each edge depends on the opposite edge */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->handle.result.left, c->handle.result.right};

@@ -9,7 +9,7 @@
 /* Tolerance for rounding, relative to the largest number involved. */
 static const double rounding = 1e-9;
 
-/* Force along the load that presses on a node [N/mm]. */
+/* Component along the load of the force that presses on a node [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
   const chart *on = &c->handle.shape->side[body].body->chart;
   if (on->polar) {
@@ -38,7 +38,8 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
                   arc_body_name(body), sum, load);
 }
 
-/* The coupling conserves normal forces exactly, their directions only to rounding. */
+/* Checks the sums of normal forces. The coupling conserves normal forces exactly, but their
+ * directions only within rounding errors. */
 static arc_status check_pressing(const arc_contact *c, arc_error *error) {
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
@@ -50,7 +51,7 @@ static arc_status check_pressing(const arc_contact *c, arc_error *error) {
                   sum[0], sum[1]);
 }
 
-/* gap - approach + A f at a candidate [mm]. */
+/* Gap after deformation at a candidate: gap - approach + A f [mm]. */
 static double gap_left(const contact_problem *p, int candidate) {
   double g = p->gap[candidate] - p->approach * p->down[candidate];
   for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];
@@ -70,7 +71,8 @@ static arc_status check_complementarity(const contact_problem *p, arc_error *err
   return ARC_OK;
 }
 
-/* Checks |t| <= mu f, no slip if less, and slip along the shear otherwise. */
+/* Checks that |t| <= mu f, that nodes with less shear do not slip, and that slip at all other nodes
+ * is along the shear. */
 static arc_status check_friction(const arc_contact *c, arc_error *error) {
   const contact_problem *p = &c->problem;
   const double mu = c->mu;

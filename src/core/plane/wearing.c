@@ -1,4 +1,4 @@
-/* Wear of the surfaces by updates, and limits of the wear of an update. */
+/* Wear of the surfaces by updates, and limits of the wear in an update. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -9,13 +9,13 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Limits depths by the coefficients of layers; the depth of a track is the mean over its contact.
- */
+/* Reduces depths by the wear coefficients of layers. The depth of a track is the mean over the
+ * contact. */
 static void go_through_layers(const arc_wear *w, const arc_shape *shape,
                               const arc_wear_record *record, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
   arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
-  const int middle = shape->side[ARC_PLATE].n / 2; /* a body that wears evenly has even layers */
+  const int middle = shape->side[ARC_PLATE].n / 2; /* layers of an evenly worn body are even */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
                                                  depth->even / wide);
@@ -38,9 +38,9 @@ void arc_plane_add_volumes(const arc_wear *w, const arc_shape *shape, const wear
   if (w->def.track > 0) record->depth_plate = arc_plane_depth(w, shape, record);
 }
 
-/* With the compliance of its middle an update is of second order in the change of compliance by
- * wear; with that of the start, depths of the body that wears less were .15 % off at a tolerance of
- * .1 %. */
+/* Sets the compliance to that in the middle of the update, so that its change by wear has an error
+ * of second order. With the compliance of the start, depths of the body that wears less had an
+ * error of .15 % at a tolerance of .1 %. */
 arc_status arc_plane_look_ahead(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                                 arc_error *error) {
   arc_status status = ARC_OK;
@@ -80,8 +80,8 @@ static double felt_modulus(const arc_wear *w) {
   return arc_model_apparent_modulus(w->model, 1 / w->history[0].half_width);
 }
 
-/* The drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2 L / (pi t E*) for
- * any R: the scale of elastic displacements, for other pairs as well. */
+/* Scale of elastic displacements: the drop of the cylinder at the edge of the unworn contact, a^2 /
+ * 2R. It equals 2 L / (pi t E*) for any R and serves for all kinds of pairs. */
 double arc_plane_natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
@@ -93,14 +93,14 @@ double arc_plane_natural_depth(const arc_wear *w) {
   return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
 }
 
-/* The even wear [MPa]: the load over the plate, or a track. The depth is proportional to it per
- * integral of k, for Archard's law. */
+/* Mean pressure [MPa] that causes even wear: the load over the area of the plate or track. For
+ * Archard's law the even depth is this pressure times the integral of k. */
 static double even_pressure(const arc_wear *w) {
   const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Converts depths by the coefficients of layers. */
+/* Converts an even depth to an integral of k, with the coefficients of the layers. */
 double arc_plane_even_k_integral(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
   const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
@@ -122,15 +122,15 @@ static double even_layer_k_integral(const arc_wear *w) {
   return isfinite(end) ? arc_plane_even_k_integral(w, layer_share * (end - from)) : INFINITY;
 }
 
-/* The exposed layer at a node. */
+/* Returns the exposed layer at a node. */
 static int open_layer(const shape_side *side, int i) {
   int n = 0;
   while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Compliance of 1 mm of an open layer minus that of 1 mm of the body below all layers [1/MPa]: the
- * largest of all worn nodes, at first of any. */
+/* Compliance of 1 mm of the exposed layer minus that of 1 mm of the body below all layers [1/MPa].
+ * Returns the largest value over all worn nodes; before any wear, over all nodes. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;
@@ -142,10 +142,10 @@ static double softness(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* An update uses the stiffness of its start, which changes as layers become thinner: the mean error
- * is half of the change. */
+/* Limit by the stiffness of layers. An update uses the stiffness at its start, which changes as
+ * layers become thinner; the mean error is half of this change. */
 static double scar_layer_k_integral(const arc_wear *w) {
-  static const double felt = 0.01; /* the change that an update may make, as a share of pressure */
+  static const double felt = 0.01; /* accepted change in an update, as a share of the pressure */
   const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
   if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
   const double p = arc_wear_last(w)->p_center;
@@ -153,8 +153,8 @@ static double scar_layer_k_integral(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Wear coefficient of the exposed layers relative to the largest of the body: maximum over all worn
- * nodes, at first over all nodes. */
+/* Wear coefficient of the exposed layers over the largest coefficient of the body: the maximum over
+ * all worn nodes; before any wear, over all nodes. */
 static double open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   double most = 0;
@@ -164,8 +164,8 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Before any wear the middle node represents all nodes. Even wear of a body is in its record only.
- */
+/* Wear coefficient at the deepest node. Before any wear the middle node represents all nodes. Even
+ * wear of a body is only in its record. */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
@@ -176,11 +176,11 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
   return arc_wear_layer_share(w->shape, body, deepest, fmax(0, depth - side->h[deepest]));
 }
 
-/* How the compliance changes as a scar gets deeper by dh: the elastic displacement u = p b / E, b
- * the half width, changes by about u dh / b, and depths h by a share of p dh / (E h). The
- * compliance of the middle makes the error of second order. */
+/* Limit by the compliance of a scar. As the scar deepens by dh, the elastic displacement u = p b /
+ * E (b: half width) changes by about u dh / b, and depths h by a share of p dh / (E h). The
+ * compliance of the middle makes this error one of second order. */
 static double scar_k_integral(const arc_wear *w) {
-  static const double late = 5, deeper = 0.1; /* of the tolerance; of the half width */
+  static const double late = 5, deeper = 0.1; /* factor of the tolerance; share of the half width */
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;

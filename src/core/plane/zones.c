@@ -1,9 +1,9 @@
-/* Widths of the zones of a run, by its motion and its contact. */
+/* Widths of the zones of a run, from its motion and its contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Sliding distance of the whole run [mm], or of its blocks of loading. */
+/* Sliding distance of the whole run, or of its blocks of loading [mm]. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -20,22 +20,22 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Automatic zones are sufficient for a contact up to this many times the unworn half width: all of
- * the paper's cases (2.5) need one mesh. */
+/* Automatic zones are sufficient for a contact up to this many times the unworn half width. All
+ * cases of the paper (2.5) need only one mesh. */
 static const double outgrown_at = 6;
 
-/* Half width of the widest contact: between Hertz' and a flat scar of the whole volume on the
- * cylinder. */
+/* Half width of the widest contact, between Hertz' contact and a flat scar of the whole worn volume
+ * on the cylinder. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);
   const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
   const double volume = largest_k(def) * load * whole_distance(def, model);
   const double scar = arc_wear_scar(def, model, radius, volume);
-  /* a wider zone is built with a coarser mesh when needed: remesh.c */
+  /* remesh.c builds a wider zone with a coarser mesh when necessary */
   const double most = model->mesh.fineness > 0 ? outgrown_at * half : INFINITY;
   const double widest = fmin(most, fmax(half, half / 2 + scar));
-  /* on coarse meshes the margin is counted in elements: one under the edge, two that remain open */
+  /* the margin on coarse meshes is in elements: one below the edge, two that remain open */
   return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_MARGIN);
 }
 
