@@ -1,8 +1,8 @@
 /* Input decks: one mesh with its sets for a preprocessor, or the complete problem of a contact for
  * CalculiX. The plate's nodes and elements follow the cylinder's; numbers start at 1. The complete
- * problem is a slab one element thick, fixed along z on both faces: plane strain with the model's
- * elements. CalculiX also expands its plane elements to such slabs, but has no plane elements with
- * incompatible modes. */
+ * problem is a slab one element thick, fixed along z on both faces, which is plane strain with the
+ * model's elements. CalculiX also expands its plane elements to such slabs, but has no plane
+ * elements with incompatible modes. */
 #include "core/elastic/model.h"
 #include "core/export/output.h"
 #include "core/mesh/body_shape.h"
@@ -12,7 +12,7 @@
 
 typedef struct numbering {
   int node, element; /* added to 0-based numbers */
-  int layer;         /* offset between the nodes of the two faces of the slab; 0: plane */
+  int layer;         /* offset between the nodes of the slab's two faces; 0: plane */
 } numbering;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
@@ -42,7 +42,8 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* Decks of revolution have radii instead of x, and only the side right of the axis. */
+/* True if a node is in the deck. Decks of revolution have radii instead of x, and contain only the
+ * side right of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }
@@ -53,7 +54,7 @@ static int element_is_written(const arc_mesh *m, const int *corner) {
   return 1;
 }
 
-/* The first column of the wear box in the deck. */
+/* First column of the wear box that is in the deck. */
 static int first_column(const arc_mesh *m) {
   int column = 0;
   while (!is_written(m, m->surface_node[column])) column++;
@@ -89,8 +90,8 @@ static void write_set(FILE *out, const arc_mesh *m, const char *name, const int 
   }
 }
 
-/* The surface faces of the top elements of the wear box: those between surface nodes. The first two
- * faces of a solid are those of the slab. */
+/* Writes the contact surface: the faces of the wear box's top elements between surface nodes. The
+ * first two faces of a solid element are those of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
   for (int column = first_column(m); column + 1 < m->surface; column++) {
@@ -104,7 +105,7 @@ static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char
   }
 }
 
-/* Elements and sets. */
+/* Writes the elements and sets of a body. */
 static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   const char *name = arc_body_name(m->body);
   write_elements(out, m, at, name);
@@ -115,7 +116,7 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   write_surface(out, m, at, name);
 }
 
-/* Decks name the faces of the wear box. */
+/* Fails for meshes without a wear box, whose faces a deck needs. */
 static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
   if (mesh->rows > 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -142,15 +143,15 @@ typedef struct deck {
   const arc_contact *contact;
   arc_model *model;
   const arc_model_def *def;
-  double *xy; /* room for the nodes of either body */
-  int nodes;  /* of one face of the slab */
+  double *xy; /* coordinates; large enough for the nodes of either body */
+  int nodes;  /* number of nodes on one face of the slab */
 } deck;
 
 static const arc_mesh *mesh_of(const deck *d, int body) {
   return arc_model_mesh(d->model, (arc_body)body);
 }
 
-/* The node of the rigid base of the plate, after all others. */
+/* Number of the node for the plate's rigid base, which follows all other nodes. */
 static int base_node(const deck *d) {
   return 2 * d->nodes + 1;
 }
@@ -169,7 +170,7 @@ static void write_material(FILE *out, const char *name, arc_material material) {
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
 }
 
-/* Each layer has its own set, and so has the body below. */
+/* Writes one element set for each layer, and one for the body below the layers. */
 static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   const arc_body_def *solid = &d->def->body[m->body];
   const int layers = arc_body_layers(solid);
@@ -184,7 +185,7 @@ static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   }
 }
 
-/* Worn nodes at the present position of the body. */
+/* Computes the positions of the worn nodes at the present position of the body. */
 static void place_nodes(const deck *d, const arc_mesh *m) {
   const placing to = arc_chart_placing(&arc_model_body(d->model, m->body)->chart, m->body,
                                        arc_contact_definition(d->contact)->x, 0);
@@ -206,7 +207,7 @@ static void write_solid(const deck *d, int body, numbering at) {
     write_material(d->out, name, d->def->material[body]);
 }
 
-/* The plate's base moves along y as a rigid body. */
+/* Writes the rigid base of the plate, which moves along y. */
 static void write_base(const deck *d) {
   const arc_mesh *m = mesh_of(d, ARC_PLATE);
   const int first = mesh_of(d, ARC_CYLINDER)->nodes + 1;
@@ -216,8 +217,8 @@ static void write_base(const deck *d) {
             m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
 }
 
-/* A penalty that lets the bodies overlap by a small part of the gap at the contact's edge, however
- * fine the elements. */
+/* Penalty stiffness for which the bodies overlap by only a small part of the gap at the contact's
+ * edge, for any element size. */
 static double penalty(const deck *d) {
   return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }
@@ -229,8 +230,8 @@ static void write_contact(const deck *d) {
                   "plate-contact, cylinder-contact\n");
 }
 
-/* Fixes the support of a body along x: its whole set, or single nodes if only the middle is fixed.
- */
+/* Fixes the support of a body along x: its whole set, or single nodes if only the middle is
+ * fixed. */
 static void hold_sideways(const deck *d, const arc_mesh *m, int first) {
   if (m->solid.hold != ARC_HOLD_FREE) {
     fprintf(d->out, "%s-fixed, 1, 1\n", arc_body_name(m->body));
@@ -249,8 +250,8 @@ static void write_supports(const deck *d) {
   hold_sideways(d, lower, upper->nodes + 1);
 }
 
-/* Under a load alone the bodies would not touch: the first step prescribes the approach of this
- * load. */
+/* Writes the load steps. Under a load alone the separated bodies would have no support, so the
+ * first step prescribes the approach of this load. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
   write_supports(d);

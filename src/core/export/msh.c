@@ -9,26 +9,26 @@ enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3, CURVES = 2 };
 static const char *const role_names[] = {"upper", "lower"};
 static const char *const curve_names[] = {"contact", "fixed"};
 
-/* A surface: the part of a body with one material. */
+/* A surface of the file: the part of a body with one material. */
 typedef struct msh_part {
-  int body, material; /* -1: the body's own, without a name */
+  int body, material; /* material -1: that of the body, which has no name */
 } msh_part;
 enum { PARTS = ARC_BODIES * (ARC_MESH_MATERIALS + 1) };
 
-/* Numbering of the file: surface p + 1 is part p; curves 2 b + 1 and 2 b + 2 of body b are its
- * contact and its fixed part. Groups have the numbers of their entities. */
+/* Numbering of the file. Surface p + 1 is part p. Curves 2 b + 1 and 2 b + 2 are the contact and
+ * the fixed part of body b. Groups have the numbers of their entities. */
 typedef struct msh_output {
   FILE *out;
-  const arc_mesh *mesh[ARC_BODIES]; /* NULL: left out */
-  char *fixed[ARC_BODIES];          /* [nodes] true: fixed */
-  int lines[ARC_BODIES][CURVES];    /* of each curve */
+  const arc_mesh *mesh[ARC_BODIES]; /* NULL: body not written */
+  char *fixed[ARC_BODIES];          /* [nodes] 1: fixed */
+  int lines[ARC_BODIES][CURVES];    /* number of lines of each curve */
   msh_part part[PARTS];
   int parts, nodes, elements, bodies; /* numbers of written entities */
 } msh_output;
 
 /* --- the surfaces ----------------------------------------------------------------------------- */
 
-/* Layers of archard's own meshes are materials too. */
+/* Material of element e. The layers of archard's meshes count as materials. */
 static int material_of(const arc_mesh *m, int e) {
   if (m->material) return m->material[e];
   return m->layer && m->layer[e] < arc_body_layers(&m->solid) ? m->layer[e] : -1;
@@ -40,7 +40,8 @@ static int part_of(const msh_output *o, int body, int material) {
   return p;
 }
 
-/* Parts in the order of materials: those with elements, and names without elements. */
+/* Lists the parts of a body in the order of materials: materials with elements, and named materials
+ * without elements. */
 static void find_parts(msh_output *o, int body) {
   const arc_mesh *m = o->mesh[body];
   for (int material = -1; material < ARC_MESH_MATERIALS; material++) {
@@ -62,10 +63,11 @@ static void write_part_name(const msh_output *o, const msh_part *p) {
 
 /* --- the curves ------------------------------------------------------------------------------- */
 
-/* Counts the lines of a curve; with `tag`, the number of the next line, writes them as well. */
+/* Counts the lines of a curve, and writes them if `tag`, the number of the next line, is not
+ * NULL. */
 typedef struct line_sink {
   FILE *out;
-  int *tag; /* NULL: only counted */
+  int *tag; /* NULL: lines are only counted */
   int first, count;
 } line_sink;
 
@@ -78,7 +80,7 @@ static void add_contact(const arc_mesh *m, line_sink *s) {
   for (int i = 1; i < m->surface; i++) add_line(s, m->surface_node[i - 1], m->surface_node[i]);
 }
 
-/* Edges between fixed nodes. */
+/* Adds the edges between fixed nodes. */
 static void add_fixed(const arc_mesh *m, const char *fixed, line_sink *s) {
   for (int e = 0; e < m->elements; e++) {
     const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
@@ -128,7 +130,7 @@ static void write_names(const msh_output *o) {
   fprintf(o->out, "$EndPhysicalNames\n");
 }
 
-/* Number and extent of an entity; the extent is that of the whole body. */
+/* Writes the number and extent of an entity; the extent is that of the whole body. */
 static void write_extent(const msh_output *o, int tag, int body) {
   const double *xy = o->mesh[body]->xy;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -177,8 +179,8 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-/* End of the block of elements that begins at e: elements of one type and material. Blocks keep the
- * order of elements, so that assembled sums have the same bits. */
+/* Returns the end of the block of elements that begins at e: elements of one type and material.
+ * Blocks keep the order of elements, so that assembled sums have the same bits. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;
@@ -251,7 +253,7 @@ static arc_status write_text(char **text, msh_output *o, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for writing a mesh");
 }
 
-/* Collects the data of the file; the caller frees them also after an error. */
+/* Collects the data of the file. The caller frees the data, also after an error. */
 static arc_status begin(msh_output *o, const arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   arc_status status = ARC_OK;
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)

@@ -1,4 +1,4 @@
-/* Files that are written completely or not at all. */
+/* Output files that are written completely or not at all. */
 #include "core/export/output.h"
 
 #include <errno.h>

@@ -12,9 +12,10 @@ typedef struct output_file {
   arc_atomic_file *temporary;
 } output_file;
 
-/* Opens a temporary file for `path`. Errors of arc_atomic_file_create. */
+/* Opens a temporary file for `path`. Errors: as for arc_atomic_file_create. */
 arc_status arc_output_open(output_file *file, const char *path, arc_error *error);
-/* Flushes, closes and publishes; on any write error discards the file and returns ARC_IO. */
+/* Flushes and closes the file, and gives it its name. After any write error discards the file and
+ * returns ARC_IO. */
 arc_status arc_output_close(output_file *file, arc_error *error);
 
 #endif

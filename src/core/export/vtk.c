@@ -1,4 +1,4 @@
-/* Legacy VTK text: an unstructured grid, with displacements and stresses at its nodes. */
+/* Legacy VTK text files: an unstructured grid with displacements and stresses at its nodes. */
 #include "core/export/output.h"
 
 enum { vtk_triangle = 5, vtk_quad = 9 };

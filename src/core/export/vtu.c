@@ -25,23 +25,24 @@ typedef struct array {
   void *data;
 } array;
 
-/* Points, time, displacement, layers and three of the cells besides the columns. */
+/* Maximum number of arrays: points, time, displacement, layers, three arrays of the cells, and the
+ * columns. */
 #define AND_ONE(name, unit, text) +1
 enum { MOST_ARRAYS = 7 ARC_FIELD_STRESSES(AND_ONE) ARC_SURFACE_COLUMNS(AND_ONE) };
 
 typedef struct grid {
   const arc_mesh *mesh;
-  const arc_contact *contact; /* NULL: the mesh alone */
-  array list[MOST_ARRAYS];    /* by section */
+  const arc_contact *contact; /* NULL: only the mesh */
+  array list[MOST_ARRAYS];    /* sorted by section */
   int count;
-  int failed; /* true: an allocation failed */
+  int failed; /* 1: an allocation failed */
 } grid;
 
 static void grid_free(grid *g) {
   for (int i = 0; i < g->count; i++) free(g->list[i].data);
 }
 
-/* Adds an array of zeros; returns its values, or NULL. */
+/* Adds an array of zeros. Returns its values, or NULL. */
 static void *add(grid *g, array a) {
   a.data = calloc(a.tuples * (size_t)a.components, type_sizes[a.type]);
   if (a.data)
@@ -102,8 +103,8 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-/* Numbers of layers from the surface downwards, or of materials of an imported mesh; elements
- * without a layer are last. */
+/* Adds the numbers of layers from the surface downwards, or of materials of an imported mesh.
+ * Elements without a layer have the highest number. */
 static void add_layers(grid *g) {
   const arc_mesh *m = g->mesh;
   if (!m->layer || arc_body_layers(&m->solid) == 0) return;
@@ -161,7 +162,8 @@ static void describe(FILE *out, const array *a, uint64_t offset) {
     fprintf(out, "/>\n");
 }
 
-/* Offsets are relative to the mark before the data. */
+/* Writes the descriptions of a section's arrays. Offsets are relative to the mark before the
+ * data. */
 static void describe_section(FILE *out, const grid *g, section part) {
   uint64_t offset = 0;
   fprintf(out, "<%s>\n", section_names[part]);

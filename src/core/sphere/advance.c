@@ -1,14 +1,14 @@
-/* Steps with error control: two updates of half a step, the second through the instants backwards,
- * are compared with one update of the whole step. */
+/* Steps with error control. Two updates of half a step, of which the second solves the instants in
+ * reverse order, are compared with one update of the whole step. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A joint and its record before the step. */
+/* State and record of a joint before the step. */
 typedef struct kept_state {
-  double *list; /* of arc_joint_state */
+  double *list; /* from arc_joint_state */
   arc_joint_record record;
 } kept_state;
 
@@ -21,13 +21,13 @@ static arc_status remember(const arc_joint *j, const arc_joint_record *record, k
   return ARC_OK;
 }
 
-/* Depths of a state's maps [2 sites]: head, cup. */
+/* Depth maps of a state [2 sites]: head, then cup. */
 static const double *depths(const kept_state *was) {
   return was->list + 3;
 }
 
-/* The largest difference of the bodies' depths between the whole step and the halves, relative to
- * the wear that all cycles so far would cause at the rate of this step. */
+/* Error estimate: the largest difference in depth between the whole step and the two halves,
+ * relative to the wear that all cycles so far would cause at the rate of this step. */
 static double difference(const arc_joint *j, const kept_state *was, const kept_state *whole) {
   const double steps = whole->record.cycles / (whole->record.cycles - was->record.cycles);
   double off = 0, gain = 0;
@@ -42,8 +42,8 @@ static double difference(const arc_joint *j, const kept_state *was, const kept_s
   return gain > 0 ? off / (gain * steps) : 0;
 }
 
-/* Makes the step as a whole, stores the result, then in two halves; *error_made: their difference.
- */
+/* Makes the whole step, stores the result, and repeats the step in two halves; *error_made is their
+ * difference. */
 static arc_status try_step(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                            const kept_state *was, const arc_callbacks *callbacks,
                            arc_joint_record *record, double *error_made, arc_error *error) {

@@ -1,4 +1,4 @@
-/* Internal structures of a joint: lattice, compliance on a window of it, maps. */
+/* Internal structures of a joint: lattice of cells, maps on the lattice, compliance on a window. */
 #ifndef SPHERE_SPHERE_H
 #define SPHERE_SPHERE_H
 
@@ -6,87 +6,91 @@
 #include "core/numeric/active_set.h"
 #include "core/numeric/convolution.h"
 
-/* Compliance of a window of the lattice: `half` rows and columns on each side of the z axis. */
+/* Compliance on a window of the lattice, with size / 2 rows and columns on each side of the z
+ * axis. */
 typedef struct sphere_kernel {
-  int size;                   /* rows and columns: 2 half */
-  int box, waves;             /* padded columns; box / 2 + 1 */
-  double *symbol;             /* [waves][size][size] times the area of the source's cell */
-  row_transform *rows;        /* of `size` rows */
-  double *spectrum, *product; /* [size][waves] pairs; by waves [waves][size] of each part */
+  int size;                   /* number of rows and of columns */
+  int box, waves;             /* number of padded columns; box / 2 + 1 */
+  double *symbol;             /* [waves][size][size], multiplied by the source's cell area */
+  row_transform *rows;        /* transform of `size` rows */
+  double *spectrum, *product; /* [size][waves] pairs; [waves][size] for each part */
 } sphere_kernel;
 
 struct arc_joint {
   arc_joint_def def;
-  int rows, sites;                   /* of the lattice; 2 rows^2 */
-  double d;                          /* [rad] of a cell */
+  int rows, sites;                   /* number of rows of the lattice; number of sites, 2 rows^2 */
+  double d;                          /* size of a cell [rad] */
   double *normal;                    /* [sites][3] */
   double *area;                      /* [sites] [mm2] */
   double *h[ARC_BODIES], *p, *shear; /* [sites], [sites], [sites][3] */
-  double *creep, *pressed;           /* [sites] [mm]; integral of p over cycles [MPa] */
+  double *creep, *pressed;           /* creep [mm]; integral of p over cycles [MPa]; [sites] */
   double *remainder;                 /* table of the compliance without its 1/chord part */
-  double limit, K;       /* large degrees (l + 1/2) C_l [mm/MPa]; Winkler's stiffness [MPa/mm] */
-  int size;              /* rows and columns of the window */
-  sphere_kernel *kernel; /* NULL with Winkler's foundation */
+  double limit, K;       /* limit of (l + 1/2) C_l [mm/MPa]; Winkler stiffness [MPa/mm] */
+  int size;              /* number of rows and of columns of the window */
+  sphere_kernel *kernel; /* NULL with a Winkler foundation */
   active_work *work;
-  double *gap, *mode, *cell, *press, *soft; /* of the window; mode [3]; soft: added diagonal */
-  double *kept; /* [kept_count][window]: initial pressures of the instants */
+  double *gap, *mode, *cell, *press, *soft; /* [window]; mode [3][window]; soft: added diagonal */
+  double *kept; /* [kept_count][window] initial pressures of the instants */
   int kept_count;
 };
 
-/* (l + 1/2) C_l of both bodies at the degree that the cells of `rows` resolve: the limit of large
- * degrees unless the surface layer is thinner than a cell. */
+/* Sum of (l + 1/2) C_l of both bodies at the degree l that the cells of `rows` resolve. This is the
+ * limit for large degrees unless the surface layer is thinner than a cell. */
 double arc_sphere_limit(const arc_joint_def *def, int rows);
-/* Stiffness of springs [MPa/mm]. */
+/* Stiffness of the Winkler foundation [MPa/mm]. */
 double arc_sphere_winkler(const arc_joint_def *def);
 
-/* Table of the remainder for arc_sphere_kernel; NULL: no memory, or (*numeric) no compliance. */
+/* Returns the table of the remainder for arc_sphere_kernel, or NULL: there is no memory, or
+ * (*numeric = 1) the compliance cannot be computed. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric);
 sphere_kernel *arc_sphere_kernel(const arc_joint *j, int size);
 void arc_sphere_kernel_free(sphere_kernel **k);
 /* u := C p on the window [size * size]; u and p may be the same array. */
 void arc_sphere_kernel_apply(sphere_kernel *k, const double *p, double *u);
 
-/* Site of a cell of the window. */
+/* Index of the site of a window's cell. */
 static inline int sphere_site(const arc_joint *j, int cell) {
   const int row = j->rows / 2 - j->size / 2 + cell / j->size;
   return row * 2 * j->rows + j->rows - j->size / 2 + cell % j->size;
 }
 
-/* Sets the number of rows of the window; discards initial pressures. ARC_MEMORY. */
+/* Sets the number of rows of the window; discards the initial pressures. Error: ARC_MEMORY. */
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
-/* Sets the number of instants with initial pressures, all 0. ARC_MEMORY. */
+/* Sets the number of instants with initial pressures, all 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Restores an earlier state of this joint. A window that has grown since is kept, without initial
- * pressures. */
+/* Restores an earlier state of this joint. If the window has grown since, it keeps its size and
+ * loses the initial pressures. */
 void arc_sphere_restore(arc_joint *j, const double *state);
-/* Restores an earlier state and window after a failure; a larger window is kept if there is no
- * memory to restore it. */
+/* Restores an earlier state and window after an error. A larger window remains if there is no
+ * memory for the earlier one. */
 void arc_sphere_back(arc_joint *j, const double *state, size_t count);
-/* Enlarges the window and discards initial pressures. ARC_ZONE: it has its largest size;
- * ARC_MEMORY. */
+/* Enlarges the window and discards the initial pressures. Errors: ARC_ZONE if the window has its
+ * largest size, ARC_MEMORY. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 
-/* The value of a map at n: cubic between sites, or linear and with 0 beyond. */
+/* Value of a map in the direction n: by cubic or by linear interpolation between sites. */
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
-/* Solves one contact: the head at rotation R under a load [N], with j->soft added to the compliance
- * by `dose` [mm/MPa] per mm of sliding of the rotation vector omega times k (a map, NULL: 1).
- * Initial pressures are those of the last contact at this instant; negative: none. Stores the
- * pressures in j->press [window]; the window is enlarged until pressures at its rim are zero. */
+/* A contact to solve: the head at a rotation R under a load [N]. j->soft, the wear in this contact,
+ * is added to the compliance: `dose` [mm/MPa] per mm of sliding by the rotation vector omega, times
+ * k (a map; NULL: 1). The initial pressures are those of the last contact at this instant; a
+ * negative instant means none. The pressures are stored in j->press [window]. The window is
+ * enlarged until the pressures at its rim are zero. */
 typedef struct sphere_stand {
   const double *rotation, *load;
   const double *omega, *k; /* NULL: no wear in this contact */
-  double dose;             /* cycles, times k if k is NULL */
+  double dose;             /* number of cycles, times k if k is NULL */
   int instant;
 } sphere_stand;
-/* Angle between the pressed cells and the cup's rim [degrees]; the cover without contact. */
+/* Angle between the cells under pressure and the cup's rim [degrees]; without contact the cover
+ * angle. */
 double arc_sphere_rim_margin(const arc_joint *j);
 
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
                             int *iterations, arc_error *error);
 
-/* |omega x n| radius [mm]. */
+/* Sliding distance |omega x n| radius at a site [mm]. */
 double arc_sphere_sliding(const arc_joint *j, const double omega[3], int site);
 void arc_sphere_rotate(const double R[9], const double n[3], double to[3]);
 void arc_sphere_rotate_back(const double R[9], const double n[3], double to[3]);

@@ -1,5 +1,5 @@
-/* Radial compliance of concentric layers for each degree: four solutions r^s (a, b) of elasticity
- * in each layer, displacement U Y r^ + V grad Y, coupled in a small dense system. */
+/* Radial compliance of concentric layers for each degree. Elasticity has four solutions r^s (a, b)
+ * in each layer, with displacement U Y r^ + V grad Y. They are coupled in a small dense system. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -9,12 +9,12 @@
 
 enum { most_shells = ARC_MOST_LAYERS + 1, most = 4 * most_shells };
 
-/* A layer between two radii [mm]; inner radius 0: a solid sphere. */
+/* A layer between two radii [mm]; a solid sphere has inner radius 0. */
 typedef struct shell {
   double inner, outer, lambda, mu;
 } shell;
 
-/* Collects the layers from inside to outside. */
+/* Layers from inside to outside. */
 typedef struct stack {
   int count;
   shell shell[most_shells];
@@ -53,7 +53,8 @@ static stack head_stack(const arc_joint_def *def) {
   return s;
 }
 
-/* Solutions of a layer at degree l, increasing ones first. Returns their number. */
+/* Computes the solutions of a layer at degree l; those that increase with r come first. Returns
+ * their number. */
 static int powers_of(const shell *m, int l, power *p) {
   const double L = (double)l * (l + 1), q = m->lambda + 2 * m->mu;
   const double exponent[] = {l - 1.0, l + 1.0, -l - 2.0, -(double)l};
@@ -73,7 +74,7 @@ static int powers_of(const shell *m, int l, power *p) {
   return decaying ? 4 : 2;
 }
 
-/* value [4] := U, V and the stresses divided by `scale` of a solution at r. */
+/* value [4] := U, V and both stresses over `scale` of a solution at radius r. */
 static void evaluate(const shell *m, int l, const power *p, double r, double scale, double *value) {
   const double L = (double)l * (l + 1), f = pow(r / p->unit, p->s), g = f / r / scale;
   value[0] = p->a * f;
@@ -82,13 +83,14 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
   value[3] = m->mu * ((p->s - 1) * p->b + p->a) * g;
 }
 
-/* One body under a unit pressure on its surface, its innermost (cup) or outermost radius. The
- * equations: bottom, interfaces, top, in groups of two and four. */
+/* Displacement of one body under a unit pressure on its surface, which is its innermost radius for
+ * a cup and its outermost radius for a head. The equations are those of bottom, interfaces and top,
+ * in groups of two and four. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];
   int count[most_shells], first[most_shells + 1] = {0}, pivots[most];
-  const int used = l == 0 ? 1 : 2; /* of U, V and of the stresses */
+  const int used = l == 0 ? 1 : 2; /* number of displacements and of stresses */
   for (int i = 0; i < s->count; i++) {
     count[i] = powers_of(&s->shell[i], l, solution[i]);
     first[i + 1] = first[i] + count[i];
@@ -98,7 +100,7 @@ static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double v[4];
   for (int end = 0; end <= s->count; end++) { /* boundary below layer `end` */
     const int bottom = end == 0, top = end == s->count;
-    if (bottom && !is_cup) continue; /* regular at the centre */
+    if (bottom && !is_cup) continue; /* a head is regular at its centre */
     const int from = bottom ? 0 : end - 1, to = top ? end - 1 : end;
     const double r = bottom ? s->shell[0].inner : s->shell[end - 1].outer;
     const int kinds = bottom || top ? used : 2 * used;
@@ -139,7 +141,8 @@ double arc_sphere_limit(const arc_joint_def *def, int rows) {
          (arc_joint_compliance(def, ARC_UPPER, rows) + arc_joint_compliance(def, ARC_LOWER, rows));
 }
 
-/* Springs in series of the liner only: the deformation of shells outside it is negligible. */
+/* The springs represent the liner only, since the deformation of the shells outside it is
+ * negligible. */
 double arc_sphere_winkler(const arc_joint_def *def) {
   const arc_material m = def->cup[0].material;
   const double out = 1 + def->cup[0].thickness / def->radius, q = out * out * out;

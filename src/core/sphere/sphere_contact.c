@@ -1,4 +1,4 @@
-/* One contact of a joint: the active set problem with the head's displacement as three rigid
+/* One contact of a joint: an active-set problem with the head's displacement as three rigid
  * unknowns. */
 #include "core/sphere/sphere.h"
 
@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Gap outside the cup [mm]: large enough to remain open. */
+/* Gap outside the cup [mm], large enough to remain open. */
 static const double open_gap = 1e3;
 
 static void axis_of(const arc_joint *j, double axis[3]) {
@@ -22,7 +22,7 @@ static double dot(const double a[3], const double b[3]) {
 
 /* --- the problem ------------------------------------------------------------------------------ */
 
-/* Compliance, including the wear in this contact. */
+/* Multiplies by the compliance, including the wear in this contact. */
 static arc_status apply(void *context, const double *p, double *u) {
   arc_joint *j = context;
   const int n = j->size * j->size;
@@ -35,14 +35,16 @@ static arc_status apply(void *context, const double *p, double *u) {
   return ARC_OK;
 }
 
-/* An unworn head needs no interpolation, which saves a third of the time on springs. */
+/* True if the head is worn. An unworn head needs no interpolation, which saves a third of the time
+ * with springs. */
 static int head_is_worn(const arc_joint *j) {
   for (int i = 0; i < j->sites; i++)
     if (j->h[ARC_UPPER][i] != 0) return 1;
   return 0;
 }
 
-/* Gaps for the head at rotation R; u: its displacement, for the second-order terms. */
+/* Computes the gaps for the head at rotation R. The head's displacement u is for the second-order
+ * terms. */
 static void set_gaps(arc_joint *j, const double R[9], const double u[3]) {
   const double least = cos(j->def.cover * pi / 180);
   double axis[3], on_head[3];
@@ -68,11 +70,12 @@ static void set_softness(arc_joint *j, const sphere_stand *at) {
   }
 }
 
-/* Half angles of initial caps, tried one after the other, as shares of the window's. */
+/* Half angles of initial caps over that of the window, in the order of the attempts. */
 static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
 enum { attempts = sizeof caps / sizeof *caps };
 
-/* Initial pressures: first the stored ones, or a cap about the load. */
+/* Sets the initial pressures: those stored for the instant at the first attempt, otherwise a cap
+ * about the load. */
 static void start(arc_joint *j, const sphere_stand *at, int attempt) {
   const size_t n = (size_t)j->size * (size_t)j->size;
   double sum = 0;
@@ -104,7 +107,7 @@ static void keep(arc_joint *j, int instant) {
   if (instant < 0) return;
   if (instant >= j->kept_count) {
     double *more = realloc(j->kept, ((size_t)instant + 1) * n * sizeof *more);
-    if (!more) return; /* no initial pressures then */
+    if (!more) return; /* continues without initial pressures */
     memset(more + (size_t)j->kept_count * n, 0,
            ((size_t)(instant + 1 - j->kept_count)) * n * sizeof *more);
     j->kept = more;
@@ -126,14 +129,15 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
-/* True if the load points into the window, some cells and degrees from its rim. */
+/* True if the load points into the window with a margin of some cells and degrees to its rim. */
 static int holds(const arc_joint *j, const double load[3]) {
   const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
   const double margin = fmax(4 * j->d, pi / 18);
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* The displacement for the next gaps; returns whether the last one is accurate enough. */
+/* Computes the displacement for the next gaps. Returns 1 if the last displacement is accurate
+ * enough. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
   if (!j->def.second_order) return 1;
@@ -144,7 +148,8 @@ static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   return moved < 1e-9 * j->def.radius;
 }
 
-/* The error of a contact of so few cells that they cannot carry a load in three directions. */
+/* Error message for a contact with so few cells that they cannot carry a load in three
+ * directions. */
 static arc_status refuse_cells(const arc_joint *j, const double load[3], arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status,
@@ -223,7 +228,7 @@ arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double 
   const double size = sqrt(dot(load, load));
   const double n[3] = {load[0] / size, load[1] / size, load[2] / size};
   made.p_center = arc_sphere_cubic(j, j->p, n);
-  made.p_max = fmax(made.p_max, made.p_center); /* it may lie between cells */
+  made.p_max = fmax(made.p_max, made.p_center); /* the centre may lie between cells */
   made.half_angle =
       acos(fmax(-1, 1 - made.area / (2 * pi * j->def.radius * j->def.radius))) * 180 / pi;
   made.rim_margin = arc_sphere_rim_margin(j);

@@ -1,6 +1,6 @@
-/* Compliance on a window of the lattice: a convolution along longitude, with a dense product over
- * latitude for each wavenumber. The 1/chord part is integrated over near cells; the smooth rest is
- * interpolated from a table over the angle between two points. */
+/* Compliance on a window of the lattice. It is a convolution along longitude, with a dense product
+ * over latitude for each wave number. The 1/chord part is integrated over near cells. The smooth
+ * remainder is interpolated from a table over the angle between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -13,8 +13,8 @@ enum { degrees = 3000, fine = 8 /* entries of the table per cell */, near = 8 /*
 
 static const double pi = 3.14159265358979323846;
 
-/* sum (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2)) P_l; a weight is P_l averaged over a cap of a cell's
- * area. */
+/* Table of the sum over l of (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2)) P_l. The weight is P_l
+ * averaged over a cap with the area of a cell. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def, rows);
   const int entries = fine * rows + 4;
@@ -48,7 +48,7 @@ double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   return NULL;
 }
 
-/* Cubic interpolation of the table at an angle; even about 0. */
+/* Interpolates the table at an angle by a cubic; the table is even about 0. */
 static double read_table(const arc_joint *j, double angle) {
   const double at = angle / j->d * fine;
   const int i = (int)at;
@@ -59,18 +59,18 @@ static double read_table(const arc_joint *j, double angle) {
                           t * (3 * (y[0] - y[1]) + y[2] - first)));
 }
 
-/* Integral of 1/r over a quarter plane's rectangle [0, x] x [0, y], odd in both. */
+/* Integral of 1/r over the rectangle [0, x] x [0, y]; odd in x and y. */
 static double corner(double x, double y) {
   return x * asinh(y / fabs(x)) + y * asinh(x / fabs(y));
 }
 
-/* Mean of 1/r over a rectangle a x b about (x, y). */
+/* Mean of 1/r over a rectangle a x b centred at (x, y). */
 static double mean_inverse(double x, double y, double a, double b) {
   const double l = x - a / 2, r = x + a / 2, d = y - b / 2, u = y + b / 2;
   return (corner(r, u) - corner(l, u) - corner(r, d) + corner(l, d)) / (a * b);
 }
 
-/* Displacement at a cell under a unit pressure on a cell, over its solid angle. */
+/* Displacement at a cell under unit pressure on a source cell, over the source's solid angle. */
 static double influence(const arc_joint *j, int row, int source, int lag) {
   const double d = j->d, here = (row + 0.5) * d, there = (source + 0.5) * d;
   const double s = sqrt(sin(here) * sin(there));
@@ -83,7 +83,7 @@ static double influence(const arc_joint *j, int row, int source, int lag) {
 
 static void fill(const arc_joint *j, sphere_kernel *k) {
   const int first = j->rows / 2 - k->size / 2;
-  double *values = k->product; /* as large as needed: see arc_sphere_kernel */
+  double *values = k->product; /* large enough, see arc_sphere_kernel */
   for (int row = 0; row < k->size; row++) {
     memset(values, 0, (size_t)k->size * (size_t)k->box * sizeof *values);
     for (int source = 0; source < k->size; source++)

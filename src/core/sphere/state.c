@@ -1,7 +1,7 @@
-/* The complete state of a joint as one list of numbers, from which it continues to the same bits:
- * rows of the lattice, rows of the window, instants with initial pressures; maps of head and cup,
- * the last cycle's cross-shear, pressures of the last contact, creep and its mean pressures;
- * initial pressures. */
+/* The complete state of a joint as one list of numbers, from which a run continues to the same
+ * bits. The list contains the number of rows of the lattice, of rows of the window, and of instants
+ * with initial pressures. Maps follow: depths of head and cup, cross-shear of the last cycle,
+ * pressures of the last contact, creep and its mean pressures. The initial pressures are last. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ size_t arc_joint_state_count(const arc_joint *j) {
   return header + maps * (size_t)j->sites + (size_t)j->kept_count * window_of(j);
 }
 
-/* The lists of a state, in order. */
+/* Parts of a state, in their order. */
 typedef struct state_part {
   double *at;
   size_t count;
@@ -64,7 +64,7 @@ static int is_whole(double value, double low, double high) {
 }
 
 static arc_status check(const arc_joint *j, const double *state, size_t count, arc_error *error) {
-  const size_t most = 100000; /* instants, with the limit of gaits */
+  const size_t most = 100000; /* largest number of instants, as for gaits */
   if (count < header) return refuse(error, "it ends too early");
   if (state[0] != j->rows) return refuse(error, "it has other cells");
   if (!is_whole(state[1], 2, j->rows) || fmod(state[1], 2) != 0)

@@ -1,5 +1,5 @@
-/* Wear of both bodies. The work p |s| is computed at the cup's cells; the head receives the same
- * total at the points that its rotation brings there. */
+/* Wear of both bodies. The work p |s| is computed at the cup's cells. The head gets the same total,
+ * at its points that the rotation brings to these cells. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 
@@ -7,15 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An update in progress. */
+/* Data of an update. */
 typedef struct sweep {
   arc_joint *j;
   const arc_joint_wear_def *def;
   double cycles, alpha;
-  double *was;              /* state of the joint before it */
-  double *gain[ARC_BODIES]; /* [sites] wear that an explicit update removes at its end */
-  double *shear, *mean;     /* [sites][3], [sites] of this cycle */
-  double *k, *loss, *share; /* [sites] coefficient, k N p |s| of an instant [mm], cross-shear */
+  double *was;              /* state of the joint before the update */
+  double *gain[ARC_BODIES]; /* [sites] wear to be removed at the end of an explicit update */
+  double *shear, *mean;     /* [sites][3], [sites]; results of this cycle */
+  double *k, *loss, *share; /* [sites] coefficient; k N p |s| of an instant [mm]; cross-shear */
   arc_joint_record record;
 } sweep;
 
@@ -30,7 +30,7 @@ static int begin(sweep *s) {
   return 1;
 }
 
-/* Adds p |s| t t' of a cell, with t the direction of sliding in (theta, phi). */
+/* Adds p |s| t t' of a cell, where t is the direction of sliding in (theta, phi). */
 static void add_shear(sweep *s, const double w[3], int site, double p) {
   const double *n = s->j->normal + 3 * (size_t)site;
   const double slide[3] = {w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2],
@@ -46,7 +46,7 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* Wear of the head in an instant, scaled to the cup's volume. */
+/* Computes the wear of the head in an instant, scaled to the cup's volume. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
@@ -97,14 +97,14 @@ static double size_of(const double v[3]) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* The error of a load with the increment at which it acts. */
+/* Adds to the error of a load the number of its increment. */
 static arc_status refuse_load(int increment, arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status, "%.300s, in increment %d of the cycle", why.message,
                   increment + 1);
 }
 
-/* Solves all instants once. */
+/* Solves all instants of the cycle once. */
 static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, arc_error *error) {
   double heaviest = 0;
   for (int step = 0; step < s->def->instants; step++) {
@@ -119,7 +119,7 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
     double approach[3];
     if (callbacks && callbacks->stop && callbacks->stop(callbacks->context))
       return arc_fail(error, ARC_STOPPED, "stopped");
-    if (size_of(at->load) == 0) continue; /* no contact, no wear */
+    if (size_of(at->load) == 0) continue; /* no contact, so no wear */
     const arc_status status =
         arc_sphere_solve(s->j, &stand, approach, &s->record.iterations, error);
     if (status == ARC_ARGUMENT) return refuse_load(i, error);
@@ -134,7 +134,8 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
   return ARC_OK;
 }
 
-/* Coefficients of the cup's cells from a cycle's cross-shear and mean pressure. */
+/* Computes the wear coefficients of the cup's cells from the cross-shear and mean pressure of a
+ * cycle. */
 static arc_status call_k(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double middle = s->record.cycles + s->cycles / 2;
@@ -148,7 +149,7 @@ static arc_status call_k(sweep *s, arc_error *error) {
   return ARC_OK;
 }
 
-/* Creep at the end of the update, from the mean pressure until then. */
+/* Computes the creep at the end of the update from the mean pressure until then. */
 static arc_status call_creep(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double end = s->record.cycles + s->cycles;
@@ -174,7 +175,8 @@ static arc_status set_alpha(sweep *s, arc_error *error) {
                   s->alpha);
 }
 
-/* Evaluates the functions of the cycle; they need one pass through the cycle without wear. */
+/* Evaluates the user's functions of the cycle, which need one pass through the cycle without
+ * wear. */
 static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
   arc_joint *j = s->j;
   for (int i = 0; i < j->sites; i++) s->k[i] = s->def->k;

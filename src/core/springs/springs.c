@@ -1,9 +1,11 @@
-/* Kind of pair: a rigid ball and a rigid flat, each under a layer of independent springs (Winkler),
- * on a square of sites about x = z = 0. The contact has a fixed position while the flat slides by
- * less than the contact's width, so that both bodies wear site by site; p = K (approach - recess -
- * depths). It is an example of a kind, with closed forms: K = 1 / (t / M_upper + t / M_lower), M =
- * E (1 - nu) / ((1 + nu) (1 - 2 nu)); unworn, load = pi R K approach^2. Outside this file only the
- * table of kinds and the list of geometries refer to it. */
+/* Kind of pair: a rigid ball and a rigid flat, each with a layer of independent springs (Winkler),
+ * on a square of sites about x = z = 0. The contact has a fixed position, while the flat slides by
+ * less than the contact's width. So both bodies wear at each site under p = K (approach - recess -
+ * depths), with K = 1 / (t / M_upper + t / M_lower) and M = E (1 - nu) / ((1 + nu) (1 - 2 nu)). For
+ * unworn surfaces load = pi R K approach^2.
+ *
+ * This file is an example of a kind. Outside it only the table of kinds and the list of geometries
+ * refer to it. */
 #include "archard/measure.h"
 #include "core/base/carve.h"
 #include "core/pair/model.h"
@@ -15,14 +17,14 @@
 
 typedef struct springs {
   arc_model handle;
-  int row, count;     /* sites of a row along x, and in all */
-  double area, K;     /* of a site [mm2]; stiffness [MPa/mm] */
-  double *x, *recess; /* [count]; a row is contiguous, z = 0 is the middle one */
+  int row, count;     /* number of sites in a row along x, and of all sites */
+  double area, K;     /* area of a site [mm2]; stiffness [MPa/mm] */
+  double *x, *recess; /* [count] in contiguous rows; the middle row is at z = 0 */
 } springs;
 
 typedef struct spring_surfaces {
   shape_handle handle;
-  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* [count]; pressures under the reference load */
+  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* [count]; p under the reference load */
 } spring_surfaces;
 
 static const springs *model_of(const arc_model *model) {
@@ -96,8 +98,9 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 
 /* --- one contact ------------------------------------------------------------------------------ */
 
-/* Pressures [count] with compliance `a` [mm/MPa] under a load [N]: a p = approach - gap where
- * positive, by Newton's method from above. On entry p is the gap of the unloaded surfaces. */
+/* Computes the pressures [count] under a load [N] with the compliance `a` [mm/MPa]: a p = approach
+ * - gap where this is positive. Newton's method approaches the solution from above. On input p
+ * contains the gaps of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;
@@ -123,7 +126,8 @@ static arc_status press(const springs *s, double a, double load, double *p, arc_
   return ARC_OK;
 }
 
-/* Gaps of the unloaded surfaces, worn by additional depths [2 count] (NULL: none). */
+/* Computes the gaps of the unloaded surfaces, worn by the additional depths [2 count] (NULL:
+ * none). */
 static void gaps(const arc_shape *shape, const double *depth, double *gap) {
   const springs *s = under(shape);
   const spring_surfaces *f = on(shape);
@@ -144,7 +148,7 @@ static void discard(arc_shape **shape) {
   *shape = NULL;
 }
 
-/* Heights: the ball's lowest point and the flat at 0, y upwards. */
+/* Computes the heights, y upwards from 0 at the unworn ball's lowest point and the unworn flat. */
 static void read_heights(const springs *s, spring_surfaces *f) {
   for (int i = 0; i < s->count; i++) {
     f->y[ARC_UPPER][i] = s->recess[i] + f->h[ARC_UPPER][i];
@@ -301,7 +305,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 /* --- the cycle -------------------------------------------------------------------------------- */
 
-/* Sliding distance of point `at` of a window [mm]. */
+/* Sliding distance of point `at` of a window, its weight [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = window->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -309,7 +313,8 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* The largest entry of -d rate / d depth: the entry of every site without the common approach. */
+/* Largest entry of -d rate / d depth. It is the entry of any site in contact at a constant
+ * approach. */
 typedef struct spring_tangent {
   double value;
 } spring_tangent;
@@ -370,7 +375,7 @@ static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tan
 
 /* --- stages: a diagonal ----------------------------------------------------------------------- */
 
-/* The compliance of the springs plus the wear of h cycles per pressure. */
+/* Solves a stage: the wear of h cycles per pressure adds to the compliance of the springs. */
 static arc_status stage(wear_stage *s, double h, double *rate) {
   const arc_wear *w = s->run;
   const springs *m = model_of(w->model);
@@ -417,7 +422,7 @@ static double natural_depth(const arc_wear *w) {
 
 /* --- results and storage ---------------------------------------------------------------------- */
 
-/* Profile along x through the middle. */
+/* Returns the profile along x through the middle. */
 static arc_status show(const arc_wear *w, arc_array **arrays, size_t *count, arc_error *error) {
   enum { names = 4 };
   const springs *s = model_of(w->model);
