@@ -1,11 +1,11 @@
-/* Wear coefficients in time (numbers, tables, functions of the state) and in space (laws, local
- * factors). */
+/* Wear coefficients as functions of time (numbers, tables, functions of the state) and of the
+ * position (laws, local factors). */
 #include "core/wear/run.h"
 
 #include <math.h>
 
-/* Value at a distance, on the segment of point `inside`; of two values at one distance (a jump) the
- * latter is used. */
+/* Value of a table at a distance, on the segment that contains the point `inside`. At a jump, where
+ * two values have the same distance, the second value counts. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;
@@ -19,7 +19,7 @@ double arc_wear_series(const arc_series *s, double distance) {
   return series_at(s, distance, distance);
 }
 
-/* First point of a series after `from`, if before `to`. */
+/* Returns the first point of a table after `from`, or `to` if there is none before `to`. */
 static double next_point(const arc_series *s, double from, double to) {
   for (int i = 0; i < s->count; i++)
     if (s->distance[i] > from) return fmin(to, s->distance[i]);
@@ -35,8 +35,8 @@ static double value_at(const source *s, double distance, double inside) {
   return s->series->count > 0 ? series_at(s->series, distance, inside) : s->constant;
 }
 
-/* Mean of k alpha and k (1 - alpha) over [from, to]: both linear between points, so that Simpson's
- * rule is exact. */
+/* Mean of k alpha and k (1 - alpha) over [from, to]. Both factors are linear between points, so
+ * that Simpson's rule is exact. */
 static void average(const source *k, const source *alpha, double from, double to,
                     double mean[ARC_BODIES]) {
   mean[ARC_CYLINDER] = mean[ARC_PLATE] = 0;
@@ -104,7 +104,7 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
-/* The laws of the list: a factor on k, and the derivative d ln(p factor) / d ln p. */
+/* The laws of the list: the factor on k, and the derivative d ln(p factor) / d ln p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
 #define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \
@@ -116,7 +116,7 @@ static double law_factor(const arc_wear_def *d, double p) {
 }
 
 static double law_growth(const arc_wear_def *d, double p) {
-  (void)p; /* unused if no law of the list needs it */
+  (void)p; /* unused unless a law of the list needs p */
   switch (d->law) {
 #define LAW_GROWTH(name, word, properties, text, factor, growth)                                   \
   case ARC_##name:                                                                                 \

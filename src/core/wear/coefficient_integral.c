@@ -1,9 +1,9 @@
-/* The coefficients over an update, of wear and of friction, integrated before it is taken: by a
- * Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of
- * tables, between which coefficients are linear and their product is met exactly. Functions of the
- * state are evaluated along the path predicted from the rate at the start. If a step would shrink
- * to zero, a coefficient jumps there, and the update ends. Leans on coefficient.c and predictor.c.
- */
+/* Integrates the coefficients of wear and friction over an update before the update is made. The
+ * method is a Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine). Its steps end at the
+ * points of tables, between which coefficients are linear, so that the integral of their product is
+ * exact. Functions of the state are evaluated along the path predicted from the rate at the start.
+ * If a step would shrink to zero, a coefficient jumps there, and the update ends. Depends on
+ * coefficient.c and predictor.c. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -11,26 +11,26 @@
 
 /* Tolerance of a step, relative to the integral. */
 static const double tolerance = 1e-5;
-/* A step shorter than this share of the update contains a jump. Within this share of the ends no
- * jump is searched and no function evaluated, so that a jump at an end belongs to one update only.
- */
+/* A step shorter than the share `shortest` of the update contains a jump. Within the share `margin`
+ * of the ends no jump is searched and no function evaluated, so that a jump at an end belongs to
+ * only one update. */
 static const double shortest = 1e-9, margin = 1e-7;
-/* The same for tables, whose points are known. */
+/* The share `margin` for tables, whose points are known. */
 static const double table_margin = 1e-10;
-/* Evaluate just before a table point, which may be a discontinuity. */
+/* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
-/* Definition of a jump in a table: a change by this share of the larger value over an interval
- * shorter by this factor than its neighbours. */
+/* Definition of a jump in a table: the value changes by at least the share `large` of the larger
+ * value over an interval that is shorter than its neighbours by the factor `steep`. */
 static const double large = 0.1, steep = 20;
-/* Minimum number of steps of an update of given length, and of unknown length. */
+/* Minimum number of steps of an update, for a fixed length and for an unknown length. */
 static const double chosen_steps = 4, open_steps = 64;
-/* Relative tolerance for reaching the integral of a plan. */
+/* Relative tolerance for the largest integral of a plan. */
 static const double near = 1e-3;
-/* Sampling of functions: at least this often in a cycle or, in long runs, in the run, as no error
- * estimate sees what happens between samples. An irrational rate avoids aliasing. */
+/* Minimum number of samples of a function per cycle or, in long runs, per run. An error estimate
+ * does not include changes between samples. An irrational number avoids aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
-/* Functions that no step can resolve (random ones) are sampled evenly after this many more refused
- * than accepted steps. */
+/* After this many more refused than accepted steps a function is sampled in equal steps, since no
+ * step can resolve it (for example a random function). */
 enum { most_refused = 200 };
 
 /* Components of the integrated vector: k of the cylinder, k of the plate, friction. */
@@ -41,17 +41,17 @@ typedef struct integration {
   const wear_plan *plan;
   const wear_rate *rate;
   arc_error *error;
-  double length;        /* of the plan [mm] */
-  double at;            /* share of the update */
-  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over the share */
-  double k[COMPONENTS]; /* at `at` */
+  double length;        /* length of the plan [mm] */
+  double at;            /* share of the update that is integrated */
+  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over this share */
+  double k[COMPONENTS]; /* coefficients at `at` */
   double first[COMPONENTS];
-  int calls, changed[COMPONENTS]; /* 1 if any value differs from `first` */
-  int refused;                    /* steps, minus accepted steps */
+  int calls, changed[COMPONENTS]; /* changed: 1 if any value differs from `first` */
+  int refused;                    /* number of refused minus accepted steps */
   int sampled;                    /* 1: no step could resolve the function */
 } integration;
 
-/* Reference value for changes of coefficient b. */
+/* Scale for changes of coefficient b. */
 static double size_of(int b, const double k[COMPONENTS]) {
   return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
@@ -64,7 +64,7 @@ static double total(const double k[COMPONENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
-/* The coefficients at a share of the update, with integrals y up to there. */
+/* Computes the coefficients at a share of the update; y contains the integrals up to this share. */
 static arc_status evaluate(integration *s, double share, const double y[COMPONENTS],
                            double k[COMPONENTS]) {
   const update_coefficients gone = {.cycles = s->plan->times, .mean = from_vector(y)};
@@ -80,9 +80,8 @@ static arc_status evaluate(integration *s, double share, const double y[COMPONEN
   return ARC_OK;
 }
 
-/* One step of the Runge-Kutta pair to `next`: integrals and coefficients there, and error /
- * tolerance.
- */
+/* Makes one step of the Runge-Kutta pair over the share h. Computes the integrals y and
+ * coefficients k at its end, and the error over the tolerance. */
 static arc_status try_step(integration *s, double h, double y[COMPONENTS], double k[COMPONENTS],
                            double *error) {
   const double *k1 = s->k;
@@ -117,7 +116,7 @@ static double distance_at(const integration *s, double share) {
   return arc_wear_last(s->w)->distance + share * s->length;
 }
 
-/* The next point of a table beyond the present share, as a share. */
+/* Next point of a table after the present share, as a share of the update. */
 static double next_point(const integration *s, const arc_series *table) {
   const double here = distance_at(s, s->at + shortest);
   for (int i = 0; i < table->count; i++)
@@ -126,7 +125,8 @@ static double next_point(const integration *s, const arc_series *table) {
   return 1;
 }
 
-/* Table points are not used beyond the start of a function. */
+/* Largest share at which a step may end: the next point of the tables. A function replaces the
+ * table of its coefficient. */
 static double next_end(const integration *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
@@ -159,7 +159,7 @@ static double range_of(int b, const double k[COMPONENTS]) {
 static int ends_jump(const integration *s, double share, double from, const double k[COMPONENTS]) {
   const arc_wear_def *d = &s->w->def;
   if (share < margin * 10 || share > 1 - margin * 10) return 0;
-  if (share - from <= 3 * shortest) { /* of a function */
+  if (share - from <= 3 * shortest) { /* jump of a function */
     for (int b = 0; b < COMPONENTS; b++)
       if (fabs(k[b] - s->k[b]) > large * fmax(range_of(b, k), range_of(b, s->k))) return 1;
     return 0;
@@ -172,7 +172,7 @@ static int ends_jump(const integration *s, double share, double from, const doub
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Length of the first step; if the end is unknown, a part of the estimated length. */
+/* Length of the first step. If the end is unknown, a part of the estimated length. */
 static double first_length(const integration *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
@@ -187,7 +187,7 @@ static double longest_step(const integration *s) {
   return fmin(1 / steps, arc_wear_has_state_functions(w) ? asked : 1);
 }
 
-/* Integrates the rest in even steps without error control. */
+/* Integrates the rest in equal steps without error control. */
 static arc_status sample_rest(integration *s) {
   const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
@@ -205,7 +205,7 @@ static arc_status sample_rest(integration *s) {
   return ARC_OK;
 }
 
-/* Integrates to the end: of the plan, of the integral allowed, or to a jump. */
+/* Integrates to the end of the plan, to its largest integral, or to a jump. */
 static arc_status integrate(integration *s) {
   const double most = s->plan->most / s->length;
   const double longest = longest_step(s);
@@ -223,13 +223,13 @@ static arc_status integrate(integration *s) {
       s->refused++;
       continue;
     }
-    if (total(y) > most * (1 + near)) { /* too far: to the point where it is reached */
+    if (total(y) > most * (1 + near)) { /* too large; the next step ends at the largest integral */
       h = length * (most - total(s->y)) / (total(y) - total(s->y));
       if (h > shortest) continue;
       return ARC_OK;
     }
     const int jump = ends_jump(s, end, s->at, k);
-    accept_step(s, end, y, jump ? s->k : k); /* the part after a jump belongs to the next update */
+    accept_step(s, end, y, jump ? s->k : k); /* the jump belongs to the next update */
     s->refused -= s->refused > 0 && length > 3 * shortest;
     if (jump || total(y) >= most * (1 - near)) return ARC_OK;
     h = length * fmin(5, error > 0 ? 0.9 * cbrt(1 / error) : 5);
@@ -243,7 +243,7 @@ static int varies(const arc_wear *w) {
          arc_wear_friction_changes(w);
 }
 
-/* Constant coefficients need no integration; the last two steps are equal. */
+/* Constant coefficients need no integration. The last two updates have equal lengths. */
 static arc_status integrate_constant(integration *s) {
   const arc_status status = evaluate(s, 0, s->y, s->k);
   const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));

@@ -16,8 +16,9 @@ const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 #define LAW_PROPERTIES(name, text, properties, ...) properties,
 const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
-/* Choices handled by comparisons: a new one must be handled in the files named, then counted here,
- * as it would otherwise run like an old one. (Laws are formulas in their list.) */
+/* Choices that the code distinguishes by comparisons. The files named here must handle a new
+ * choice, which would otherwise act like an old one; then increase its count. (Laws are formulas in
+ * their list.) */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
@@ -86,21 +87,22 @@ static arc_status check_points(const arc_loading *l, int number, arc_error *erro
   return ARC_OK;
 }
 
-/* True if the last value equals the first to rounding. */
+/* True if the last value equals the first within rounding errors. */
 static int closes(int count, const double *value) {
   double most = 0;
   for (int i = 0; i < count; i++) most = fmax(most, fabs(value[i]));
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Smallest refused tangential force [N]; with tables or functions of friction it is checked during
- * the run. */
+/* Smallest tangential force that is rejected [N]. With tables or functions of friction the run
+ * checks the force. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
 }
 
-/* Refuses a force above friction times load, if that is known, and a cycle that is not closed. */
+/* Rejects a force above friction times load, if the friction coefficient is constant, and a cycle
+ * that is not closed. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
   const int last = l->count - 1;
@@ -212,7 +214,8 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
 }
 
-/* Refuses settings that need slip known in advance, or a state kept between updates. */
+/* Rejects settings that friction does not allow: those that need slip in advance, or a state stored
+ * between updates. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
@@ -272,7 +275,7 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   return ARC_OK;
 }
 
-/* Copies two arrays of n doubles to one block. Returns the first. */
+/* Copies two arrays of n doubles to one block. Returns the first copy. */
 static double *copy_pair(int n, const double *first, const double *second) {
   double *block = malloc(2 * (size_t)n * sizeof *block);
   if (!block) return NULL;
@@ -285,7 +288,7 @@ static arc_series *series_of(const arc_setting *s, arc_wear_def *def) {
   return (arc_series *)(void *)((char *)def + s->series);
 }
 
-/* Copies all series; a copy that failed is empty. */
+/* Copies all tables. A table that could not be copied is empty. */
 static arc_status copy_series(arc_wear_def *def) {
   arc_status status = ARC_OK;
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {

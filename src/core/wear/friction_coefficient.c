@@ -1,12 +1,11 @@
-/* The coefficient of friction of a state, and the check that it carries the tangential force.
- */
+/* Friction coefficient of a state, and the check that friction carries the tangential force. */
 #include "core/base/callbacks.h"
 #include "core/wear/run.h"
 
 #include <math.h>
 
-/* The point of a block that needs the largest coefficient of friction, and this value; infinite for
- * a force at load 0. */
+/* Returns the point of a block that needs the largest friction coefficient; *needed is this
+ * coefficient, infinite for a force at load 0. */
 static int worst_point(const wear_block *b, double *needed) {
   int worst = 0;
   *needed = 0;
@@ -17,8 +16,8 @@ static int worst_point(const wear_block *b, double *needed) {
   return worst;
 }
 
-/* Numbers are checked with the definition; tables and functions may become too small during the
- * run. */
+/* This check is for tables and functions, whose values may become too small during a run; constants
+ * are checked with the definition. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error) {
   const wear_block *b = arc_wear_block_at(w, state->cycle);

@@ -1,8 +1,8 @@
-/* Implicit updates: the wear uses the pressures of the geometry it ends in (order 1, backward
- * Euler), or of its start, of a stage on the way and of its end (order 2, TR-BDF2, L-stable). Sites
- * that enter the contact within a step limit its length, as they wear in the last stages only;
- * TR-BDF2 overestimates their pressures least among similar methods. The kind of the pair solves
- * the stages. */
+/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the geometry
+ * at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at its
+ * start, at an intermediate stage, and at its end. Sites that enter the contact within a step limit
+ * its length, as they wear only in the last stages; among similar methods TR-BDF2 overestimates
+ * their pressures least. The kind of pair solves the stages. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Implicit steps of equal length in an update with error control, all with the compliance of its
- * start. They cost contact solutions only, and the largest of several errors varies less than one
- * error, which jumps when the edge of contact crosses a node. */
+/* Number of equal implicit steps in an update with error control. All of them use the compliance at
+ * the start of the update, so that they need only contact solutions. The error of one step jumps
+ * when the edge of the contact crosses a node; the largest error of several steps varies less. */
 enum { steps_by_tolerance = 4 };
 
 /* Results of a cycle besides the wear of sites. */
@@ -21,27 +21,29 @@ typedef struct sums {
   double of[SUMS];
 } sums;
 
-/* One update in progress. */
+/* Data of an update. */
 typedef struct implicit {
   wear_stage at;
   const update_coefficients *coefficients;
   int n;
-  int steps, done; /* number of steps of the update; index of the present one */
-  sums mean;       /* over these */
-  double worst;    /* largest error / tolerance of the steps */
+  int steps, done; /* number of steps of the update; index of the present step */
+  sums mean;       /* mean over the steps */
+  double worst;    /* largest error over tolerance of the steps */
   double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
 
-/* Steps share the tolerance: at order 2 the errors of the first ones fade as the pressure flattens.
- * Found on the twenty cases of the paper, at 20, 10 and 5 um. */
+/* Share of the tolerance for each step. At order 2 the errors of the first steps decrease as the
+ * pressure flattens. The number was determined for the twenty cases of the paper with elements of
+ * 20, 10 and 5 um. */
 static const double share_per_step = 0.5;
-/* Error of forces allowed, in tolerances: they follow from the depths and do not accumulate. */
+/* Accepted error of forces over the tolerance. It is large since forces follow from the depths, so
+ * that their errors do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* The coefficient of friction at a share of a step; evaluated before the stages, as the evaluation
- * overwrites the depths. */
+/* Computes the friction coefficient at a share of a step. It must be evaluated before the stages,
+ * since the evaluation overwrites the depths. */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
@@ -56,8 +58,8 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Adds a step to the mean of all steps, from its end and `part` of each stage; equal values are
- * kept to the bit. */
+/* Adds a step to the mean of all steps, from the end of the step and `part` of each stage. Equal
+ * values keep all their bits. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {
@@ -66,7 +68,8 @@ static void add_step(implicit *s, double part, sums start, sums middle) {
   }
 }
 
-/* Backward Euler; its error, to s->defect, by comparison with the trapezoid. */
+/* Makes a step by backward Euler. Its error s->defect is the difference from the trapezoidal
+ * rule. */
 static arc_status first_order(implicit *s, double cycles) {
   double *defect = s->defect;
   const size_t bytes = (size_t)s->n * sizeof(double);
@@ -80,8 +83,8 @@ static arc_status first_order(implicit *s, double cycles) {
   return status;
 }
 
-/* The trapezoid to 2 gamma, then BDF2 to the end; the error by comparison with the quadrature
- * through the start and both stages. */
+/* Makes a step by the trapezoidal rule to 2 gamma and by BDF2 to the end. Its error is the
+ * difference from the quadrature through the start and both stages. */
 static arc_status second_order(implicit *s, double cycles) {
   const double g = gamma2, h = g * cycles, c = 2 * g, part = (1 - g) / 2;
   const double b1 = 1 / (6 * c * (1 - c)), b2 = (1 / 3.0 - c / 2) / (1 - c), b0 = 1 - b1 - b2;
@@ -111,9 +114,9 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Largest relevant error of the depths of one body, relative to the deepest. */
+/* Largest error of the depths of one body at sites that are deep enough, over the largest depth. */
 static double depth_error(const implicit *s, int b) {
-  static const double counts = 0.05; /* of the deepest site */
+  static const double counts = 0.05; /* share of the largest depth */
   const arc_wear *w = s->at.run;
   const wear_sites on = w->kind->sites(s->at.window.shape, (arc_body)b);
   const double *depth = sites_from(w, s->at.worn, b), *off = sites_from(w, s->defect, b);
@@ -124,7 +127,7 @@ static double depth_error(const implicit *s, int b) {
   return deepest > 0 ? largest / deepest : 0;
 }
 
-/* Estimated error / tolerance. */
+/* Estimated error over tolerance. */
 static double share_of_tolerance(implicit *s, double h) {
   const double tolerance = s->at.run->def.tolerance;
   if (tolerance == 0) return 0;
@@ -134,7 +137,8 @@ static double share_of_tolerance(implicit *s, double h) {
   return fmax(depth / (share_per_step * tolerance), pressure / (pressure_share * tolerance));
 }
 
-/* Increments with an update each have the length of the history's. */
+/* Number of implicit steps. Increments with an update each have the length that the history gives,
+ * hence one step. */
 static int count_steps(const implicit *s) {
   const wear_window *window = &s->at.window;
   const int whole = window->first == 0 && window->last == window->block->count - 1;

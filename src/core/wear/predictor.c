@@ -1,4 +1,4 @@
-/* Depths of a rate over an update, and the predicted state within an update. */
+/* Depths that a rate causes in an update, and the predicted state within an update. */
 #include "archard/measure.h"
 #include "core/wear/step.h"
 
@@ -20,12 +20,12 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
 
 /* --- measured quantities */
 
-/* Wear [mm3/N] between a state and the previous one. */
+/* Integral of k over the distance [mm3/N] between the previous state and a state. */
 static double k_integral_to(const arc_wear_record *state, const arc_wear_record *before) {
   return state->k * (state->distance - before->distance);
 }
 
-/* Three states and the wear between them; unknown states are NULL. */
+/* Three states and the integrals of k between them. States that are not available are NULL. */
 typedef struct course {
   const arc_wear_record *before, *now, *end_state;
   double since, to; /* [mm3/N] */
@@ -40,8 +40,9 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* Interpolates a quantity at `wear` [mm3/N]: by the parabola through three monotonic states;
- * without a state ahead, by extrapolation with a decreasing rate. */
+/* Value of a column at the integral of k `wear` [mm3/N] after the present state. It is interpolated
+ * by the parabola through three monotonic states. Without an end state it is extrapolated with a
+ * decreasing rate. */
 static double on_course(const course *c, int column, double wear) {
   const double now = arc_wear_record_get(c->now, column);
   const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;
@@ -52,7 +53,7 @@ static double on_course(const course *c, int column, double wear) {
   return now + rise * wear + bend * wear * (wear - c->to);
 }
 
-/* Pressures and widths of an intermediate state, and with a state ahead the depths. */
+/* Predicts pressures and widths of an intermediate state; with an end state also the depths. */
 static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
                           arc_wear_record *state) {
   const course c = course_of(w, plan);

@@ -28,7 +28,7 @@ const char *arc_wear_column_name(int column) {
 
 /* --- validity of rows */
 
-/* Largest recordable value, so that squares and sums do not overflow. */
+/* Largest value of a record, so that squares and sums do not overflow. */
 static const double largest = 1e100;
 
 static const struct column_rule {
@@ -40,8 +40,8 @@ static const struct column_rule {
 #undef COLUMN_RULE
 };
 
-/* Fails with status `refused` if a row after `before` (NULL: the first row) has an invalid value in
- * a column. */
+/* Fails with the status `refused` if a row has an invalid value in a column. `before` is the
+ * previous row (NULL for the first row). */
 static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
                               size_t row, int column, arc_status refused, arc_error *error) {
   const struct column_rule *r = &rules[column];
@@ -73,7 +73,7 @@ arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, 
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* A plain stroke has one load, to the bit. */
+/* Smallest load of a block [N]. For a plain stroke it is the load, equal to the bit. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {
   double line = block->line[0];
   for (int i = 1; i < block->count; i++) line = fmin(line, block->line[i]);

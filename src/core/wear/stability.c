@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Of a cycle of a block on the present surfaces, at these coefficients. */
+/* Computes the eigenvalue of a cycle of a block on the present surfaces, for these coefficients. */
 static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                                   const arc_callbacks *callbacks, double *eigenvalue,
                                   arc_error *error) {
@@ -37,7 +37,7 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 
 /* --- warnings --------------------------------------------------------------------------------- */
 
-/* Explicit jumps that the user chose, of whole cycles. */
+/* True for explicit jumps of whole cycles that the user chose. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
@@ -53,7 +53,7 @@ static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES
   return growth * j->eigenvalue;
 }
 
-/* True if an update of `cycles` needs a new eigenvalue, which costs a cycle of solutions. */
+/* True if an update of `cycles` needs a new eigenvalue, which costs the solutions of a cycle. */
 static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                        double cycles) {
   static const double fallen = 0.8;
@@ -61,11 +61,11 @@ static int may_be_past(const arc_wear *w, const wear_block *block, const double 
   if (j->block != block) return 1;
   if ((!(arc_law_properties[w->def.law] & ARC_LAW_LINEAR) || w->def.local_factor) &&
       arc_wear_last(w)->p_center < fallen * j->p_center)
-    return 1; /* the coefficients may grow at other pressures */
+    return 1; /* coefficients may be larger at other pressures */
   return cycles * eigenvalue_at_most(j, k) > 2;
 }
 
-/* Warns once about an update beyond the limit, whose ripples grow. */
+/* Warns once about an update beyond the stability limit, whose ripples grow. */
 static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIES], double cycles,
                   const arc_callbacks *callbacks) {
   wear_judged *j = &w->judged;
@@ -87,8 +87,8 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
            cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
 }
 
-/* Measured: steps at 0.9 of the limit stayed below 0.3 on elements of 20 and 10 um; steps beyond it
- * exceeded 1. */
+/* Largest accepted ripple. In tests on elements of 20 and 10 um the ripple was below 0.3 for steps
+ * of 0.9 of the limit, and above 1 for steps beyond the limit. */
 static const double most_ripple = 0.5;
 
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
@@ -122,8 +122,9 @@ void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block,
   judge(w, block, k, now->jump, callbacks);
 }
 
-/* Not for loadings and sliding along z (no stroke), friction (short strokes stick) and conforming
- * bodies (any stroke is short relative to the contact). */
+/* Warns of values that suggest wrong units. The stroke is not checked for loadings and sliding
+ * along z (no stroke), with friction (short strokes stick), and for conforming bodies (any stroke
+ * is short relative to the contact). */
 static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
   const arc_model_def *model = arc_model_definition(w->model);

@@ -1,8 +1,8 @@
-/* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second
- * order with s stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1)
- * of the update, and the update uses the mean of all rates. Longer updates get more stages, so that
+/* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second order with s
+ * stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1) of the
+ * update, and the update uses the mean of all rates. Longer updates have more stages, so that
  * stability does not limit their length. All stages use the compliance at the start of the update;
- * volumes stay exact. */
+ * volumes remain exact. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -12,30 +12,31 @@
 
 /* Parameters of the stages by kind of law. */
 typedef struct staging {
-  int fewest, most; /* smallest number of stages, which also estimate the error; largest number */
-  double share;     /* share of the limit 2 / eigenvalue used by a stage */
+  int fewest, most; /* numbers of stages; `fewest` still gives an error estimate */
+  double share;     /* share of the limit 2 / eigenvalue for a stage */
   int by_thirds;    /* 1: estimate the error by means over thirds, as single rates are noisy */
 } staging;
 
-/* With a discontinuous law nodes oscillate across its jump, less with shorter stages. */
+/* Returns the parameters. With a discontinuous law nodes oscillate across its jump; shorter stages
+ * reduce this oscillation. */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
 }
 
-/* Nodes shallower than this share of the deepest are excluded from the error norm. */
+/* Nodes with less than this share of the largest depth are excluded from the error norm. */
 static const double worn = 0.05;
 
 typedef struct staged {
   arc_wear *w;
-  wear_window window; /* of the trial */
+  wear_window window; /* window of the trial */
   update_coefficients coefficients;
-  wear_rate *rate; /* of the last stage */
+  wear_rate *rate; /* rate of the last stage */
   int n, stages;
   double even, energy;  /* sums of the rates */
-  double pressed;       /* the same for the normal force over the sliding distance */
+  double pressed;       /* sum of the normal forces over the sliding distance */
   double peak;          /* pressure at the first stage */
-  double *z, *sum;      /* [n] depths so far, sum of the rates */
+  double *z, *sum;      /* [n] depths so far; sum of the rates */
   double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
 } staged;
 
@@ -47,13 +48,14 @@ static arc_status staged_create(staged *s) {
   return ARC_OK;
 }
 
-/* Limits depths by layers. */
+/* Reduces depths by the wear coefficients of layers. */
 static void go_through_layers(const staged *s, double *depth) {
   const arc_kind *kind = s->w->kind;
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Wear of node i over the whole update, per rate [mm per MPa mm]; even wear moves no node. */
+/* Wear of node i over the whole update, per rate [mm per MPa mm]; 0 for a body that wears
+ * evenly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
@@ -89,8 +91,8 @@ static arc_status run_stages(staged *s, wear_progress *progress, arc_error *erro
   return ARC_OK;
 }
 
-/* Root mean square over the worn part of one body [mm]: at the edge of a scar the error of single
- * nodes does not converge with the mesh. */
+/* Root mean square of the error over the worn part of one body [mm]. At the edge of a scar the
+ * error of single nodes does not converge with the mesh. */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
   const arc_kind *kind = s->w->kind;
@@ -107,8 +109,9 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* Error estimate: mean of all rates minus mean of the first and last, which has the same order.
- * With noisy single rates: the second difference of the means over thirds of the update. */
+/* Error estimate: the mean of all rates minus the mean of the first and last rate, which has the
+ * same order. With noisy single rates it is the second difference of the means over thirds of the
+ * update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

@@ -1,10 +1,11 @@
-/* One step of a run: plan, attempts, shorter attempts, targets; it completes or changes nothing. */
+/* One step of a run: plan, attempts, shorter attempts, targets. The step is either completed or
+ * changes nothing. */
 #include "core/base/callbacks.h"
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* Tolerance of automatic steps; 0 for others. */
+/* Tolerance of automatic steps; 0 for all other steps. */
 static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
@@ -13,11 +14,11 @@ static void add_deviation(double value, double predicted, double scale, double *
   if (scale > 0) *largest = fmax(*largest, fabs(value - predicted) / scale);
 }
 
-/* Difference of functions of the state at the end of a step from their prediction, relative to the
- * largest; 0 without a prediction. */
+/* Computes the difference between the functions of the state at the end of a step and their
+ * predictions, relative to the largest value; 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
-  static const double margin = 1e-6; /* of the step: a jump at its end does not belong to it */
+  static const double margin = 1e-6; /* share of the step; a jump at its end does not count */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
   wear_coefficients now;
@@ -41,7 +42,7 @@ static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   return k > 0 ? fmax(c, p) / k : 0;
 }
 
-/* Tries the plan on a copy of the shape; the run is unchanged. */
+/* Tries the plan on a copy of the shape. The run does not change. */
 static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
@@ -60,15 +61,15 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *prog
   return w->kind->measure(w, out->shape, record, error);
 }
 
-/* Share of wear that a step adds. */
+/* Share of the whole wear that a step adds. */
 static double added_by(const arc_wear *w, const arc_wear_record *end) {
   const double gone = end->distance - w->block[0].start_distance;
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Steps of second order are repeated with the computed final state as prediction, if functions of
- * the state differ from their first prediction. Automatic steps include the remaining error: half
- * the difference, or less than a third of it with a parabola. */
+/* Makes a step. If functions of the state differ from their predictions, a step of second order is
+ * repeated with the computed final state as prediction. The error of automatic steps includes the
+ * remaining difference: half of it, or less than a third of it with a parabola. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
                          wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -100,8 +101,8 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_progress *progress,
   return status;
 }
 
-/* With a discontinuous law no implicit solution may exist: then the plan becomes explicit, at half
- * the stability limit. */
+/* Makes the plan explicit, at half the stability limit. With a discontinuous law there may be no
+ * implicit solution. */
 static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_progress *progress,
                                    arc_error *error) {
   double eigenvalue;
@@ -112,14 +113,14 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_prog
   return status;
 }
 
-/* Length factor of the next attempt after a step with too large an error. */
+/* Length factor of the next attempt after a step whose error is too large. */
 static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
   const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
   return fmax(0.1, 0.8 * pow(error, -power));
 }
 
-/* Accepted error / tolerance. For stages the tolerance is the target: a step is expensive, and its
- * estimate, which jumps with the nodes at the edge, may be twice as large. */
+/* Accepted error over tolerance. For stages the tolerance is the target, and twice the tolerance is
+ * accepted: a step is expensive, and its estimate jumps with the nodes at the edge. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
@@ -160,14 +161,14 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress 
   }
 }
 
-/* Targets of a run; the index of the one that was reached, or -1. */
+/* Targets of a run, and the index of the target that was reached, or -1. */
 typedef struct wear_targets {
   const arc_wear_target *target;
   size_t count;
   int reached;
 } wear_targets;
 
-/* Distance of a record beyond a target. */
+/* Value of a record minus the value of a target. */
 static double beyond(const arc_wear_record *record, const arc_wear_target *t) {
   return arc_wear_record_get(record, t->column) - t->value;
 }
@@ -177,8 +178,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
   return before != 0 && (after == 0 || (before < 0) != (after < 0));
 }
 
-/* Shortens a step that passed a target until it ends on it, by the Illinois method.
- */
+/* Shortens a step that passed a target until it ends at the target, by the Illinois method. */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
                               wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 60 };
@@ -208,7 +208,7 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
   return ARC_OK;
 }
 
-/* The first target passed in the step. */
+/* Shortens the step to the first target that it passed. */
 static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_progress *progress,
                                wear_targets *targets, wear_outcome *out, arc_error *error) {
   wear_plan first = *plan;
@@ -253,8 +253,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   return status;
 }
 
-/* Repeats a step that failed at the edge of the zones on larger meshes. If that fails too, the run
- * is unchanged and the first error is reported. */
+/* Makes a step; repeats a step that failed at the edge of the zones on larger meshes. If this fails
+ * as well, the run does not change and the first error is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };

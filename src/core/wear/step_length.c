@@ -3,31 +3,33 @@
 
 #include <math.h>
 
-/* A remaining distance below this share is rounding. */
+/* A remaining distance below this share is a rounding error. */
 static const double rounding = 1e-12;
 /* Relative tolerance for a complete last step. */
 static const double whole = 1e-9;
 
 /* --- lengths of updates */
 
-/* Integral of k over the distance [mm3/N] that wears the deepest node by `depth` [mm] at the
- * present pressure. */
+/* Integral of k over the distance [mm3/N] after which the deepest node has worn by `depth` [mm] at
+ * the present pressure. */
 static double k_integral_for(const arc_wear *w, double depth) {
   const double p = arc_wear_last(w)->p_center;
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Cycles for an integral of k over the distance [mm3/N]. */
+/* Number of cycles for an integral of k over the distance [mm3/N]. */
 static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double k_integral) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update, relative to the natural depth or to the present depth. */
+/* Largest wear of an update: over the natural depth for the first updates, later over the present
+ * depth. */
 static const double first_depth = 0.15, later_depth = 0.05;
-/* The same for the first implicit update, without an error estimate. */
+/* Largest wear of the first implicit update, which has no error estimate, over the natural
+ * depth. */
 static const double first_implicit_depth = 0.06;
-/* Share of the stability limit 2 / eigenvalue that automatic updates use. */
+/* Length of automatic updates over the stability limit 2 / eigenvalue. */
 static const double safe_share = 0.6;
 
 static double total_depth(const arc_wear *w) {
@@ -35,14 +37,14 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
-/* Smallest wear limit of automatic updates [mm]. */
+/* Largest wear of an automatic update [mm]. */
 static double depth_limit(const arc_wear *w) {
   return fmax(first_depth * w->kind->natural_depth(w), later_depth * total_depth(w));
 }
 
 /* --- even wear */
 
-/* Even wear changes the contact only by thinner layers. */
+/* True if only even wear occurs, which changes the contact only by thinner layers. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
@@ -51,7 +53,8 @@ static double layer_k_integral(const arc_wear *w, int scars) {
   return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
-/* The same if nothing else wears, independent of the pressure in the contact. */
+/* Largest integral of k of an update [mm3/N] if only even wear occurs. It does not depend on the
+ * pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
 }
@@ -62,7 +65,7 @@ int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
   return now->k * (plan->end - now->distance) * now->p_max < little * depth_limit(w);
 }
 
-/* Updates of one stage: limited by stability and by the wear of an update. */
+/* Plans updates of one stage, whose length is limited by stability and by the wear of an update. */
 static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                              arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
@@ -76,8 +79,8 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
   return status;
 }
 
-/* Updates in stages: length from the estimated error of the last one. It depends on the history
- * only, so that a stored run continues equally. */
+/* Largest integral of k of an update in stages [mm3/N], from the estimated error of the last
+ * update. It depends only on the history, so that a stored run continues with the same steps. */
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
@@ -87,7 +90,7 @@ static double most_staged(const arc_wear *w) {
   return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
 
-/* Automatic explicit updates. */
+/* Plans automatic explicit updates. */
 static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                                  arc_error *error) {
   if (splits_cycles(w) || w->manner.closed) return plan_plain(w, callbacks, plan, error);
@@ -96,8 +99,8 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
-/* Length of the next adaptive step from the estimated errors of the last ones. It depends on the
- * history only, so that a stored run continues equally. */
+/* Computes the length of the next adaptive step from the estimated errors of the last steps. It
+ * depends only on the history, so that a stored run continues with the same steps. */
 static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
                                 arc_error *error) {
   static const double most_growth = 2, least_growth = 0.2, safety = 0.85;
@@ -109,7 +112,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
     const double order = w->def.order == 1 ? 2 : 3;
     const double growth = safety * pow(now->error, -1 / order);
     const double before =
-        w->records > 2 ? now[-1].jump : 0; /* a last step may have been cut short */
+        w->records > 2 ? now[-1].jump : 0; /* the last step may have been shortened */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
     *jump = cycles_for(block, k,
@@ -128,7 +131,7 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
   *jump = INFINITY;
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
-  if (own && w->def.jump > 0) *jump = w->def.jump; /* stages at a law's jump, no more than that */
+  if (own && w->def.jump > 0) *jump = w->def.jump; /* largest length of updates in stages */
   if (arc_wear_jump_is_auto(&w->def) || own) return plan_automatic(w, callbacks, plan, error);
   *jump = w->def.jump;
   if (!w->def.jump_function) return ARC_OK;
@@ -136,14 +139,15 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
                                     arc_wear_last(w), jump, error);
 }
 
-/* Upper limit of the distance: that of the run or the end of the block. */
+/* Largest distance of the step: the limit of the run or the end of the block. */
 static double bound(const arc_wear *w, const wear_block *block, double limit) {
   return block == &w->block[w->blocks - 1] && block->periodic
              ? limit
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Histories that are run once: index of the increment, and its remaining share before the limit. */
+/* Plans a step of a history without repetition: the index of the increment and the share of the
+ * increment that remains before the limit. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;
@@ -170,11 +174,11 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
-/* Fails if steps become ever shorter, as the run would not end. */
+/* Fails if steps become shorter and shorter, as the run would not end. */
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };
-  static const double nothing = 1e-12; /* of the remaining distance */
+  static const double nothing = 1e-12; /* share of the remaining distance */
   if (!plan->block->periodic || w->records <= many) return ARC_OK;
   const arc_wear_record *now = arc_wear_last(w);
   const double gone = now->distance - (now - many)->distance, left = limit - now->distance;

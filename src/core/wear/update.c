@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Wears the outcome's shape, and adds volumes and error. */
+/* Wears the outcome's shape, and adds volumes and error to its record. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
   out->record.error = depth->error;
@@ -14,9 +14,9 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
-/* Integral of the load over the sliding of a window [N mm], by the rule the wear goes by. Forces on
- * both bodies balance it: under rigid slip it is the integral of p ds over the area of each (Eq.
- * 15), whatever the pressures are. */
+/* Integral of the load over the sliding distance of a window [N mm], by the integration rule of the
+ * wear. The load balances the forces on both bodies: under rigid slip the result is the integral of
+ * p ds over the area of each body (Eq. 15) for any pressures. */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {
@@ -45,12 +45,12 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
   return status;
 }
 
-/* Updates at every increment of a cycle (Eq. 4 with p_{i-1} of the previous geometry).
- */
+/* Updates the geometry at every increment of a cycle (Eq. 4 with p_{i-1} of the previous
+ * geometry). */
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   update_coefficients whole;
-  if (isfinite(plan->most)) { /* a length that was chosen by k */
+  if (isfinite(plan->most)) { /* k determines the length */
     const arc_status status = arc_wear_integrate_coefficients(w, plan, NULL, &whole, error);
     if (status != ARC_OK) return status;
   }
@@ -59,7 +59,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *prog
   const arc_wear_record start = *record;
   const double length = plan->end - start.distance;
   wear_depths *depth = &w->work.depth;
-  double gone = 0; /* share of the update */
+  double gone = 0; /* completed share of the update */
   for (int i = 0; i + 1 < b->count; i++) {
     const double part = b->repeat * fabs(b->x[i + 1] - b->x[i]) / b->sliding;
     const double from = start.distance + gone * length;
@@ -91,13 +91,13 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *prog
   return ARC_OK;
 }
 
-/* Parts of an update. */
+/* Data of an update. */
 typedef struct whole {
   arc_wear *w;
   wear_plan *plan;
   wear_window window;
   wear_progress *progress;
-  wear_rate *rate; /* at the start, where known */
+  wear_rate *rate; /* rate at the start, or NULL */
   update_coefficients coefficients;
 } whole;
 
@@ -108,8 +108,8 @@ static arc_status want_tangent(arc_wear *w, arc_error *error) {
   return w->start.tangent ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for an update");
 }
 
-/* Solves a window at the start of an update; the wear of whole cycles is cached unless factors
- * depend on the state. */
+/* Solves a window at the start of an update. The wear of whole cycles is cached unless local
+ * factors depend on the state. */
 static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
                               wear_progress *progress, arc_error *error) {
   wear_start *s = &w->start;
@@ -126,7 +126,7 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   return ARC_OK;
 }
 
-/* Moves the cached rate to `rate`; its solutions are counted once. */
+/* Copies the cached rate to `rate`; its solutions are counted once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
   arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
@@ -162,7 +162,7 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* Computes the rate at the start if needed: for explicit updates, and to predict the path for
+/* Computes the rate at the start if it is needed: for explicit updates, and to predict the path for
  * functions of the state. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
@@ -179,7 +179,8 @@ static arc_status find_start(whole *u, arc_error *error) {
   return status;
 }
 
-/* The coefficients of the plan, limited by the number of stages, and the eigenvalue. */
+/* Computes the eigenvalue and the coefficients of the plan, which the largest number of stages may
+ * shorten. */
 static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
@@ -193,8 +194,9 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
   return status;
 }
 
-/* Updates by the rate at their start use the mean coefficient of friction over their length;
- * others, which evaluate it in stages, use the value after a jump at their start. */
+/* Chooses the friction coefficient of the start. Updates with the rate at their start use the mean
+ * coefficient over their length. All other updates, which evaluate it in stages, use the value
+ * after a jump at their start. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
@@ -206,7 +208,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-/* Implicit updates with a tolerance use the surface-dependent data of their middle. */
+/* For implicit updates with a tolerance, sets the data that depend on the surface to those in the
+ * middle of the update. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;

@@ -1,4 +1,4 @@
-/* Checks of a run: history, volumes, and the checks of its kind. */
+/* Checks of a run: history, volumes, and the checks of its kind of pair. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -7,7 +7,7 @@
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* alpha-tilde is not a number before any wear. */
+/* Checks that all values are finite. Only alpha-tilde may be NaN, before any wear. */
 static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
   arc_wear_record known = *r;
   if (isnan(r->depth_partition) && !(r->depth_cylinder + r->depth_plate > 0))
@@ -40,8 +40,8 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 
 /* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
-/* True if the volume must be k L d by the records: not with changing loads, laws, factors or
- * elastic slip, nor with tables averaged at every increment. */
+/* True if the volume of a record must equal k L d. This is not the case for changing loads, laws,
+ * factors or elastic slip, nor for tables averaged at every increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =
@@ -76,10 +76,10 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
   for (size_t i = 1; i < count && status == ARC_OK; i++) {
     status = check_finite(&r[i], error);
     if (status == ARC_OK) status = check_growth(&r[i - 1], &r[i], error);
-    /* earlier rows have another definition */
+    /* earlier rows may have another definition */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      if (!w->manner.layered[b]) /* layers go by a k of their own, which no record has */
+      if (!w->manner.layered[b]) /* k of layers is in no record */
         status = check_volume(d, &r[i - 1], &r[i], (arc_body)b, error);
   }
   return status;

@@ -29,13 +29,13 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   w->kind = w->model->kind;
   w->manner = w->kind->manner(&w->def, md);
   status = arc_wear_blocks_create(&w->def, md, &w->block, &w->blocks);
-  /* without a distance: all the blocks of loading */
+  /* without a distance the run includes all blocks of loading */
   if (status == ARC_OK && w->def.distance == 0)
     w->def.distance = arc_wear_block_end(&w->block[w->blocks - 1]);
   return status;
 }
 
-/* Row 0 of the history; the shape may be worn already. */
+/* Computes row 0 of the history. The shape may already be worn. */
 static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
@@ -53,7 +53,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
   return w->kind->check_reach ? w->kind->check_reach(w, error) : ARC_OK;
 }
 
-/* A run of a checked definition on a copy of a shape, with a history. */
+/* Creates a run with a checked definition, a copy of a shape, and a history. */
 static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                           const arc_wear_record *history, size_t count, arc_wear **result,
                           arc_error *error) {
@@ -83,7 +83,7 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
   return status;
 }
 
-/* Replaces a run by another. */
+/* Replaces one run by another run. */
 static void replace(arc_wear **w, arc_wear *by) {
   arc_wear_destroy(w);
   *w = by;
@@ -134,7 +134,7 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Moves a changed run to more sites if its contact would leave the present ones. */
+/* Moves a changed run to more sites if its contact would leave the present sites. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
@@ -210,7 +210,7 @@ double arc_wear_strokes(const arc_wear *w) {
   return w->manner.strokes;
 }
 
-/* Cycles of the whole distance; the last block continues to its end. */
+/* Number of cycles over the whole distance. The last block continues to the end of the distance. */
 double arc_wear_cycles(const arc_wear *w) {
   double cycles = 0, left = w->def.distance - w->block[0].start_distance;
   for (int b = 0; b < w->blocks && left > 0; b++) {
