@@ -24,7 +24,7 @@ static size_t bytes(const arc_wear *w) {
 }
 
 /* Rejects a stroke along the other axis, for which the surfaces have the wrong cells, and a track
- * whose radius is not large compared with the contact. */
+ * whose radius is at most the contact's width. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;

@@ -85,7 +85,7 @@ static void add_mirror(double *sum, int rows, int columns) {
 
 enum { chunk = 8 /* rows per task */ };
 
-/* Computes rows of both bodies' sums; the rows of the upper body come first. */
+/* Computes rows of both bodies' sums; the rows of the upper body are the first. */
 static void sum_rows(void *context, int task, int worker) {
   const stroke *s = context;
   const int all = s->box.nx + s->h->rows;
