@@ -15,7 +15,7 @@ static const double widest_of_layer =
 
 typedef struct space_model {
   arc_model handle;
-  double *series[ARC_BODIES]; /* of maps */
+  double *series[ARC_BODIES]; /* copied numbers of maps */
 } space_model;
 
 /* --- checks ----------------------------------------------------------------------------------- */

@@ -48,8 +48,8 @@ static void round_cell(stick_slip_work *w, int k, double bound) {
   if (q > 0) scale(w, k, bound / q);
 }
 
-/* Sets the initial states of the cells: slip only for cells that slipped before and whose shear is
- * on the circle. */
+/* Sets the initial states of the cells. A cell slips if its shear is outside the friction circle,
+ * or if it slipped before and its shear is on the circle. */
 static void start(const stick_slip_problem *p, stick_slip_work *w) {
   static const double nearly = 1 - 1e-9;
   for (int k = 0; k < p->h->cells; k++) {
