@@ -1,4 +1,4 @@
-/* Building one condensed body: numbering, assembly outside the wear box, Schur complement. */
+/* Builds one condensed body: numbering, assembly outside the wear box, Schur complement. */
 #include "core/elastic/body.h"
 #include "core/base/dense.h"
 #include "core/elastic/condense.h"
@@ -10,14 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A cell with a hanging node in each edge: eight triangles around its middle. */
+/* Largest number of triangles in a cell: a cell with a hanging node in each edge has eight
+ * triangles around its middle. */
 enum { most_cell_nodes = 9 };
 
 static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(b->mesh->body));
 }
 
-/* Rim: box nodes that an element outside the box touches. */
+/* Numbers the rim, which are the box nodes that also belong to an element outside the box. */
 static void number_box(elastic_body *b) {
   const arc_mesh *m = b->mesh;
   for (int n = 0; n < m->nodes; n++) b->node_box[n] = -1;
@@ -36,7 +37,9 @@ static void number_box(elastic_body *b) {
     else
       b->box_inner[k] = b->inner++;
   }
-  b->band = 2 * (m->rows + 1) + 1; /* from a node to its diagonal neighbour in the next column */
+  b->band =
+      2 * (m->rows + 1) +
+      1; /* distance in the numbering from a node to its diagonal neighbour in the next column */
 }
 
 static void number_far(elastic_body *b) {
@@ -51,8 +54,8 @@ static void number_far(elastic_body *b) {
     if (b->far_at[n] == 0) b->far_at[n] = b->far_count++;
 }
 
-/* Adds the stiffness k of some nodes to `stiffness`, rim unknowns after the far ones, and its
- * far-rim entries to the coupling. */
+/* Adds the stiffness k of some nodes to `stiffness`, in which rim unknowns follow the far unknowns,
+ * and its entries between far and rim unknowns to the coupling. */
 static arc_status add_block(elastic_body *b, const int *nodes, int count, const double *k,
                             sparse_entries *stiffness) {
   const int n = 2 * count;
@@ -90,7 +93,7 @@ static int is_triangle(const arc_mesh *m, int e) {
   return arc_mesh_corners(m, e) == 3;
 }
 
-/* True if triangle e is in the same cell as e - 2. */
+/* Returns true if triangle e is in the same cell as triangle e - 2. */
 static int is_in_cell_of_previous(const arc_mesh *m, int e) {
   return e - 2 >= m->box_elements && e < m->elements && is_triangle(m, e) &&
          is_triangle(m, e - 2) && m->element[4 * e] == m->element[4 * (e - 2)];
@@ -104,7 +107,7 @@ int arc_body_cell(const elastic_body *b, int e) {
   return count;
 }
 
-/* Index of the node in the list; appends a new node. */
+/* Returns the index of the node in the list, to which a new node is appended. */
 static int enter_node(int node, int *nodes, int *count) {
   int at = 0;
   while (at < *count && nodes[at] != node) at++;
@@ -112,7 +115,7 @@ static int enter_node(int node, int *nodes, int *count) {
   return at;
 }
 
-/* Adds the triangles of one cell: each with its deviatoric stiffness, all with one common
+/* Adds the triangles of one cell. Each has its own deviatoric stiffness, and all have one common
  * dilatation. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
   const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
@@ -151,7 +154,7 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-/* Factorises, which also gives S_far = K_rr - K_rf K_ff^-1 K_fr. */
+/* Factorises the stiffness, which also gives S_far = K_rr - K_rf K_ff^-1 K_fr. */
 static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
@@ -185,13 +188,13 @@ static arc_status allocate(elastic_body *b) {
   return arc_compliance_create(&b->unworn, m->surface);
 }
 
-/* The representative column: the centre, unless it is on an axis of revolution. */
+/* Returns the representative column: the centre, unless it is on an axis of revolution. */
 static int usual_column(const elastic_body *b) {
   const revolution *r = &b->chart.revolved;
   return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
 }
 
-/* Change of the compliance for a representative column thinner by 1 %. */
+/* Computes the change of the compliance if a representative column becomes thinner by 1 %. */
 static void take_difference(elastic_body *b, const compliance *thinner, double share) {
   const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
   const double weight = arc_revolution_weight(&b->chart.revolved, arc_body_top(b, centre)[0]);
@@ -207,7 +210,7 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  /* no wear box, or a body with layers */
+  /* a body without a wear box, or with layers */
   if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);
@@ -246,7 +249,7 @@ static double take_materials(elastic_body *b, const arc_body_def *solid) {
   return nu;
 }
 
-/* Builds the mesh of the body, or uses the given one. */
+/* Builds the mesh of the body, or uses an imported one. */
 static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body which,
                             arc_mesh **given, arc_error *error) {
   arc_mesh_def mesh = def->mesh;
@@ -260,7 +263,7 @@ static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body 
   return arc_given_layers(b->mesh, &solid, error);
 }
 
-/* Builds everything except the mesh. */
+/* Builds all parts of the body except the mesh. */
 static arc_status make(elastic_body *b, work_progress *seen, arc_error *error) {
   arc_status status = arc_work_stage(seen);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);

@@ -1,9 +1,8 @@
 /* One elastic body, condensed to its wear box.
  *
- * Unknowns: `far` outside the wear box, eliminated once; `rim` the box nodes that far elements
- * touch; `inner` the other box nodes, the contact surface among them. In the inner unknowns,
- * numbered column by column, K_box is a narrow band.
- */
+ * The unknowns outside the wear box (`far`) are eliminated once. `rim` are the box nodes that also
+ * belong to far elements, and `inner` are the other box nodes, among them the contact surface. In
+ * the inner unknowns, numbered column by column, K_box is a narrow band. */
 #ifndef ELASTIC_BODY_H
 #define ELASTIC_BODY_H
 
@@ -14,8 +13,8 @@
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
-/* A layer below a node of the surface, down to `end` [mm] along the chart's z; INFINITY for the
- * last one. */
+/* A layer below a node of the surface, which ends at the depth `end` [mm] along the chart's z;
+ * INFINITY for the last layer. */
 typedef struct stratum {
   double end;
   int layer;
@@ -24,48 +23,50 @@ typedef struct stratum {
 typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
-  elasticity d;                          /* of the body's own material, below all layers */
-  elasticity layer[ARC_MOST_LAYERS + 1]; /* by the layer of an element */
+  elasticity d; /* elasticity of the body's own material, below all layers */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity by the layer of an element */
   arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
-  int *node_box;  /* [nodes] index in the wear box (as box_node), or -1 */
-  int *far_at;    /* [2 nodes] far unknown of each displacement x, y of the nodes, or -1 */
-  int far_count;  /* far unknowns */
-  int box_count;  /* nodes of the wear box */
-  int *box_inner; /* [box_count] inner number, or -1 */
-  int *box_rim;   /* [box_count] rim number, or -1 */
-  int inner, rim; /* nodes of each kind */
+  int *node_box;  /* [nodes] index in the wear box (in the order of box_node), or -1 */
+  int *far_at; /* [2 nodes] number of the far unknown for each displacement x, y of the nodes, or -1
+                */
+  int far_count;  /* number of far unknowns */
+  int box_count;  /* number of nodes in the wear box */
+  int *box_inner; /* [box_count] number among the inner nodes, or -1 */
+  int *box_rim;   /* [box_count] number among the rim nodes, or -1 */
+  int inner, rim; /* numbers of inner and rim nodes */
   int band;       /* half band width of the inner unknowns */
   factor *far;
   sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
   double *thinning;   /* see arc_body_thinning */
-  stratum *stratum;   /* of an imported mesh with layers, node by node; else NULL */
-  int *stratum_start; /* [surface] index of the first one of a node */
+  stratum *stratum;   /* for an imported mesh with layers, the layers node by node; else NULL */
+  int *stratum_start; /* [surface] index of the first layer below a node */
 } elastic_body;
 
 /* Change of the compliance as the wear box becomes thinner at one column: the term added to the
  * normal compliance between the nodes `a` and `b` columns away, per share of thickness lost. It is
- * limited to ARC_THINNING_REACH columns: for a contact the worn box is as stiff as before, and only
- * the error of the elements changes. Computed at the unworn centre; for bodies of revolution per 1
- * mm of circumference, halfway between the axis and the edge. */
+ * limited to ARC_THINNING_REACH columns, as for a contact the worn box is as stiff as before, and
+ * only the error of the elements changes. It is computed at the unworn centre; for bodies of
+ * revolution per 1 mm of circumference, halfway between the axis and the edge. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: none). Takes
- * ownership of a given mesh (*given not NULL) and sets *given to NULL, also on failure. On failure
- * *body is NULL. */
+/* Meshes, assembles, factorises and condenses a body, in ARC_BODY_STAGES of the watch (NULL: none).
+ * If *given is not NULL, this imported mesh is used; the body owns it from now on and *given
+ * becomes NULL, also on failure. On failure *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
                            work_progress *seen, elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* An unworn surface node in the chart, and the bottom of the wear box below it: s and z [mm]. */
+/* Positions s and z [mm] in the chart of an unworn surface node, and of the bottom of the wear box
+ * below it. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
 }
@@ -73,8 +74,9 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
   return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
 }
 
-/* Displacement of row `row` of wear-box column i as a share of the surface's: by its depth, in
- * equal parts per row except where layers have their own rows. */
+/* Returns the displacement of row `row` in column i of the wear box as a share of the surface's
+ * displacement. It depends on the depth of the row, in equal parts per row except where layers have
+ * rows of their own. */
 static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   const int rows = body->mesh->rows;
   if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
@@ -82,24 +84,25 @@ static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
 }
 
-/* The n-th stratum (from 0) below node i of the surface; the last one ends at INFINITY. */
+/* Returns the n-th layer (from 0) below node i of the surface; the last one ends at INFINITY. */
 static inline stratum arc_body_stratum(const elastic_body *body, int i, int n) {
   if (body->stratum) return body->stratum[body->stratum_start[i] + n];
   const arc_body_def *solid = &body->mesh->solid;
   return (stratum){n < arc_body_layers(solid) ? arc_body_interface(solid, n) : INFINITY, n};
 }
 
-/* Elasticity of an element outside the wear box. */
+/* Returns the elasticity of an element outside the wear box. */
 static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];
 }
 
-/* Number of triangles with a common dilatation, of which e is the first of its cell: e, e + 2, ...;
- * together they do not lock. 1 for single elements, as all of an imported mesh are, 0 for the later
- * ones of a cell. */
+/* Returns the number of triangles e, e + 2, ... of one cell that have a common dilatation, if e is
+ * the first of them; together they do not lock. Returns 1 for single elements, as in imported
+ * meshes, and 0 for the other triangles of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
-/* The element with the corners corner[4] (-1 fourth: triangle) of the body, among nodes xy. */
+/* Returns the element of the body with the corners corner[4] among nodes xy; corner[3] is -1 for a
+ * triangle. */
 element arc_body_element(const elastic_body *body, const double *xy, const int corner[4]);
 
 #endif

@@ -1,11 +1,10 @@
 /* Charts: coordinates (s, z) along and across the surfaces of a pair, in which contact is solved.
  *
- * A line's are x and y themselves. A polar one lies about the centre (0, side R) of a hollow
- * surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the first point
- * of contact, which is the origin of both. Lengths along s are those of the hole, and pressures
- * those on its area; kinematics are of first order in clearance and wear over R, with forces along
- * z.
- */
+ * The chart of a line has the coordinates x and y. A polar chart has the centre (0, side R) of a
+ * hollow surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the
+ * first point of contact, which is the origin of both charts. Lengths along s are those of the
+ * hole, and pressures refer to its area. Kinematics are of first order in clearance and wear over
+ * R, with forces along z. */
 #ifndef ELASTIC_CHART_H
 #define ELASTIC_CHART_H
 
@@ -14,22 +13,23 @@
 
 #include <math.h>
 
-/* Bodies of revolution about x = -axis; r = axis + x. */
+/* Section of bodies of revolution about x = -axis; r = axis + x. */
 typedef struct revolution {
   int on;
-  double axis; /* [mm]; 0: the sections on both sides of x = 0 are the same ring */
+  double axis; /* [mm] distance of the axis; 0: the sections on both sides of x = 0 are the same
+                  ring */
 } revolution;
 
-/* Length represented by a point of the section [mm]: the circumference, or half of it if the
- * section contains it twice; 1 in the plane. */
+/* Returns the length represented by a point of the section [mm]: the circumference, or half of it
+ * if the section contains it twice; 1 in the plane. */
 static inline double arc_revolution_weight(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return 1;
   return (r->axis > 0 ? 2 : 1) * pi * fabs(r->axis + x);
 }
 
-/* The area from the axis to x [mm2], which replaces x for surfaces of revolution: u_y is linear in
- * it. In the plane, x. */
+/* Returns the area from the axis to x [mm2], which replaces x for surfaces of revolution because
+ * u_y is linear in it. In the plane it returns x. */
 static inline double arc_revolution_area(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return x;
@@ -38,8 +38,8 @@ static inline double arc_revolution_area(const revolution *r, double x) {
 
 typedef struct chart {
   int polar;
-  double radius; /* [mm] R */
-  double side;   /* 1: the lower body is hollow, -1: the upper one is */
+  double radius; /* [mm] radius R of the hole */
+  double side;   /* 1 if the lower body is hollow, -1 if the upper one is */
   double pin;    /* [mm] radius of the body in the hole, which is in contact in the direction of the
                     load */
   revolution revolved;
@@ -48,28 +48,28 @@ typedef struct chart {
 /* Returns the chart of a pair. */
 chart arc_chart_of(const arc_model_def *def);
 
-/* Transforms n points from space to the chart, and back. */
+/* Transform n points from space to the chart, and back. */
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
-/* The nearest to s of every `step`-th of `count` points in the chart; of two equally near ones the
- * middle one. */
+/* Returns the point nearest to s among every `step`-th of `count` points in the chart; of two
+ * equally near points, the one nearer to the middle. */
 int arc_chart_nearest(const double *sz, int step, int count, double s);
 
-/* Directions of s and z at s: along[2], across[2]. */
+/* Computes the directions of s and z at s, along[2] and across[2]. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
 
-/* How far the surface of an unworn pin that rests at `angle` [rad, along s] is from the hole's
- * centre at s [mm]. */
+/* Returns the distance [mm] from the hole's centre to the surface at s of an unworn pin that rests
+ * at `angle` [rad, along s]. */
 double arc_chart_rest(const chart *c, double s, double angle);
 
-/* Where a body is that has moved by x along s, under a load at an angle: turned by an angle (cos
- * and sin) about a centre, then shifted. */
+/* Position of a body that has moved by x along s under a load at an angle: it is rotated by an
+ * angle (cosine and sine) about a centre, then shifted. */
 typedef struct placing {
   double cos, sin, centre[2], shift[2];
 } placing;
 placing arc_chart_placing(const chart *c, arc_body body, double x, double angle);
-/* n points; n vectors. */
+/* Move n points; rotate n vectors. */
 void arc_placing_points(const placing *p, int n, double *xy);
 void arc_placing_vectors(const placing *p, int n, double *v);
 

@@ -1,4 +1,4 @@
-/* Compliances: memory, slopes, shear. */
+/* Compliances: memory, slopes, and the compliance for shear. */
 #include "core/elastic/compliance.h"
 #include "core/base/dense.h"
 
@@ -6,7 +6,7 @@
 
 enum { blocks = 5 };
 
-/* The last element counts references. */
+/* The last number of the block counts references. */
 static size_t compliance_numbers(int n) {
   return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
@@ -19,7 +19,7 @@ size_t arc_compliance_bytes(int n) {
   return compliance_numbers(n) * sizeof(double);
 }
 
-/* One allocation for all five blocks, slopes and levels. On a flat surface `along` is yy. */
+/* All five blocks, slopes and levels are in one allocation. On a flat surface `along` is yy. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){0};
@@ -59,7 +59,7 @@ void arc_compliance_incline(compliance *c) {
   }
 }
 
-/* yy - xx a few columns away, on one or both sides of column k. */
+/* Returns yy - xx a few columns away, on one or both sides of column k. */
 static double difference_at(const compliance *c, int k, int columns) {
   double sum = 0;
   int sides = 0;
@@ -72,7 +72,8 @@ static double difference_at(const compliance *c, int k, int columns) {
   return sum / sides;
 }
 
-/* The error of the elements decreases with the square of the distance. */
+/* The error of the element approximation decreases with the square of the distance between the
+ * nodes. */
 void arc_compliance_level(compliance *c) {
   if (c->n <= 2 * ARC_SHEAR_REACH) return;
   c->level = c->slope + c->n;

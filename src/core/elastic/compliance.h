@@ -5,16 +5,17 @@
 #include "archard/base.h"
 
 /* Response of the n candidate surface nodes to nodal forces per thickness [mm2/N], column-major n x
- * n, one block of memory: entry (r, c) of `uv` is the displacement of node r along u under a unit
- * force along v at node c. yy and xx are symmetric, yx is xy transposed. */
+ * n, in one block of memory. Entry (r, c) of `uv` is the displacement of node r along u under a
+ * unit force along v at node c. yy and xx are symmetric, and yx is xy transposed. */
 typedef struct compliance {
   int n;
   double *yy, *xy, *yx, *xx;
   /* Data of the condensed surface with moved nodes: slopes dy/dx [n], and the response of gaps to
-   * pressures along its normals, yy - m xy - yx m + m xx m. The caller computes them; along is yy
-   * for flat surfaces. */
+   * pressures along the surface's normals, yy - m xy - yx m + m xx m. The caller computes them. For
+   * flat surfaces `along` is yy. */
   double *slope, *along;
-  double *level; /* [n] yy - xx without the elements' error; NULL: xx is the compliance for shear */
+  double *level; /* [n] yy - xx without the error of the elements; NULL: xx is the compliance for
+                    shear */
 } compliance;
 
 /* Displacement of node r along the surface under a unit of shear at node k. */
@@ -25,20 +26,22 @@ static inline double compliance_shear(const compliance *c, int r, int k) {
   return c->yy[at] - (c->level[r] + c->level[k]) / 2;
 }
 
-/* Allocates a compliance of n nodes, zero and flat. ARC_MEMORY: it is empty. */
+/* Allocates a compliance of n nodes, zero and flat. On ARC_MEMORY it is empty. */
 arc_status arc_compliance_create(compliance *c, int n);
 void arc_compliance_free(compliance *c);
-/* Another reference to the same compliance, to be freed too; neither may be written to. */
+/* Returns another reference to the compliance, which must be freed too. Neither may be written to
+ * afterwards. */
 compliance arc_compliance_share(const compliance *c);
-/* Fills `along` from the blocks and the slopes. */
+/* Computes `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
-/* Levels the compliance for shear to that for pressure, for bodies of one material. A uniform
- * half-plane has the same tangential displacements under shear as normal ones under pressure.
- * Elements are too stiff for shear that alternates from node to node, more so if they are tall: at
- * 1.25 times their width displacements are half of those under such pressure. So within a few
- * columns yy replaces xx, apart from the difference due to the finite size of bodies. */
+/* Adapts the compliance for shear to that for pressure, for bodies of one material. A uniform
+ * half-plane has the same tangential displacements under shear as normal displacements under
+ * pressure. Elements are too stiff for shear that alternates from node to node, and more so if they
+ * are tall: at a height of 1.25 widths the displacements are half of those under such pressure.
+ * Within a few columns yy therefore replaces xx, except for the difference due to the finite size
+ * of bodies. */
 void arc_compliance_level(compliance *c);
-/* Memory of a compliance of n nodes [bytes]. */
+/* Returns the memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);
 
 #endif

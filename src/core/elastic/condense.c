@@ -1,13 +1,12 @@
-/* The dense update of a worn shape: S = S_far + K_box(current nodes), F = the surface's
- * blocks of S^-1.
+/* The dense update of a worn shape: S = S_far + K_box(current nodes), F = the surface's blocks of
+ * S^-1.
  *
  * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim): X = K_ii^-1 K_ir, Z = K_ii^-1 E, T = K_rr +
  * S_far - K_ri X = L L' and W = E_r - X' E_i give  u_rim = T^-1 W f,  u_inner = K_ii^-1 (E_i f -
- * K_ir u_rim),  F = E' Z + V' V with V = L^-1 W, where E picks the surface unknowns, x and y of
- * node after node. K_ii is a narrow band, so that what costs are T's factor, V and V' V. The
- * surface does not feel rim nodes far away: columns of W, and with them of V, begin with zeros on
- * wide boxes.
- */
+ * K_ir u_rim),  F = E' Z + V' V with V = L^-1 W, where E selects the surface unknowns, x and y of
+ * node after node. K_ii is a narrow band, so that most of the cost is the factor of T, V and V' V.
+ * Rim nodes that are far away have no influence on the surface, so on wide boxes the columns of W
+ * and V begin with zeros. */
 #include "core/elastic/condense.h"
 #include "core/base/dense.h"
 
@@ -16,21 +15,21 @@
 #include <string.h>
 
 enum {
-  together = ARC_DENSE_BAND_SIDES, /* right-hand sides of the band solved at once */
-  panel = 64                       /* columns of W processed together: 32 surface nodes */
+  together = ARC_DENSE_BAND_SIDES, /* number of right-hand sides of the band solved at once */
+  panel = 64                       /* number of columns of W processed together: 32 surface nodes */
 };
 
 typedef struct condensation {
-  int ni, nr, ns;     /* inner and rim unknowns, surface nodes */
+  int ni, nr, ns;     /* numbers of inner unknowns, rim unknowns and surface nodes */
   double even;        /* [mm] even wear */
   double *band;       /* [(band + 1) * ni] factor of K_ii */
   double *side;       /* [(ni + 2 band) x together] right-hand sides of the band, side by side; zero
                          between calls */
   double *t;          /* [nr x nr] factor of T, lower triangle */
-  double *w;          /* [nr x 2 ns] W */
-  int *first;         /* [2 ns] first row of W's column that is not zero */
-  double *f;          /* [2 ns x 2 ns] E' Z, then F, lower triangle */
-  sparse_entries rim; /* K_ri: row rim, column inner */
+  double *w;          /* [nr x 2 ns] matrix W */
+  int *first;         /* [2 ns] first nonzero row of W's column */
+  double *f;          /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
+  sparse_entries rim; /* matrix K_ri: row rim, column inner */
 } condensation;
 
 static void condensation_free(condensation *c) {
@@ -57,17 +56,18 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   return ARC_MEMORY;
 }
 
-/* Depth of a wear-box node under the unworn surface [mm]. */
+/* Returns the depth of a wear-box node under the unworn surface [mm]. */
 static double depth_of(const elastic_body *b, const double *box_at, int k) {
   const double up = b->mesh->body == ARC_UPPER ? 1 : -1;
   return up * (box_at[2 * k + 1] - arc_body_top(b, k / (b->mesh->rows + 1))[1]);
 }
 
-/* Elasticity of a wear-box element between two depths: that of the layers it lies in now, which lie
- * in series across it and side by side along it. With the shares s of the layers' constants c,
+/* Returns the elasticity of a wear-box element between two depths. It is that of the layers now
+ * inside the element, which act in series across it and in parallel along it. With the shares s of
+ * the layers' constants c,
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
- *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22                                                */
+ *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
 static elasticity mix_layers(const elastic_body *b, double from, double to) {
   const int layers = arc_body_layers(&b->mesh->solid);
   double yields = 0, shears = 0, widens = 0, along = 0;
@@ -88,8 +88,8 @@ static elasticity mix_layers(const elastic_body *b, double from, double to) {
                       .nu = b->d.nu};
 }
 
-/* The surface moves through the fixed layers. Under even wear [mm] the layers are shifted toward
- * the surface. */
+/* The surface moves through the fixed layers; even wear [mm] shifts the layers toward the
+ * surface. */
 static elasticity box_elasticity(const elastic_body *b, const double *box_at, double even,
                                  const int corner[4]) {
   const int rows = b->mesh->rows + 1;
@@ -136,19 +136,19 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
   return status;
 }
 
-/* Inner index of surface unknown j, or -1 if it is on the rim. */
+/* Returns the inner index of surface unknown j, or -1 if it belongs to the rim. */
 static int inner_unknown(const elastic_body *b, int j) {
   const int at = b->box_inner[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Rim index of surface unknown j, or -1. */
+/* Returns the rim index of surface unknown j, or -1. */
 static int rim_unknown(const elastic_body *b, int j) {
   const int at = b->box_rim[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Right-hand sides of the band: the rows they reach over. */
+/* Right-hand sides of the band, with the range of rows in which they are not zero. */
 typedef struct reach {
   int from, to;
 } reach;
@@ -172,12 +172,12 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* to[] -= by x[], as many as there are sides left of n. */
+/* Computes to[] -= by x[] over the sides processed together, of which n are left. */
 static void subtract(int n, double by, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
 }
 
-/* Columns q .. of X: T -= K_ri X, row by row below the diagonal, and W = -X' E_i. */
+/* For columns q .. of X: T -= K_ri X, row by row below the diagonal, and W = -X' E_i. */
 static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   reach r = {c->ni, 0};
   for (size_t k = 0; k < c->rim.count; k++) {
@@ -199,7 +199,7 @@ static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   clear_sides(c, &r);
 }
 
-/* E_r of W, for the unknowns of the surface that belong to the rim. */
+/* Adds E_r to W, for the unknowns of the surface that belong to the rim. */
 static void fill_rim_of_w(const elastic_body *b, condensation *c) {
   for (int j = 0; j < 2 * c->ns; j++) {
     c->first[j] = rim_unknown(b, j) < 0 ? c->nr : rim_unknown(b, j);
@@ -251,7 +251,7 @@ static arc_status condense(const elastic_body *b, const double *box_at, double e
   return status;
 }
 
-/* Columns q .. of E' Z, transposed: rows of its lower triangle. */
+/* Writes columns q .. of E' Z, transposed, to rows of its lower triangle. */
 static void add_z(const elastic_body *b, condensation *c, int q) {
   const int n = 2 * c->ns;
   reach r = {c->ni, 0};
@@ -270,7 +270,7 @@ static void add_z(const elastic_body *b, condensation *c, int q) {
   clear_sides(c, &r);
 }
 
-/* The first row of a panel of W, from column j on, that is not zero. */
+/* Returns the first nonzero row of a panel of W, from column j on. */
 static int first_of_panel(const condensation *c, int j, int count) {
   int first = c->nr;
   for (int k = j; k < j + count; k++)
@@ -278,7 +278,8 @@ static int first_of_panel(const condensation *c, int j, int count) {
   return first;
 }
 
-/* V V' of one panel of columns with itself and the previous panels; appends the panel to them. */
+/* Adds V V' of one panel of columns with itself and the previous panels, to which it is then
+ * appended. */
 static void add_panel(condensation *c, int j) {
   const int n = 2 * c->ns, count = n - j < panel ? n - j : panel;
   const int start = first_of_panel(c, j, count);
@@ -294,7 +295,7 @@ static void add_panel(condensation *c, int j) {
                        &c->f[dense_at(j, j, n)], n);
 }
 
-/* F, node by node, into its four blocks. */
+/* Copies F, node by node, to its four blocks. */
 static void split(const condensation *c, compliance *result) {
   const int n = c->ns;
   for (int q = 0; q < n; q++)
@@ -308,7 +309,8 @@ static void split(const condensation *c, compliance *result) {
     }
 }
 
-/* Displacement of node r under a force at node k in the directions of the chart: ss, sz, zs, zz. */
+/* Converts the displacement of node r under a force at node k to the directions of the chart: ss,
+ * sz, zs, zz. */
 static void turn_pair(const compliance *c, const double *axes, int r, int k, double turned[4]) {
   const size_t at = dense_at(r, k, c->n);
   const double *u = &axes[4 * r], *v = &axes[4 * k];
@@ -319,7 +321,7 @@ static void turn_pair(const compliance *c, const double *axes, int r, int k, dou
   }
 }
 
-/* Into the chart's directions, symmetric to the bit. */
+/* Converts F to the directions of the chart, symmetric to the bit. */
 static void turn(compliance *c, const double *axes) {
   for (int k = 0; k < c->n; k++)
     for (int r = k; r < c->n; r++) {
@@ -359,7 +361,7 @@ arc_status arc_body_condense(const elastic_body *b, const double *box_at, double
   return status;
 }
 
-/* u_far = -K_ff^-1 K_fr u_rim, written into u. */
+/* Computes u_far = -K_ff^-1 K_fr u_rim, written to u. */
 static arc_status far_displacements(const elastic_body *b, const double *rim, double *u,
                                     arc_error *error) {
   double *far = calloc((size_t)b->far_count, sizeof *far);
@@ -373,11 +375,11 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   return status;
 }
 
-/* Rim and inner displacements of the wear box under surface forces f, along x at all nodes first.
- */
+/* Computes rim and inner displacements of the wear box under surface forces f, first along x at all
+ * nodes, then along y. */
 static void box_displacements(const elastic_body *b, const condensation *c, const double *f,
                               double *rim, double *inner) {
-  memset(rim, 0, (size_t)(c->nr + c->ni) * sizeof *rim); /* and inner, which follows */
+  memset(rim, 0, (size_t)(c->nr + c->ni) * sizeof *rim); /* also allocates inner, which follows */
   for (int j = 0; j < 2 * c->ns; j++) {
     const double force = f[j % 2 * c->ns + j / 2];
     const double *w = &c->w[dense_at(0, j, c->nr)];

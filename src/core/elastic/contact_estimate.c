@@ -1,7 +1,7 @@
-/* Estimate of the contact width of unworn bodies, from which meshes are sized. For half-planes it
- * is in closed form by Hertz for arcs and by Persson in holes; for other shapes with one contact it
- * is an integral over their gap. Layers and near bases are included by the modulus of the bodies
- * for a wave of about the contact's length. */
+/* Estimate of the contact width of unworn bodies, which determines the element sizes. For
+ * half-planes it is in closed form, by Hertz for arcs and by Persson in holes. For other shapes
+ * with one contact it is an integral over their gap. Layers and near bases are included by the
+ * modulus of the bodies for a wave of about the contact's length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
 #include "core/mesh/body_shape.h"
@@ -16,13 +16,13 @@ int arc_model_is_round(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
 }
 
-/* Length of a line contact, straight or circular [mm]. */
+/* Returns the length of a line contact, straight or circular [mm]. */
 static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Waves this often over a half width show layers as a contact does: to the digit where layers are
- * so thin that they yield like springs side by side. */
+/* Number of half widths per wave with which layers yield as much as under a contact. It is exact to
+ * the digit if layers are so thin that they act like independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
@@ -46,7 +46,7 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
 
 /* --- their gap -------------------------------------------------------------------------------- */
 
-/* Distance of a surface below its outermost point at x [mm]. */
+/* Returns the distance of a surface below its outermost point at x [mm]. */
 static double inset_at(const contact_pair *g, int b, double x) {
   const arc_body_def *s = &g->solid[b];
   const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
@@ -61,13 +61,13 @@ static double gap_at(const contact_pair *g, double x) {
   return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
 }
 
-/* Mean of both sides of the first point of contact. */
+/* Returns the mean of both sides of the first point of contact. */
 static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* Position where smooth profiles are nearest to the other body: a point or a flat, the first of
- * several. */
+/* Computes the position where smooth profiles are nearest to the other body: a point or a flat, the
+ * first of several. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -119,22 +119,24 @@ contact_pair arc_model_pair(const arc_model_def *def) {
 
 /* --- load of a given width */
 
-/* Contact modulus of the pair for a contact of this half width [MPa]. */
+/* Returns the contact modulus of the pair for a contact of this half width [MPa]. */
 static double modulus_at(const contact_pair *g, double half_width) {
   const arc_model_def *def = g->def;
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
 }
 
-/* Persson's pin in a hole of equal materials, 2 E* c / P by b = tan(e / 2). */
+/* Returns 2 E* c / P of Persson's pin in a hole of equal materials, as a function of b = tan(e /
+ * 2). */
 static double press_into_hole(const contact_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
   const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Half-planes in contact over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and round
- * spots, P / E* = twice that of s^2 g' / sqrt(a^2 - s^2). Both are smooth over t = sqrt(a^2 - s^2).
- * `wide` is the half width in addition to the part in contact without load. */
+/* Load of half-planes in contact over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and of
+ * round spots, P / E* = twice the integral of s^2 g' / sqrt(a^2 - s^2). Both integrands are smooth
+ * over t = sqrt(a^2 - s^2). `wide` is the half width in addition to the part in contact without
+ * load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -144,7 +146,7 @@ static double press(const contact_pair *g, double wide) {
     const double t = most * k / steps, step = most / steps, before = t - step;
     const double inner = k < steps ? sqrt((a - t) * (a + t)) : g->least, in = opening(g, inner);
     const double both = outer + inner;
-    /* outer^2 - inner^2 = t^2 - before^2 */
+    /* from outer^2 - inner^2 = t^2 - before^2 */
     sum += (out - in) * both / (t + before) * (g->round ? both : 1);
     outer = inner;
     out = in;
@@ -152,7 +154,8 @@ static double press(const contact_pair *g, double wide) {
   return sum;
 }
 
-/* Half width for a load by bisection of its logarithm; the largest if its load is smaller. */
+/* Returns the half width for a load, by bisection of its logarithm; the largest half width if its
+ * load is smaller. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -168,8 +171,9 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* The half width of the cylinder, or ball, whose contact grows at the same rate with the load,
- * which has pressure edges of the same sharpness. P is proportional to its square, or cube. */
+/* Returns the half width of the cylinder, or ball, whose contact grows at the same rate with the
+ * load, so that its pressure has edges of the same sharpness. P is proportional to the square, or
+ * cube, of its half width. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);
@@ -180,8 +184,8 @@ static double edge_at(const contact_pair *g, double wide) {
 
 /* --- estimates */
 
-/* A wave of a pressed surface ripples the pressure by pi E* / length times its amplitude: one that
- * does so by less than this share of the mean is none. */
+/* A wave of a pressed surface changes the pressure by pi E* / length times its amplitude. A wave
+ * that changes it by less than this share of the mean is neglected. */
 static const double felt = 1e-3;
 
 static double mean_pressure(const contact_pair *g, double half_width, double load) {
@@ -189,14 +193,17 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
                   : load / (2 * half_width * line_length(g->def));
 }
 
-/* Width [mm] that touches on each crest of waves under the mean pressure p: Westergaard's. */
+/* Returns the width [mm] of the contact on each crest of waves under the mean pressure p, by
+ * Westergaard. */
 static double spot_width(const body_waves *w, double modulus, double p) {
-  const double flat = pi * modulus * w->height / 2 / w->length; /* mean pressure of full contact */
+  const double flat = pi * modulus * w->height / 2 /
+                      w->length; /* mean pressure at which the contact becomes complete */
   return p < flat ? 2 * w->length / pi * asin(sqrt(p / flat)) : w->length;
 }
 
-/* Body whose profile is rough under the load, judged by the contact of its form; the width is then
- * that of the form only. Sets the length of the shortest waves and the width of spots. */
+/* Determines which profiles are rough under the load, judged by the contact of their form; the
+ * width is then that of the form only. Sets the length of the shortest waves and the width of
+ * spots. */
 static void find_waves(contact_pair *g, double load, contact_estimate *e) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;
@@ -222,7 +229,7 @@ static int is_arc_or_flat(const arc_body_def *b) {
   return arc_body_is_round(b) || arc_body_is_flat(b);
 }
 
-/* True if both are arcs or flat, without layers or near bases. */
+/* Returns true if both surfaces are arcs or flat, without layers or near bases. */
 static int is_plain(const contact_pair *g, double half_width) {
   return g->hole == 0 && is_arc_or_flat(&g->solid[0]) && is_arc_or_flat(&g->solid[1]) &&
          half_width > 0 &&

@@ -5,39 +5,39 @@
 #include "archard/model.h"
 #include "core/mesh/waves.h"
 
-/* Contact of a pair under a load. All in mm. */
+/* Contact of a pair under a load; all lengths in mm. */
 typedef struct contact_estimate {
-  double half_width; /* see arc_model_half_width */
-  double flat;       /* width that touches without load, of it */
-  double at;         /* x of its middle: profiles may touch beside x = 0 */
+  double half_width; /* half width, see arc_model_half_width */
+  double flat;       /* width of the part that touches without load */
+  double at;         /* x of the middle of the contact, as profiles may touch beside x = 0 */
   double edge; /* half width of the cylinder or ball whose pressure has edges of the same sharpness;
                   equal to the half width except for rounded edges or kinks */
-  double wave; /* length of the shortest waves that are felt; INFINITY: none are */
-  double spot; /* width of the spots that touch on the crests of waves; INFINITY: no waves */
+  double wave; /* length of the shortest waves that change the pressure; INFINITY: there are none */
+  double spot; /* width of the spots in contact on the crests of waves; INFINITY: no waves */
 } contact_estimate;
 
-/* Relative shape of the unworn surfaces of a pair. Created once for any number of loads; `at`,
- * `form` and, for profiles, `least` belong to one load. */
+/* Relative shape of the unworn surfaces of a pair. It is created once for any number of loads;
+ * `at`, `form` and, for profiles, `least` belong to one load. */
 typedef struct contact_pair {
-  const arc_model_def *def; /* must outlive it */
+  const arc_model_def *def; /* model definition, which must outlive the estimate */
   int round;                /* true: the contact is a spot on the axis of revolution */
   arc_body_def solid[ARC_BODIES];
   double crest[ARC_BODIES];
   body_waves waves[ARC_BODIES];
-  double hole, clearance;  /* [mm] radius of the hole, 0: none */
-  double least;            /* [mm] half width that touches without load */
-  double most;             /* [mm] assumed largest contact */
-  double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its own heights */
-  double at;               /* [mm] where they touch */
-  double load;             /* [N] last load, NAN: none yet; and its result */
+  double hole, clearance;  /* [mm] radius of the hole; 0: no hole */
+  double least;            /* [mm] half width of the part that touches without load */
+  double most;             /* [mm] assumed half width of the largest contact */
+  double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its heights are used */
+  double at;               /* [mm] position where the surfaces touch */
+  double load;             /* [N] last load (NAN: none yet), and its result */
   contact_estimate answer;
 } contact_pair;
 contact_pair arc_model_pair(const arc_model_def *def);
-/* Results for the last load are cached. */
+/* Estimates the contact under a load. The result for the last load is cached. */
 contact_estimate arc_pair_estimate(contact_pair *pair, double load);
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
 
-/* True if the contact is a spot on the axis of revolution. */
+/* Returns true if the contact is a spot on the axis of revolution. */
 int arc_model_is_round(const arc_model_def *def);
 
 #endif

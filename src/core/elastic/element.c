@@ -1,5 +1,6 @@
-/* Element stiffness and stress. CPE4I adds Wilson's two bubble modes, with the centre's Jacobian in
- * their gradients so that the patch test holds (Taylor's correction), and condenses them. */
+/* Element stiffness and stress. CPE4I adds Wilson's two bubble modes, whose gradients use the
+ * Jacobian at the centre so that the patch test is satisfied (Taylor's correction), and condenses
+ * them. */
 #include "core/elastic/element.h"
 #include "core/base/dense.h"
 
@@ -48,7 +49,7 @@ double arc_triangle_swelling(const element *e, double gradient[6]) {
   return area;
 }
 
-/* k += weight B' D B, k [2 modes x 2 modes] row-major. */
+/* Adds weight B' D B to k [2 modes x 2 modes], row-major. */
 static void add_product(int modes, double g[][2], elasticity d, double weight, double *k) {
   const int n = 2 * modes;
   for (int a = 0; a < modes; a++) {
@@ -62,7 +63,8 @@ static void add_product(int modes, double g[][2], elasticity d, double weight, d
   }
 }
 
-/* Stiffness of a quadrilateral with `modes` = 4 corner functions, or 6 with the bubbles. */
+/* Computes the stiffness of a quadrilateral with `modes` = 4 corner functions, or 6 with the
+ * bubbles. */
 static void quad_stiffness(const element *e, elasticity d, int modes, double *k) {
   const double at = 1 / sqrt(3);
   memset(k, 0, (size_t)(4 * modes * modes) * sizeof *k);
@@ -75,7 +77,7 @@ static void quad_stiffness(const element *e, elasticity d, int modes, double *k)
   }
 }
 
-/* Eliminates the four bubble unknowns of full [12 x 12]: from the last one up. */
+/* Eliminates the four bubble unknowns of full [12 x 12], beginning with the last one. */
 static void condense_bubbles(double *full, double *k) {
   for (int m = 11; m >= 8; m--)
     for (int r = 0; r < m; r++)
@@ -101,7 +103,7 @@ void arc_element_stiffness(const element *e, elasticity d, double *k) {
   }
 }
 
-/* At the centre the bubbles have no gradient: one formula for both quadrilaterals. */
+/* At the centre the bubbles have no gradient, so both quadrilaterals have the same formula. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
   double g[4][2], exx = 0, eyy = 0, gxy = 0;
   if (e->revolved.on) {

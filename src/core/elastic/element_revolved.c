@@ -1,20 +1,21 @@
-/* Rings of revolution about x = -axis: the strain around is u_x / r. Both forms integrate fully;
- * with one dilatation for all of a quadrilateral (B-bar) it does not lock where nu nears 1/2. */
+/* Elements of revolution, rings about x = -axis, where the strain around the axis is u_x / r. Both
+ * forms are fully integrated. With one dilatation for the whole quadrilateral (B-bar) the element
+ * does not lock where nu is near 1/2. */
 #include "core/elastic/element.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { components = 4, most_points = 4 }; /* strains: rr, zz, around, rz */
+enum { components = 4, most_points = 4 }; /* strain components: rr, zz, around the axis, rz */
 
 /* An integration point. */
 typedef struct point {
-  double weight; /* [mm3] */
+  double weight; /* [mm3] volume that the point represents */
   double strain[8][components];
 } point;
 
-/* Strains at a point from the functions n of u_x, their gradients, and the gradients of the
- * functions of u_y. */
+/* Computes the strains at a point from the functions n of u_x, their gradients, and the gradients
+ * of the functions of u_y. */
 static void fill_strains(const element *e, const double *n, double ux[][2], double uy[][2],
                          double area, point *p) {
   double x = 0;
@@ -34,9 +35,9 @@ static void fill_strains(const element *e, const double *n, double ux[][2], doub
 
 static const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-/* Correction of u_y along the edge from corner a to b, which is linear in r^2 rather than in r:
- * four times the sag at its middle / the difference of its ends. 0 on steep edges, where u_y also
- * depends on y. */
+/* Returns the correction of u_y along the edge from corner a to b, which is linear in r^2 rather
+ * than in r: four times the sag at its middle divided by the difference of its ends. It is 0 on
+ * steep edges, where u_y also depends on y. */
 static double dip_of(const element *e, int a, int b) {
   static const double level = 0.2, steep = 0.4; /* slopes */
   const double dr = e->xy[b][0] - e->xy[a][0], dy = e->xy[b][1] - e->xy[a][1];
@@ -45,21 +46,22 @@ static double dip_of(const element *e, int a, int b) {
   return fmin(1, (steep - fabs(dy / dr)) / (steep - level)) * (dr / sum);
 }
 
-/* Along that edge, in direction `along` of xi and eta; across the element it fades. Adds to the
- * slopes of the functions by xi and eta. */
+/* Adds the correction along that edge to the slopes of the functions by xi and eta. `along` is the
+ * direction of the edge in xi and eta; across the element the correction decreases to zero. */
 static void bend_edge(const element *e, int a, int b, int along, const double at[2],
                       double slope[4][2]) {
   const double s = at[along], far = side[a][1 - along], share = (1 + far * at[1 - along]) / 2;
   const double dip = dip_of(e, a, b) / 4, value = dip * (s * s - 1);
-  const double by[2] = {share * dip * 2 * s, far / 2 * value}; /* along, and across */
+  const double by[2] = {share * dip * 2 * s,
+                        far / 2 * value}; /* coordinates along and across the edge */
   for (int d = 0; d < 2; d++) {
     slope[b][d] += by[d != along];
     slope[a][d] -= by[d != along];
   }
 }
 
-/* u_x is bilinear. u_y, which is even in r, is linear in r^2 along the edges: with a linear u_y the
- * curvature under a pressure at the axis would be up to 5 % too stiff. */
+/* u_x is bilinear. u_y, which is even in r, is linear in r^2 along the edges: with a u_y linear in
+ * r the curvature under a pressure at the axis would be up to 5 % too stiff. */
 static void quad_point(const element *e, double xi, double eta, point *p) {
   const double at[2] = {xi, eta};
   double n[4], ux[4][2], uy[4][2], slope[4][2];
@@ -78,7 +80,8 @@ static void quad_point(const element *e, double xi, double eta, point *p) {
   fill_strains(e, n, ux, uy, det, p);
 }
 
-/* The same in a triangle, at a point where corner c has a share of `own`, the others the rest. */
+/* Adds this correction in a triangle, at a point where corner c has the weight `own` and the others
+ * the rest. */
 static void triangle_point(const element *e, int c, double own, double area, point *p) {
   double n[3], ux[3][2], uy[3][2];
   arc_triangle_gradients(e, ux);
@@ -95,7 +98,7 @@ static void triangle_point(const element *e, int c, double own, double area, poi
   fill_strains(e, n, ux, uy, area, p);
 }
 
-/* The points of integration; returns their number. */
+/* Writes the integration points and returns their number. */
 static int all_points(const element *e, point *p) {
   static const double at = 0.57735026918962576451;
   if (e->corners == 3) {
@@ -112,7 +115,7 @@ static double dilatation(const double strain[components]) {
   return strain[0] + strain[1] + strain[2];
 }
 
-/* Mean dilatation by each displacement; returns the volume. */
+/* Computes the mean dilatation for each displacement; returns the volume. */
 static double mean_dilatation(int n, int points, const point *p, double mean[8]) {
   double volume = 0;
   memset(mean, 0, 8 * sizeof *mean);
@@ -128,7 +131,7 @@ static int shares_dilatation(const element *e) {
   return e->corners == 4 && e->kind == ARC_CPE4I;
 }
 
-/* The strains at a point get the mean dilatation. */
+/* Replaces the dilatation of the strains at a point by the mean dilatation. */
 static void take_mean(int n, const double mean[8], point *p) {
   for (int k = 0; k < n; k++) {
     const double add = (mean[k] - dilatation(p->strain[k])) / 3;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* K(m) and E(m) of the parameter m = e^2. */
+/* Computes K(m) and E(m) of the parameter m = e^2. */
 static void elliptic(double m, double *K, double *E) {
   double a = 1, b = sqrt(1 - m), sum = m / 2, power = 0.5;
   for (int k = 0; k < 40 && a - b > 1e-16 * a; k++) {
@@ -17,7 +17,7 @@ static void elliptic(double m, double *K, double *E) {
   *E = *K * (1 - sum);
 }
 
-/* Ratio of the radii, the larger over the smaller, that belongs to a ratio 1 / s of the half
+/* Returns the ratio of the radii, the larger over the smaller, for a ratio 1 / s of the half
  * widths. */
 static double ratio_of(double s) {
   double K, E;
@@ -25,7 +25,7 @@ static double ratio_of(double s) {
   return (E / (s * s) - K) / (K - E);
 }
 
-/* The smaller half width over the larger one, by bisection of its logarithm. */
+/* Returns the smaller half width over the larger one, by bisection of its logarithm. */
 static double slimness(double ratio) {
   double low = log(1e-8), high = log(1 - 1e-9);
   if (ratio < 1 + 1e-7) return 1;
@@ -54,7 +54,7 @@ arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star,
     if (check(name[k], value[k], error) != ARC_OK) return ARC_ARGUMENT;
   const double pi = acos(-1), large = fmax(radius_x, radius_z), small = fmin(radius_x, radius_z);
   const double s = slimness(large / small);
-  double K = pi / 2, E, share = pi / 4; /* of a circle: (K - E) / m */
+  double K = pi / 2, E, share = pi / 4; /* for a circle: (K - E) / m */
   if (s < 1) {
     elliptic(1 - s * s, &K, &E);
     share = (K - E) / (1 - s * s);

@@ -1,6 +1,6 @@
-/* CHOLMOD, supernodal with AMD ordering. A supernodal factorisation fails on an indefinite matrix
- * (a forgotten support) where the simplicial LDL' would go on; the status is read at once, because
- * the next call resets it. */
+/* Sparse Cholesky factors by CHOLMOD, supernodal with AMD ordering. A supernodal factorisation
+ * fails on an indefinite matrix (a missing support), where the simplicial LDL' would continue. The
+ * status is read at once, because the next call resets it. */
 #include "core/elastic/factor.h"
 #include "core/base/dense.h"
 
@@ -72,8 +72,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-/* Ordering for small fill with the last unknowns kept last: their part of the factor gives the
- * Schur complement. */
+/* Returns an ordering for small fill in which the last unknowns stay last, so that their part of
+ * the factor gives the Schur complement. */
 static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
   const int n = (int)a->nrow;
   int *group = malloc((size_t)n * sizeof *group);
@@ -87,7 +87,8 @@ static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *
   return done;
 }
 
-/* The analysis may reorder: unknowns not connected to the rest would not be last. */
+/* Returns true if the last unknowns stay last. The analysis may reorder unknowns that are not
+ * connected to the rest. */
 static int kept_last(const factor *f) {
   const int *permutation = f->l->Perm, n = (int)f->l->n;
   for (int k = n - f->last; k < n; k++)
@@ -134,7 +135,7 @@ arc_status arc_factor_create(int n, int last, const sparse_entries *entries, fac
   return status;
 }
 
-/* Lower triangle of the factor's last rows and columns, in its order. */
+/* Copies the lower triangle of the factor's last rows and columns, in the order of the factor. */
 static void last_block(const factor *f, double *block) {
   const cholmod_factor *l = f->l;
   const int *super = l->super, *pi = l->pi, *px = l->px, *rows = l->s;
@@ -180,7 +181,7 @@ void arc_factor_destroy(factor **f) {
   *f = NULL;
 }
 
-/* Allocates the workspace before, as cholmod_solve2 does not check its first allocation. */
+/* Allocates the workspace in advance, as cholmod_solve2 does not check its first allocation. */
 static int ensure_workspace(factor *f, size_t count) {
   const size_t n = f->l->n, e = f->l->maxesize;
   return cholmod_ensure_dense(&f->x, n, count, n, CHOLMOD_REAL, &f->common) &&
@@ -188,7 +189,7 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-/* Solves one system of cholmod_solve, from `from` into f->x. */
+/* Solves one system of cholmod_solve, from `from` to f->x. */
 static int solve_system(factor *f, int system, cholmod_dense *from) {
   return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
 }

@@ -1,24 +1,24 @@
-/* A sparse Cholesky factor. factor.c is the one file that includes cholmod.h. */
+/* A sparse Cholesky factor. Only factor.c includes cholmod.h. */
 #ifndef ELASTIC_FACTOR_H
 #define ELASTIC_FACTOR_H
 
 #include "archard/base.h"
 
-/* Entries of a symmetric matrix, lower triangle (row >= column); repeated entries add up. */
+/* Entries of a symmetric matrix, lower triangle (row >= column); repeated entries are added. */
 typedef struct sparse_entries {
   size_t count, capacity;
   int *row, *column;
   double *value;
 } sparse_entries;
 
-/* Appends an entry. ARC_MEMORY: the list is unchanged. */
+/* Appends an entry. On ARC_MEMORY the list is unchanged. */
 arc_status arc_sparse_add(sparse_entries *entries, int row, int column, double value);
 void arc_sparse_free(sparse_entries *entries);
 
 typedef struct factor factor;
 
-/* Factorises the n x n matrix with the last `last` unknowns ordered last. ARC_NUMERIC: not positive
- * definite, or the other unknowns are not all connected; ARC_MEMORY. */
+/* Factorises the n x n matrix with its last `last` unknowns ordered last. ARC_NUMERIC: the matrix
+ * is not positive definite, or the other unknowns are not all connected. Also ARC_MEMORY. */
 arc_status arc_factor_create(int n, int last, const sparse_entries *entries, factor **result,
                              arc_error *error);
 void arc_factor_destroy(factor **f);
@@ -26,11 +26,11 @@ void arc_factor_destroy(factor **f);
 /* Computes the Schur complement of the last unknowns: schur [last x last]. ARC_MEMORY. */
 arc_status arc_factor_schur(const factor *f, double *schur, arc_error *error);
 
-/* b := A^-1 b with A the matrix of the other unknowns only, b [n - last]. Two threads must not use
- * one factor at the same time. */
+/* Computes b := A^-1 b, where A is the matrix of all but the last unknowns, b [n - last]. Two
+ * threads must not use one factor at the same time. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error);
 
-/* Memory of the factor [bytes]. */
+/* Returns the memory of the factor [bytes]. */
 size_t arc_factor_bytes(const factor *f);
 
 #endif

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Part of an element below a node of the surface, by depth [mm]. */
+/* Part of an element below a node of the surface, as a range of depths [mm]. */
 typedef struct piece {
   int node, layer;
   double from, to;
@@ -15,7 +15,7 @@ typedef struct piece {
 
 typedef struct search {
   const elastic_body *body;
-  double *sz; /* [2 * nodes] in the chart */
+  double *sz; /* [2 * nodes] nodes in the chart */
   double tiny;
   item_list pieces;
 } search;
@@ -33,7 +33,7 @@ static const double *corner(const search *f, int e, int k) {
   return &f->sz[2 * f->body->mesh->element[4 * e + k]];
 }
 
-/* Range of an element along s. */
+/* Computes the range of an element along s. */
 static void reach(const search *f, int e, double *low, double *high) {
   *low = *high = corner(f, e, 0)[0];
   for (int k = 1; k < arc_mesh_corners(f->body->mesh, e); k++) {
@@ -65,7 +65,7 @@ static int cut_element(search *f, int e, int i) {
   return found != NULL;
 }
 
-/* The first node of the surface from s on. */
+/* Returns the first node of the surface from s on. */
 static int first_from(const search *f, double s) {
   int low = 0, high = f->body->mesh->surface;
   while (low < high) {
@@ -91,9 +91,10 @@ static int find_pieces(search *f) {
   return 1;
 }
 
-/* --- strata ----------------------------------------------------------------------------------- */
+/* --- layers
+ * ------------------------------------------------------------------------------------ */
 
-/* Joins the pieces of each node; duplicates on a common edge are removed. */
+/* Joins the pieces of each node to layers; duplicates on a common edge are removed. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;
   int at = 0, count = 0;

@@ -1,4 +1,4 @@
-/* Imported meshes: checks against the definition of a model, and values they set in it. */
+/* Imported meshes: checks against the definition of a model, and the values that they set in it. */
 #include "core/elastic/imported_mesh.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
@@ -103,7 +103,7 @@ static double area_of(const arc_mesh *mesh, int e) {
   return twice / 2;
 }
 
-/* The bulk material: the unnamed one, or the named one with the largest area. */
+/* Returns the bulk material: the unnamed one, or the named one with the largest area. */
 static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
   const arc_body_def *solid = &def->body[mesh->body];
   double area[ARC_MESH_MATERIALS] = {0};
@@ -159,9 +159,10 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
                   arc_body_name(mesh->body), least, most);
 }
 
-/* In a hole the chart has the given radii: both surfaces are near this arc. */
+/* Checks that both surfaces in a hole are near the arc of the given radii, along which the chart
+ * lies. */
 static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
-  static const double most = 0.05; /* of the radius */
+  static const double most = 0.05; /* share of the radius */
   const chart c = arc_chart_of(def);
   const arc_body_def solid = arc_model_solid(def, mesh->body);
   const double radius = fabs(arc_body_radius(&solid));
@@ -178,16 +179,17 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
   return ARC_OK;
 }
 
-/* --- the whole -------------------------------------------------------------------------------- */
+/* --- the definition
+ * ---------------------------------------------------------------------------- */
 
-/* Derives the definition of an imported pair as of a generated one; its materials are those of the
- * bulk. */
+/* Derives the definition of an imported pair in the form of a generated pair, with the bulk
+ * materials. */
 static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
   arc_model_def fit = *def;
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
   fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* not fitted to other contacts */
+  fit.mesh.fineness = 0; /* imported sizes are not fitted to other contacts */
   for (int b = 0; b < ARC_BODIES; b++) {
     fit.mesh.zone[b] = given[b]->def.zone[b];
     fit.material[b] = bulk_of(def, given[b]);

@@ -1,4 +1,5 @@
-/* Imported meshes: checks against the definition (imported_shape.c: fields of the shape). */
+/* Imported meshes: checks against the definition of a model. imported_shape.c checks the fields of
+ * the shape. */
 #ifndef ELASTIC_IMPORTED_MESH_H
 #define ELASTIC_IMPORTED_MESH_H
 

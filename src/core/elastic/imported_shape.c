@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-/* In a hole the radii define the arc along which contact is solved. */
+/* Fields that are allowed in a hole, where the radii define the arc along which contact is
+ * solved. */
 static int tells_arc(const arc_model_def *def, const char *name) {
   return arc_model_is_hole(def) &&
          (strcmp(name, "radius") == 0 || strcmp(name, "inner") == 0 || strcmp(name, "outer") == 0);

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* Wear coefficient of a layer relative to the largest; 1 if none has one. */
+/* Returns the wear coefficient of a layer relative to the largest; 1 if no material has one. */
 static double share_of(const arc_model_def *def, arc_body body, int layer) {
   const double largest = arc_model_wear_k(def, body);
   const arc_material own = def->material[body];

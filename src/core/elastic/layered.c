@@ -1,8 +1,9 @@
-/* Compliance of layered bodies for waves of pressure: a section of them, from the base upwards, in
- * closed form. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x), and stresses
- * on level planes q times tau sin(q x) and sigma cos(q x). Over the depth, in units of 1 / q, these
- * four satisfy s' = A s within a layer, and (A^2 - 1)^2 = 0, so exp(A d) has four terms. From layer
- * to layer the relation of displacements to stresses on its lower face is propagated. */
+/* Compliance of layered bodies for waves of pressure, in closed form, computed layer by layer from
+ * the base upwards. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x), and
+ * stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x). Within a layer
+ * these four functions of the depth, in units of 1 / q, satisfy s' = A s with (A^2 - 1)^2 = 0, so
+ * exp(A d) has four terms. The relation of displacements to stresses is propagated from the lower
+ * to the upper face of each layer. */
 #include "core/elastic/layered.h"
 #include "core/base/dense.h"
 #include "core/mesh/body_shape.h"
@@ -10,14 +11,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { half = 2, whole = 4 }; /* displacements, or stresses; both */
+enum { half = 2, whole = 4 }; /* 2 displacements or 2 stresses; 4 together */
 
-/* A depth [1 / q] below which layers have no influence. */
+/* Depth [1 / q] below which layers have no influence. */
 static const double deep = 20;
 
 typedef double square[whole * whole];
 
-/* The A of a material. For plane stress with the modulus E and a smaller nu. */
+/* Computes the matrix A of a material. For plane stress it uses the modulus E and a smaller nu. */
 static void find_rates(arc_space space, arc_material m, square a) {
   const double G = m.E / (2 * (1 + m.nu));
   const double across = space == ARC_PLANE_STRESS ? m.nu : m.nu / (1 - m.nu);
@@ -31,7 +32,7 @@ static void find_rates(arc_space space, arc_material m, square a) {
   a[dense_at(3, 2, whole)] = -1;
 }
 
-/* exp(-A d), but for a factor that keeps it from overflow. */
+/* Computes exp(-A d) without the factor that would overflow. */
 static void find_transfer(const square a, double d, square up) {
   const double e = exp(-2 * d), cosh = (1 + e) / 2, sinh = -expm1(-2 * d) / 2;
   const double c[whole] = {cosh - d * sinh / 2, -(3 * sinh - d * cosh) / 2, d * sinh / 2,
@@ -46,8 +47,8 @@ static void find_transfer(const square a, double d, square up) {
   }
 }
 
-/* c [2 x 2]: compliance (displacements per stress) on the lower face of a layer of depth d, then on
- * its upper one. */
+/* Converts c [2 x 2], the compliance (displacements per stress) on the lower face of a layer of
+ * depth d, to the compliance on its upper face. */
 static void add_layer_above(arc_space space, arc_material m, double d, double c[half * half]) {
   square a, up;
   double displaced[half * half], pressed[half * half];

@@ -14,7 +14,7 @@ double arc_model_size_for(double half_width) {
   return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
-/* The smallest dimension of both bodies that limits meshes. */
+/* Returns the smallest dimension of both bodies that limits meshes. */
 static double least_measure(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
@@ -30,7 +30,7 @@ double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
   return arc_body_widest_zone(&solid);
 }
 
-/* Largest depth of rows of the usual height: a tenth of the radius. */
+/* Returns the largest depth of rows of the usual height, a tenth of the radius. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
@@ -38,23 +38,23 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
-/* Largest automatic number of columns of a contact with sharp edges: elements have the same size
- * over the whole zone, which is as deep as wide. */
+/* Largest automatic number of columns for a contact with sharp edges, as elements have the same
+ * size over the whole zone, which is as deep as wide. */
 static const double most_columns = 320;
 
 static double smallest_size(const contact_estimate *e) {
   return 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
 }
 
-/* The contact's edges as fine as the paper's, spots twice as fine, whose pressure at the axis would
- * be 0.3 % low; with a node at the ends of a flat. */
+/* Resolves the edges of the contact as finely as in the paper's mesh, and twice as finely for
+ * spots, whose pressure at the axis would be 0.3 % low. Places a node at the ends of a flat. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
-/* Eight elements per wave of a rough profile, and five in the spots that touch. */
+/* Uses eight elements per wave of a rough profile, and five in the spots that touch. */
 static double size_of_waves(const contact_estimate *e) {
   enum { a_wave = 8, a_spot = 5 };
   return fmin(e->wave / a_wave, fmax(e->spot / a_spot, smallest_size(e)));
@@ -67,9 +67,9 @@ static void fit_size(arc_model_def *def, const contact_estimate *e) {
       fmin(fmin(contact_size(def, e), size_of_waves(e)) / mesh->fineness, largest_size(def));
 }
 
-/* Rows so high that two fit into soft layers that hardly change their volume: a single one locks
- * where it is squeezed out sideways. As far as they do not get too flat; much thinner layers are
- * as stiff as their foundation. */
+/* Limits the height of rows so that two fit into soft layers that hardly change their volume, as a
+ * single row locks where it is squeezed out sideways. Rows do not become too flat: much thinner
+ * layers are as stiff as their foundation. */
 static double height_in_layers(const arc_model_def *def, double height) {
   static const double incompressible = 0.4;
   const double flattest = def->mesh.size / 16;
@@ -121,7 +121,7 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
-/* Rounded up, so that similar runs share a model. */
+/* Rounds up, so that similar runs share a model. */
 static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
   return fmin(rounded, arc_model_widest_zone(def, body));
@@ -145,8 +145,8 @@ void arc_model_fit_alone(arc_model_def *def) {
 
 /* --- cost */
 
-/* Found on meshes of 20 to 2.5 um: per node the stiffness and its factor; beside them dense blocks
- * over the wear box. */
+/* Measured on meshes of 20 to 2.5 um: bytes per node for the stiffness and its factor, and dense
+ * blocks over the wear box. */
 static double body_memory(const arc_model_def *def, arc_body body) {
   const arc_body_def solid = arc_model_solid(def, body);
   const double nodes = arc_mesh_nodes(&def->mesh, body, &solid);

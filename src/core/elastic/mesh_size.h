@@ -4,19 +4,19 @@
 
 #include "archard/model.h"
 
-/* The widest zone of a body of the model [mm]: arcs curl away from the contact. */
+/* Returns the widest zone of a body of the model [mm], as arcs curve away from the contact. */
 double arc_model_widest_zone(const arc_model_def *def, arc_body body);
 
-/* Largest possible depth of the wear box in both bodies [mm]. */
+/* Returns the largest possible depth of the wear box in both bodies [mm]. */
 double arc_model_deepest_box(const arc_model_def *def);
 
-/* "auto" size of the elements for a half width, at fineness 1 [mm]. */
+/* Returns the "auto" size of the elements for a half width, at fineness 1 [mm]. */
 double arc_model_size_for(double half_width);
 
-/* Approximate peak memory of building the model [bytes]. */
+/* Returns the approximate peak memory of building the model [bytes]. */
 double arc_model_memory(const arc_model_def *def);
 
-/* Margin for the edge peaks of worn contacts, in half widths. */
+/* Returns the margin for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_MARGIN 1.3
 
 #endif

@@ -1,4 +1,4 @@
-/* A model: two condensed bodies, reference counted. */
+/* A model: two condensed bodies, with a reference count. */
 #include "core/elastic/model.h"
 #include "core/base/callbacks.h"
 #include "core/base/memory.h"
@@ -20,7 +20,7 @@
 typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
-  double *profile[ARC_BODIES]; /* of the definition */
+  double *profile[ARC_BODIES]; /* heights of the definition's profiles */
   long version;                /* last version number of a compliance */
 } elastic_model;
 
@@ -72,7 +72,7 @@ static double now(void) {
 /* A model under construction, on a thread that may outlive its caller. */
 typedef struct build {
   elastic_model *model;
-  arc_mesh *given[ARC_BODIES]; /* NULL: to be made */
+  arc_mesh *given[ARC_BODIES]; /* NULL: to be meshed */
   work_progress progress;
   arc_error error;
 } build;
@@ -96,7 +96,7 @@ static void discard(void *job) {
   free(b);
 }
 
-/* Copies profiles, which are owned by the caller. */
+/* Copies profiles, which the caller owns. */
 static arc_status keep_profiles(elastic_model *m) {
   arc_status status = ARC_OK;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -130,7 +130,7 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
 
-/* Takes ownership of given meshes (NULL: none). */
+/* Builds a model; it owns the imported meshes (NULL: none) from now on. */
 static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                        const arc_callbacks *callbacks, arc_model **result,
                                        arc_error *error) {
@@ -154,7 +154,7 @@ static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given
   return status;
 }
 
-/* Checks a definition and fills in what is "auto". */
+/* Checks a definition and sets the "auto" values. */
 static arc_status settle(arc_model_def *def, arc_error *error) {
   arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status == ARC_OK) status = arc_model_check_pair(def, error);
@@ -226,11 +226,11 @@ double arc_model_apparent_modulus(const arc_model *m, double q) {
   return arc_pair_modulus(m->def.geometry, solid, own, q);
 }
 
-/* Bilinear elements are too stiff by 0.4 % of the pressure at nu = 0.45 and 20 um, by 3 % at 0.49.
- */
+/* Largest nu without a warning: bilinear elements are too stiff by 0.4 % of the pressure at nu =
+ * 0.45 and 20 um, by 3 % at 0.49. */
 static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
   const elastic_body *body = meshed(m)->body[which];
-  if (m->def.geometry == ARC_PLANE_STRESS) return; /* plane stress */
+  if (m->def.geometry == ARC_PLANE_STRESS) return; /* for plane stress */
   if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
   arc_warn(callbacks,
            "CPE4 elements lock at nu = %g of the %s: pressures may be far too high; use "
@@ -238,12 +238,14 @@ static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks
            body->material.nu, arc_body_name(body->mesh->body));
 }
 
-enum { fewest = 4 }; /* elements in a contact, or in one of its edges */
+enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of its edges */
 
-/* Elements in the spots of a rough profile: pressures were 3 and 4 % off with 1.9 and 2.1. */
+/* Smallest number of elements in the spots of a rough profile: pressures were 3 and 4 % off with
+ * 1.9 and 2.1 elements. */
 static const double least_of_spot = 3;
 
-/* Edges with three elements have peaks 6 % low, with two 16 %. */
+/* Smallest number of elements in sharp edges: with three elements peaks are 6 % low, with two 16
+ * %. */
 static void warn_edges(const arc_model *m, double load, const arc_callbacks *callbacks) {
   const double size = m->def.mesh.size;
   if (!(load > 0) || arc_model_is_given(m)) return;
@@ -261,14 +263,14 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
            e.edge, fewest, size, arc_model_size_for(e.edge));
 }
 
-/* Height of a body's surface at the node nearest to s [mm]. */
+/* Returns the height of a body's surface at the node nearest to s [mm]. */
 static double height_at(const elastic_body *body, double s) {
   const arc_mesh *m = body->mesh;
   const int next = arc_chart_nearest(body->box_at, m->rows + 1, m->surface, s);
   return arc_body_top(body, next)[1];
 }
 
-/* Slope of a hollow surface at the edges of a contact; negative for others. */
+/* Returns the slope of a hollow surface at the edges of a contact; negative for others. */
 static double hollow_slope(const arc_model *m, arc_body which, double half_width) {
   const elastic_body *body = meshed(m)->body[which];
   const double rise =
@@ -276,8 +278,8 @@ static double hollow_slope(const arc_model *m, arc_body which, double half_width
   return (which == ARC_PLATE ? rise : -rise) / half_width;
 }
 
-/* An imported mesh is not known to be a hole, where slopes are not small: the pressure in the
- * middle is 0.3 % low at 0.15, 2 % at 0.4. */
+/* Warns if an imported mesh seems to be a hole, where slopes are not small: the pressure in the
+ * middle is 0.3 % low at a slope of 0.15, 2 % at 0.4. */
 static void warn_hollow(const arc_model *m, double half_width, const arc_callbacks *callbacks) {
   const double steep = 0.15;
   if (!arc_model_is_given(m) || meshed(m)->body[ARC_PLATE]->chart.polar || !(half_width > 0))

@@ -1,4 +1,4 @@
-/* Members of a model for contact and wear. */
+/* Functions on models of meshed bodies, for contact and wear. */
 #ifndef ELASTIC_MODEL_H
 #define ELASTIC_MODEL_H
 
@@ -7,18 +7,19 @@
 /* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns where a contact of this half width [mm], or a sharp edge of the unworn one under a load [N]
- * (0: it is worn), has less than four elements of the model, and where a body's elements lock. */
+/* Warns if the model has fewer than four elements in a contact of this half width [mm] or in a
+ * sharp edge of the unworn contact under a load [N] (0: it is worn), and if the elements of a body
+ * lock. */
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 
-/* Version numbers of compliances, counted by the model: equal numbers mean equal bits for all
- * shapes. The unworn compliance has the first one; 0 is not used. */
+/* Version numbers of compliances, counted by the model: equal numbers mean equal bits
+ * for all shapes. The unworn compliance has the first one; 0 is not used. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
-/* The contact modulus of a model [MPa] to a pressure of wave number q [1/mm], as arc_pair_modulus,
- * with the layers that bodies from outside have. */
+/* Returns the contact modulus of a model [MPa] for a pressure of wave number q [1/mm], see
+ * arc_pair_modulus, including the layers of imported bodies. */
 double arc_model_apparent_modulus(const arc_model *model, double q);
 
 /* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_with_callbacks,

@@ -34,7 +34,7 @@ static const char *kind_of(const arc_model_def *def, arc_body body) {
   return arc_solid_names[arc_model_solid(def, body).kind];
 }
 
-/* A cylinder below is none of the upper body, which that word stood for first. */
+/* Returns true for "cylinder" as a name of a lower cylinder, as this word means the upper body. */
 static int is_named_by_kind(const arc_model_def *def, arc_body body) {
   const char *kind = kind_of(def, body);
   if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
@@ -102,7 +102,7 @@ static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, a
 
 /* --- bodies of revolution --------------------------------------------------------------------- */
 
-/* Half width of a body [mm]. */
+/* Returns the half width of a body [mm]. */
 static double reach_of(const arc_body_def *b) {
   return arc_body_is_round(b) ? fabs(arc_body_radius(b)) : b->width / 2;
 }
@@ -215,7 +215,8 @@ double arc_model_relative_radius(const arc_model_def *def) {
 int arc_model_is_hertzian(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
-  if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0) return 0; /* a line that is bent */
+  if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0)
+    return 0; /* a ring, whose line contact is circular */
   return arc_body_is_core(&upper) && arc_body_is_flat(&lower) && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
 }

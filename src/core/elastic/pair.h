@@ -10,7 +10,8 @@ double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BOD
 /* Checks that two valid bodies form a valid pair. ARC_ARGUMENT. */
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 
-/* The same for a pair of given meshes, which have their own extent. */
+/* Checks that two bodies with imported meshes, whose extent is that of the meshes, form a valid
+ * pair. ARC_ARGUMENT. */
 arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error);
 
 #endif

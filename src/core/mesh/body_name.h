@@ -4,7 +4,7 @@
 
 #include "archard/body.h"
 
-/* True if a name has the form of ARC_BODY_NAME, of any length. */
+/* Returns true if a name has the form of ARC_BODY_NAME; its length is not checked. */
 int arc_body_is_word(const char *name);
 /* Checks that all names are words and not reserved. ARC_INVALID: the field and the name. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);

@@ -193,7 +193,7 @@ static const char *const block_fields[] = {"width", "height", NULL}, *const no_f
         NULL, NULL                                                                                 \
   }
 const body_shape arc_body_shape_block = RECTANGLE(block_fields);
-/* Placeholders that are resolved to other kinds. */
+/* Placeholders, which are resolved to other kinds. */
 const body_shape arc_body_shape_usual = RECTANGLE(no_fields);
 const body_shape arc_body_shape_gmsh = RECTANGLE(no_fields);
 

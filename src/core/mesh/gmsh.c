@@ -21,7 +21,7 @@ static int compare_numbered(const void *a, const void *b) {
 static arc_status find_corners(const msh_file *f, const numbered *list, msh_element *e,
                                arc_error *error) {
   const int corners = e->type == MSH_LINE ? 2 : e->type == MSH_TRIANGLE ? 3 : 4;
-  if (e->type > MSH_QUAD) return ARC_OK; /* its corners were not read */
+  if (e->type > MSH_QUAD) return ARC_OK; /* the corners of this element were not read */
   for (int c = 0; c < corners; c++) {
     const numbered wanted = {.tag = e->corner[c]};
     const numbered *at = f->nodes.count > 0 ? bsearch(&wanted, list, (size_t)f->nodes.count,
@@ -60,8 +60,8 @@ static const double *surface_at(const arc_mesh *m, int i) {
   return &m->xy[2 * m->surface_node[i]];
 }
 
-/* Height of a surface at x, linear between its nodes; *i is the last edge, moved on to the edge at
- * x. NAN outside the surface. */
+/* Returns the height of a surface at x, linear between its nodes; NAN outside the surface. *i is
+ * the last edge and moves on to the edge at x. */
 static double height_at(const arc_mesh *m, double x, int *i) {
   while (*i + 2 < m->surface && surface_at(m, *i + 1)[0] < x) ++*i;
   const double *p = surface_at(m, *i), *q = surface_at(m, *i + 1);
@@ -69,7 +69,7 @@ static double height_at(const arc_mesh *m, double x, int *i) {
   return p[1] + (q[1] - p[1]) * ((x - p[0]) / (q[0] - p[0]));
 }
 
-/* The least gap at the nodes of `m` towards `other`. */
+/* Computes the least gap at the nodes of `m` towards `other`. */
 static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, double *x) {
   const double sign = m->body == ARC_CYLINDER ? 1 : -1;
   int edge = 0;
@@ -80,7 +80,8 @@ static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, dou
   }
 }
 
-/* The first contact may lie between nodes; differences of that size are no gap. */
+/* Checks that the bodies touch. Gaps up to `limit` are allowed, as the first contact may lie
+ * between nodes. */
 static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   double gap = INFINITY, x = 0;
   for (int b = 0; b < ARC_BODIES; b++) least_gap(mesh[b], mesh[1 - b], &gap, &x);
@@ -99,7 +100,8 @@ static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], 
       path, gap > 0 ? "are apart" : "overlap", fabs(gap), x, limit, -gap);
 }
 
-/* The parabola gap = c + b x + x^2 / 2 R over both surfaces, by least squares about its middle. */
+/* Fits the parabola gap = c + b x + x^2 / 2 R over both surfaces, by least squares about its
+ * middle. */
 static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   static const double flattest = 1e6;
   const double from = fmax(surface_at(upper, 0)[0], surface_at(lower, 0)[0]);

@@ -29,7 +29,7 @@ static arc_status refuse_type(const msh_body *b, const msh_element *e) {
                   b->file->text.path, e->tag, arc_msh_role(b->mesh->body), e->type);
 }
 
-/* Collects its elements in the order of the file. */
+/* Collects the elements of the body in the order of the file. */
 static arc_status pick_elements(msh_body *b) {
   arc_mesh *m = b->mesh;
   const unsigned own = arc_msh_bit(m->body, MSH_BODY);
@@ -54,7 +54,7 @@ static arc_status refuse_owner(const msh_body *b, int node) {
                   b->file->text.path, n->tag, n->x[0], n->x[1]);
 }
 
-/* Numbers the nodes in the order of the file. */
+/* Numbers the nodes of the body in the order of the file. */
 static arc_status number_nodes(msh_body *b, signed char *owner) {
   arc_mesh *m = b->mesh;
   const int count = b->file->nodes.count;
@@ -110,7 +110,7 @@ static arc_status fill_materials(msh_body *b) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Largest coordinate: the scale of rounding errors. */
+/* Returns the largest coordinate, the scale of rounding errors. */
 static double extent(const arc_mesh *m) {
   double most = 0;
   for (int k = 0; k < 2 * m->nodes; k++) most = fmax(most, fabs(m->xy[k]));
@@ -134,7 +134,7 @@ static arc_status check_plane(const msh_body *b) {
   return ARC_OK;
 }
 
-/* Twice the area at corner c. */
+/* Returns twice the area at corner c. */
 static double jacobian_at(const arc_mesh *m, const int *e, int corners, int c) {
   const double *p = &m->xy[2 * e[c]], *q = &m->xy[2 * e[(c + 1) % corners]],
                *r = &m->xy[2 * e[(c + corners - 1) % corners]];
@@ -182,7 +182,7 @@ static arc_status check_shapes(const msh_body *b) {
 /* --- coincident nodes ------------------------------------------------------------------------- */
 
 typedef struct grid_cell {
-  double x, y; /* of a cell */
+  double x, y; /* integer coordinates of a cell, and a node in it */
   int node;
 } grid_cell;
 
@@ -193,8 +193,8 @@ static int compare_positions(const void *a, const void *b) {
   return (p->node > q->node) - (p->node < q->node);
 }
 
-/* Searches two close nodes in one cell of a grid that is shifted by a share of its spacing; 0:
- * there are none. */
+/* Searches for two close nodes in one cell of a grid that is shifted by a share of its spacing;
+ * returns 0 if there are none. */
 static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y,
                       grid_cell *list, int twins[2]) {
   for (int n = 0; n < m->nodes; n++)
@@ -209,8 +209,8 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Nodes closer than half of this share of the extent are in one cell of at least one of four grids.
- */
+/* Limit of the distance, as a share of the extent: nodes closer than half of it are in one cell of
+ * at least one of four grids. */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;
   const double spacing = 1e-9 * extent(m);
@@ -235,7 +235,7 @@ static int root_of(int *parent, int node) {
   return node;
 }
 
-/* A node that is not connected with node 0 by edges; -1: there is none. */
+/* Returns a node that is not connected with node 0 by edges, or -1 if there is none. */
 static int find_loose(const arc_mesh *m, int *parent) {
   for (int n = 0; n < m->nodes; n++) parent[n] = n;
   for (int e = 0; e < m->elements; e++)

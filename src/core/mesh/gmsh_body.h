@@ -4,7 +4,8 @@
 
 #include "core/mesh/gmsh_file.h"
 
-/* The mesh of one body. `owner` [nodes of the file] has the body that uses a node, -1: none yet. */
+/* Builds the mesh of one body. `owner` [nodes of the file] has the body that uses a node, or -1 if
+ * none does yet. */
 arc_status arc_msh_body(const msh_file *file, arc_body body, signed char *owner, arc_mesh **mesh,
                         arc_error *error);
 

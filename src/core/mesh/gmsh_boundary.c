@@ -27,7 +27,7 @@ static const double *position(const msh_body *b, int node) {
 
 /* --- edges of the boundary: those of one element only ----------------------------------------- */
 
-/* Order of edges by their two nodes, in any direction. */
+/* Orders edges by their two nodes, in any direction. */
 static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
@@ -72,7 +72,7 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Two elements share an inner edge and pass it in opposite directions. */
+/* Checks that two elements that share an inner edge pass it in opposite directions. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
@@ -89,7 +89,7 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   return status;
 }
 
-/* The boundary polygon with the contact; holes elsewhere are not part of it. */
+/* Builds the boundary polygon that contains the contact; other holes are not part of it. */
 static arc_status chain_outline(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->outline_node = malloc((size_t)m->nodes * sizeof(int));
@@ -104,8 +104,8 @@ static arc_status chain_outline(msh_body *b) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Line i of the file, if it belongs to the set of this body: its two nodes in the mesh, -1 for
- * nodes of other bodies. */
+/* Writes the two nodes in the mesh (-1 for nodes of other bodies) of line i of the file, if the
+ * line belongs to the set of this body. */
 static const msh_element *line_of(const msh_body *b, int i, msh_set set, int end[2]) {
   const msh_element *e = (const msh_element *)b->file->elements.data + i;
   if (e->dim != 1) return NULL;
@@ -129,8 +129,8 @@ static arc_status refuse_line(const msh_body *b, const msh_element *e, const cha
 
 /* --- the candidate surface -------------------------------------------------------------------- */
 
-/* Outlines are counter-clockwise: along the upper body's surface to the right, along the lower's to
- * the left. */
+/* Outlines are counter-clockwise, so they pass the upper body's surface to the right and the lower
+ * body's to the left. */
 static arc_status check_direction(const msh_body *b, const msh_element *e, int from, int to) {
   const double *p = position(b, from), *q = position(b, to);
   const int upper = b->mesh->body == ARC_CYLINDER;
@@ -143,7 +143,7 @@ static arc_status check_direction(const msh_body *b, const msh_element *e, int f
                              "'lower' looks up");
 }
 
-/* right[node]: the next node of the surface by increasing x, left[]: the previous one. */
+/* right[node] is the next node of the surface by increasing x, left[node] the previous one. */
 static arc_status link_surface(const msh_body *b, int *right, int *left) {
   arc_status status = ARC_OK;
   int end[2], count = 0;

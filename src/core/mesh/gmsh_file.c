@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Four times the limit of archard's mesher; a larger number is an error of the file. */
+/* Largest count accepted, four times the limit of archard's mesher; a larger number is an error of
+ * the file. */
 enum { most_items = 4000000 };
 
 static arc_status out_of_memory(const msh_file *f, arc_error *error) {
@@ -14,7 +15,7 @@ static arc_status out_of_memory(const msh_file *f, arc_error *error) {
 
 /* --- items and their counts ------------------------------------------------------------------- */
 
-/* Reads the line of item `i` of `count`; an error if the section ends before. */
+/* Reads the line of item `i` of `count`. It is an error if the section ends earlier. */
 static arc_status next_item(msh_file *f, const char *what, long long i, long long count,
                             arc_error *error) {
   if (!arc_msh_line(&f->text))
@@ -74,7 +75,7 @@ static arc_status read_format(msh_file *f, arc_error *error) {
                       arc_msh_show(before).text);
 }
 
-/* dim tag "name" */
+/* Reads a line: dim tag "name". */
 static arc_status read_name(msh_file *f, arc_error *error) {
   long long dim, tag;
   char *stop = NULL;
@@ -105,7 +106,7 @@ static arc_status read_names(msh_file *f, arc_error *error) {
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* Number, extent, groups, and unused boundary entities. */
+/* Reads number, extent and groups of an entity; its boundary entities are not used. */
 static arc_status read_entity(msh_file *f, int dim, arc_error *error) {
   long long tag, count = 0, group;
   if (!arc_msh_whole(&f->text, &tag) || !skip_reals(f, dim == 0 ? 3 : 6) ||
@@ -156,7 +157,7 @@ static arc_status read_position(msh_file *f, int index, arc_error *error) {
   return ARC_OK;
 }
 
-/* Node numbers of a block, then its coordinates. */
+/* Reads the node numbers of a block, then its coordinates. */
 static arc_status read_node_block(msh_file *f, long long count, arc_error *error) {
   const int first = f->nodes.count;
   arc_status status = ARC_OK;
@@ -169,7 +170,7 @@ static arc_status read_node_block(msh_file *f, long long count, arc_error *error
   return status;
 }
 
-/* The header of a block: three numbers and the number of its items, at most `left`. */
+/* Reads the header of a block: three numbers and the number of its items, at most `left`. */
 static arc_status read_block(msh_file *f, long long i, long long blocks, const char *what,
                              long long left, long long head[3], long long *count,
                              arc_error *error) {
@@ -179,7 +180,7 @@ static arc_status read_block(msh_file *f, long long i, long long blocks, const c
   return read_count(f, what, left, count, error);
 }
 
-/* blocks, items, and the unused range of their numbers. */
+/* Reads the numbers of blocks and items; the range of their numbers is not used. */
 static arc_status read_counts(msh_file *f, const char *what, long long *blocks, long long *count,
                               arc_error *error) {
   arc_status status = next_item(f, "counts", 0, 1, error);
@@ -215,7 +216,7 @@ static arc_status read_nodes(msh_file *f, arc_error *error) {
 
 /* --- elements --------------------------------------------------------------------------------- */
 
-/* Dimension of the elements of a type; 3: solids and unknown types. */
+/* Returns the dimension of the elements of a type; 3 for solids and unknown types. */
 static int dimension_of(long long type) {
   static const char plane[] = {2, 3, 9, 10, 16, 20, 21, 22, 23, 24, 25, 36, 37, 0};
   static const char line[] = {1, 8, 26, 27, 28, 0};
@@ -224,12 +225,12 @@ static int dimension_of(long long type) {
   return strchr(line, (char)type) ? 1 : strchr(plane, (char)type) ? 2 : 3;
 }
 
-/* Number of corners that are read; 0 for elements of higher order. */
+/* Returns the number of corners that are read; 0 for elements of higher order. */
 static int corners_of(int type) {
   return type == MSH_LINE ? 2 : type == MSH_TRIANGLE ? 3 : type == MSH_QUAD ? 4 : 0;
 }
 
-/* The rest of a line: the corners. */
+/* Reads the rest of a line, the corners. */
 static arc_status add_element(msh_file *f, long long tag, long long entity, long long type,
                               arc_error *error) {
   const int dim = dimension_of(type);
@@ -244,7 +245,7 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
   return ARC_OK;
 }
 
-/* tag type tags... nodes; the first of the tags is the group */
+/* Reads a line: tag type tags... nodes. The first of the tags is the group. */
 static arc_status read_element_2(msh_file *f, arc_error *error) {
   long long head[3], group = 0, other;
   if (!read_wholes(f, 3, head) || head[2] < 0)
@@ -302,7 +303,7 @@ static int find_section(const char *name) {
   return s;
 }
 
-/* True if the line ends the section. */
+/* Returns true if the line ends the section. */
 static int ends(const msh_file *f, const char *name) {
   return strncmp(f->text.at, "$End", 4) == 0 && strcmp(f->text.at + 4, name) == 0;
 }
@@ -317,7 +318,7 @@ static arc_status end_section(msh_file *f, const char *name, int known, arc_erro
                       arc_msh_show(f->text.at).text);
 }
 
-/* One section; *seen has a bit for each that was read. */
+/* Reads one section. *seen has a bit for each section that was read. */
 static arc_status read_section(msh_file *f, unsigned *seen, arc_error *error) {
   char name[40];
   if (*f->text.at != '$' || strlen(f->text.at) > sizeof name)

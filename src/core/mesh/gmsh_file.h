@@ -14,15 +14,15 @@ typedef struct msh_group {
   char name[64];
 } msh_group;
 
-/* Reference of elements: an entity of the geometry (4.1), or a physical group (2.2). */
+/* Set that an element belongs to: an entity of the geometry (4.1), or a physical group (2.2). */
 typedef struct msh_entity {
   long long tag;
   int dim;
-  unsigned sets;            /* to which it belongs, see set_of */
-  int material[ARC_BODIES]; /* index among the body's materials */
+  unsigned sets;            /* set of the element, see set_of */
+  int material[ARC_BODIES]; /* index of the material among those of the body */
 } msh_entity;
 
-/* Entity and its physical group. */
+/* An entity and its physical group. */
 typedef struct msh_member {
   long long tag, group;
   int dim;
@@ -35,19 +35,19 @@ typedef struct msh_node {
 
 typedef struct msh_element {
   long long tag, entity;
-  long long corner[4]; /* numbers of nodes; after arc_msh_sort, indices */
-  int dim, type;       /* type as in Gmsh */
+  long long corner[4]; /* numbers of nodes; indices after arc_msh_sort */
+  int dim, type;       /* element type of Gmsh */
 } msh_element;
 
 enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3 };
 
 typedef struct msh_file {
   msh_text text;
-  int version;                                                  /* 2 or 4 */
-  item_list groups, members, nodes, elements;                   /* of the structs above */
-  item_list entities;                                           /* by dimension and number */
-  int materials[ARC_BODIES];                                    /* of each body */
-  char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* their names */
+  int version;                                /* major version of the format, 2 or 4 */
+  item_list groups, members, nodes, elements; /* lists of the structs above */
+  item_list entities;                         /* entities by dimension and number */
+  int materials[ARC_BODIES];                  /* number of materials of each body */
+  char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* names of the materials */
 } msh_file;
 
 /* Parses the text of `file`, whose other members are set. On failure there is nothing to free. */

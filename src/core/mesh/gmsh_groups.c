@@ -14,7 +14,8 @@ const char *arc_msh_role(arc_body body) {
   return roles[body];
 }
 
-/* The part of a group's name after the body's; NULL: not a group of this body. */
+/* Returns the part of a group's name after the name of the body; NULL if it is not a group of this
+ * body. */
 static const char *behind_role(const msh_group *g, int body) {
   const size_t n = strlen(roles[body]);
   if (strncmp(g->name, roles[body], n) != 0) return NULL;
@@ -27,7 +28,8 @@ static msh_set set_of(const char *behind) {
   return (msh_set)set;
 }
 
-/* Index of a material of the body, which is added if it is new; -1: too many. */
+/* Returns the index of a material of the body, which is added if it is new; -1 if there are too
+ * many. */
 static int enter_material(msh_file *f, int body, const char *name) {
   int m = 0;
   while (m < f->materials[body] && strcmp(f->material[body][m], name) != 0) m++;
@@ -106,7 +108,7 @@ const msh_entity *arc_msh_entity_of(const msh_file *f, const msh_element *elemen
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* In version 2.2 elements refer to groups directly: each group is its own entity. */
+/* In version 2.2 elements refer to groups directly, so each group is its own entity. */
 static arc_status groups_as_members(msh_file *f) {
   const msh_group *g = f->groups.data;
   for (int i = 0; i < f->groups.count; i++) {
@@ -136,7 +138,7 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
 
 /* --- missing groups --------------------------------------------------------------------------- */
 
-/* The names of all groups, as many as fit. */
+/* Writes the names of all groups, as many as fit. */
 static const char *list_groups(const msh_file *f, char *text, size_t size) {
   const msh_group *g = f->groups.data;
   size_t n = 0;

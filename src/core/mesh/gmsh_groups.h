@@ -10,12 +10,12 @@ static inline unsigned arc_msh_bit(arc_body body, msh_set set) {
   return 1u << ((int)body * MSH_SETS + (int)set);
 }
 
-/* "upper" or "lower". */
+/* Returns "upper" or "lower". */
 const char *arc_msh_role(arc_body body);
 
 /* Assigns the groups of the file; all six are required. ARC_FORMAT, ARC_MEMORY. */
 arc_status arc_msh_sort_groups(msh_file *file, arc_error *error);
-/* The entity of an element; NULL: one without a group. */
+/* Returns the entity of an element, or NULL for an element without a group. */
 const msh_entity *arc_msh_entity_of(const msh_file *file, const msh_element *element);
 
 #endif

@@ -5,11 +5,11 @@
 #include "archard/base.h"
 
 typedef struct msh_text {
-  const char *path; /* name in messages */
+  const char *path; /* name of the file in messages */
   char *data, *end; /* the whole file, zero-terminated */
   char *next;       /* the next line */
   char *at;         /* rest of the current line */
-  long line;        /* its number, from 1 */
+  long line;        /* number of the current line, from 1 */
 } msh_text;
 
 /* Reads the whole file. ARC_IO, ARC_MEMORY, ARC_FORMAT (too large). */

@@ -1,13 +1,13 @@
 /* Maps of rectangles whose surface has a height that decays with depth, of solid arcs, and of walls
- * of rings. Below the contact region of solid arcs the depth follows r = r0 exp(-d / r0), which
- * keeps the aspect of cells while circles shrink. */
+ * of rings. Below the contact region of solid arcs the depth follows r = r0 exp(-d / r0), so that
+ * cells keep their aspect ratio while circles become smaller. */
 #include "core/mesh/map.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Number of roots along the half surface: few on solid arcs, so that the triangles at their centre
- * are not acute. */
+/* Returns the number of root cells along the half surface: few on solid arcs, so that the triangles
+ * at their centre are not acute. */
 static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   const double wide = arc_body_map_closed(m) ? 5 : 2.5;
   const double largest = m->core ? m->half_s / wide : fmin(def->far, m->half_s / 2);
@@ -15,19 +15,19 @@ static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   return level > 0 ? level : 0;
 }
 
-/* Identity up to `near`, then linear such that `units` is mapped to `target`. */
+/* Maps `units` to `target`: the identity up to `near`, linear beyond. */
 static double stretch(double at, double near, double units, double target) {
   if (at <= near) return at;
   return near + (at - near) * ((target - near) / (units - near));
 }
 
-/* Physical depth [mm] of a logical depth, without layers. */
+/* Returns the physical depth [mm] of a logical depth, without layers. */
 static double plain_depth(const body_map *m, double d) {
   if (m->core) return d;
   return d >= m->units_d ? m->depth : stretch(d, m->near_d, m->units_d, m->depth);
 }
 
-/* The row nearest to a depth [mm]; deep rows are those of coarse cells. */
+/* Returns the row nearest to a depth [mm]; deep rows are those of coarse cells. */
 static double row_at(const body_map *m, double depth, double above) {
   double least = 0, most = m->units_d;
   for (int k = 0; k < 60; k++) {
@@ -41,7 +41,7 @@ static double row_at(const body_map *m, double depth, double above) {
   return fmax(above + 1, round(j / coarse) * coarse);
 }
 
-/* Rows of elements on every interface. */
+/* Places rows of elements on every interface. */
 static void lay_layers(body_map *m) {
   m->layers = arc_body_layers(m->solid);
   for (int l = 0; l < m->layers; l++) {
@@ -71,7 +71,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
   m.lines = (int)fmax(1, round(deep / (unit * def->height)));
   const double beside =
-      m.half_s - near_s; /* limits the compression of coarse columns that end here */
+      m.half_s - near_s; /* limit of the compression of coarse columns that end here */
   if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
   m.units_s = m.columns * unit * def->size;
   m.units_d = m.lines * unit * def->height;
@@ -79,7 +79,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   return m;
 }
 
-/* Change of the depth at row j by layers [mm]: linear between interfaces, zero at the ends. */
+/* Returns the change of the depth at row j by layers [mm], linear between interfaces and zero at
+ * the ends. */
 static double shift_at(const body_map *m, double j) {
   double above = 0, from = 0;
   for (int l = 0; l < m->layers; l++) {
@@ -102,14 +103,14 @@ static double radius_at(const body_map *m, double depth) {
   return r0 * exp(-(depth - m->near_d) / r0);
 }
 
-/* A rectangle; the height of its surface decays to zero at its base. */
+/* Computes a point of a rectangle; the height of its surface decays to zero at its base. */
 static void point_of_block(const body_map *m, double along, double j, double xy[2]) {
   const double depth = depth_at(m, j), inset = arc_body_inset(m->solid, m->crest, along);
   xy[0] = along;
   xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
 }
 
-/* An arc about (0, R), or about (0, -R) for the other side. */
+/* Computes a point of an arc about (0, R), or about (0, -R) for the other side. */
 static void point_of_arc(const body_map *m, double along, double j, double xy[2]) {
   const double r = radius_at(m, depth_at(m, j)), angle = along / m->radius;
   const double side = m->hollow ? -m->up : m->up;

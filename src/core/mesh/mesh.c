@@ -1,5 +1,5 @@
-/* Mesher of both bodies: from sizes to a quadtree, from its leaves to elements, from the half body
- * to the whole. */
+/* Mesher of both bodies: from sizes to a quadtree, from its leaves to elements, and from the half
+ * body to the whole. */
 #include "core/mesh/mesh.h"
 #include "core/mesh/body_shape.h"
 #include "core/mesh/outline.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Limit of the number of elements: larger values are input errors. */
+/* Largest number of elements; larger values are input errors. */
 enum { most_elements = 1000000 };
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
@@ -75,14 +75,14 @@ arc_mesh_def arc_mesh_default(void) {
 }
 
 /* The two nested partitions, half widths and depths [mm]: 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
- * x 0.5 in 4.2 x 1.5 mm for the plate. All of them are proportional to the contact's width, that
- * is, to the cylinder's zone, except the plate's own width, which grows with the stroke. */
+ * x 0.5 in 4.2 x 1.5 mm for the plate. All are proportional to the contact's width, which is the
+ * cylinder's zone, except the width of the plate's zone, which grows with the stroke. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Rows of the wear box: the given number, and more if it ended within layers much thinner than the
- * rows, which have rows of their own. */
+/* Returns the number of rows of the wear box: that of the definition, or more if the box would end
+ * within layers much thinner than the rows, which have rows of their own. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -107,15 +107,15 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* True if an interface cuts a cell. */
+/* Returns true if an interface cuts a cell. */
 static int straddles(const body_map *m, const quad_cell *c) {
   for (int l = 0; l < m->layers; l++)
     if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
   return 0;
 }
 
-/* Finest in the inner partition, at most four times that in the outer one, at most `far` elsewhere,
- * and cells end at interfaces. */
+/* Returns the coarsest level of a cell: the finest in the inner partition, at most four times that
+ * size in the outer one, at most `far` elsewhere; cells end at interfaces. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
@@ -156,7 +156,7 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Limit of the width and depth of bodies in elements: positions are integers in this unit. */
+/* Largest width and depth of bodies in elements, as positions are integers in this unit. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
@@ -182,7 +182,7 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
   const double most_rows =
-      floor(radius / 4 / def->height * (1 + 1e-9)); /* also for sizes at the limit */
+      floor(radius / 4 / def->height * (1 + 1e-9)); /* tolerance for sizes at the limit */
   if (def->rows < 1 || def->rows > most_rows)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -206,13 +206,13 @@ static int compare_keys(const void *a, const void *b) {
   return (p->i > q->i) - (p->i < q->i);
 }
 
-/* A point of the other half; on full circles the two ends coincide. */
+/* Returns the mirrored point of the other half; on full circles the two ends coincide. */
 static mesh_key mirrored(const body_map *m, mesh_key key) {
   const int seam = arc_body_map_closed(m) && key.i == 2 * (m->columns << m->root_level);
   return (mesh_key){seam ? key.i : -key.i, key.j};
 }
 
-/* Sorted distinct keys of both halves. Returns their number, or -1. */
+/* Writes the sorted distinct keys of both halves. Returns their number, or -1. */
 static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   const int corners = 4 * b->count;
   mesh_key *all = malloc(2 * (size_t)corners * sizeof *all);
@@ -244,7 +244,7 @@ static double twice_area(const double *xy, const int *e) {
   return area;
 }
 
-/* Cells end at interfaces: the layer of one is that of its upper end. */
+/* Returns the layer of a cell, the one at its upper end, as cells end at interfaces. */
 static int layer_of(const body_map *map, const mesh_key *corner) {
   int top = corner[0].j, layer = 0;
   for (int c = 1; c < 4; c++) top = corner[c].j < top ? corner[c].j : top;
@@ -279,7 +279,8 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
   }
 }
 
-/* Order of elements: the wear box of the whole body first, column by column from left to right. */
+/* Orders the elements: the wear box of the whole body first, column by column from left to
+ * right. */
 static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key *keys, int half) {
   const int box = half * mesh->rows;
   int at = 0;
@@ -296,7 +297,8 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
-/* Fixed nodes: the flat of a half cylinder, the hub of a disc, the base or rim of other bodies. */
+/* Marks the fixed nodes: the flat of a half cylinder, the hub of a disc, the base or rim of other
+ * bodies. */
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);

@@ -4,10 +4,10 @@
 
 #include "archard/mesh.h"
 
-/* Returns the errors of arc_mesh_build that depend on the definition only. */
+/* Checks a definition and returns those errors of arc_mesh_build that depend on it alone. */
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                           arc_error *error);
-/* Estimated number of nodes of a mesh. */
+/* Returns the estimated number of nodes of a mesh. */
 double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def *solid);
 
 #endif

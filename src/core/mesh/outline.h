@@ -4,8 +4,8 @@
 
 #include "archard/mesh.h"
 
-/* Chains the edges that belong to one element only into the boundary polygon; for a ring, which has
- * two, the one with the surface. ARC_MEMORY or ARC_GEOMETRY. */
+/* Chains the edges that belong to only one element into the boundary polygon. Of the two polygons
+ * of a ring, the one with the surface is used. ARC_MEMORY or ARC_GEOMETRY. */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

@@ -37,7 +37,7 @@ static arc_status split(quadtree *tree, int at) {
   return ARC_OK;
 }
 
-/* Unit cells outside the middle of each edge, two per edge, because its halves may differ. */
+/* Unit cells outside the middle of each edge, two per edge because its halves may differ. */
 static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) {
   const int w = 1 << c->level, half = w / 2;
   int finest = c->level;
@@ -63,8 +63,8 @@ static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) 
   return finest;
 }
 
-/* A leaf must be split when a neighbour is finer by more than one level anywhere along their edge.
- */
+/* Returns true if a leaf must be split because a neighbour is finer by more than one level anywhere
+ * along their edge. */
 static int unbalanced(const quadtree *tree, const quad_cell *c) {
   if (c->level < 2) return 0;
   const int w = 1 << c->level, quarter = w / 4;

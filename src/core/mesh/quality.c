@@ -7,8 +7,8 @@ static double length(const double *p, const double *q) {
   return hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-/* Twice the area of the corner triangle p-q-r at q: the Jacobian of a bilinear quadrilateral there,
- * up to 1/4. */
+/* Returns twice the area of the corner triangle p-q-r at q, which is four times the Jacobian of a
+ * bilinear quadrilateral there. */
 static double corner_jacobian(const double *p, const double *q, const double *r) {
   return (r[0] - q[0]) * (p[1] - q[1]) - (r[1] - q[1]) * (p[0] - q[0]);
 }

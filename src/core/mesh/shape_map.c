@@ -5,11 +5,11 @@
 
 static const char *const fields[] = {"radius", "radius_z", "y", "x", "z", NULL};
 
-enum { LEAST = 4 /* points along each axis */ };
+enum { LEAST = 4 /* numbers of points along the axes */ };
 
 static arc_status check_axis(const char *path, const char *name, const arc_series *s,
                              arc_error *error) {
-  static const double uneven = 1e-4; /* of a step */
+  static const double uneven = 1e-4; /* tolerance, as a share of a step */
   const double *v = s->value;
   if (s->count < LEAST)
     return arc_fail(error, ARC_ARGUMENT, "field '%s%s': expected at least %d points, got %d", path,
@@ -48,7 +48,7 @@ static double radius(const arc_body_def *b) {
   return b->radius > 0 ? b->radius : INFINITY;
 }
 
-/* Bodies in three dimensions have no mesh, hence no limits. */
+/* Bodies in three dimensions have no mesh, and therefore no limits. */
 static body_limits limits(const arc_body_def *b) {
   (void)b;
   return (body_limits){.zone = INFINITY, .zone_text = "any", .outer = INFINITY, .reach = INFINITY};
@@ -59,8 +59,8 @@ const body_shape arc_body_shape_map = {fields, FORM_MAP, 0,    resolve, radius, 
 
 /* --- heights ---------------------------------------------------------------------------------- */
 
-/* Weights of four points for a position between the second and the third: cubic convolution, which
- * reproduces parabolas. */
+/* Computes the weights of four points for a position between the second and the third, by cubic
+ * convolution, which reproduces parabolas. */
 static int weigh(const arc_series *axis, double at, double weight[4]) {
   const double first = axis->value[0], last = axis->value[axis->count - 1];
   const double u = (fmin(fmax(at, first), last) - first) / (last - first) * (axis->count - 1);
@@ -71,9 +71,9 @@ static int weigh(const arc_series *axis, double at, double weight[4]) {
   weight[2] = t * (1 + t * (4 - 3 * t)) / 2;
   weight[3] = t * t * (t - 1) / 2;
   if (t >= 0 && t <= 1) return i - 1;
-  /* in the first and last interval the parabola through the three points at that end */
+  /* In the first and last interval the parabola through the three points at that end is used. */
   const int k = t < 0 ? 0 : 1;
-  const double s = t - k; /* relative to the middle point */
+  const double s = t - k; /* relative to the middle one of them */
   weight[0] = weight[1] = weight[2] = weight[3] = 0;
   weight[k] = s * (s - 1) / 2;
   weight[k + 1] = 1 - s * s;
@@ -98,8 +98,8 @@ void arc_body_map_extent(const arc_body_def *b, double *half_x, double *half_z, 
   *step = fmax(x->value[1] - x->value[0], z->value[1] - z->value[0]);
 }
 
-/* Curvature of the heights along one axis by least squares: on a regular grid the squares of x and
- * z less their means are orthogonal. */
+/* Computes the curvature of the heights along one axis by least squares. On a regular grid the
+ * squares of x and z minus their means are orthogonal. */
 static double curvature(const arc_body_def *b, int along_z) {
   const arc_series *axis = along_z ? &b->z_series : &b->x_series;
   const int nz = b->z_series.count, n = axis->count;

@@ -5,13 +5,14 @@
 
 static const char *const fields[] = {"flat", "radius", "height", NULL};
 
-/* Default height: the model's radius, or twice its own if this is larger. */
+/* The default height is the model's radius, or twice the radius of the punch if this is larger. */
 static void resolve(arc_body_def *b, double radius) {
   if (b->height == 0) b->height = fmax(radius, 2 * b->radius);
   b->width = b->flat + 2 * b->radius;
 }
 
-/* The flat, and the same share of the edges as of a cylinder. */
+/* Returns half of the surface that may have fine elements: the flat, and the same share of the
+ * edges as of a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",

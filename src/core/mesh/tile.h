@@ -13,11 +13,12 @@ typedef struct mesh_key {
 typedef struct mesh_builder {
   body_map map;
   int count, capacity;
-  mesh_key *corner; /* [4 * capacity] corners of each element; a triangle repeats its third */
+  mesh_key
+      *corner; /* [4 * capacity] corners of each element; a triangle repeats its third corner */
 } mesh_builder;
 
-/* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
- * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
+/* Adds the elements of the half body s >= 0: first the wear box, column by column, then the rest.
+ * Hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
 arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
 
 #endif

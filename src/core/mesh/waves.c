@@ -4,8 +4,9 @@
 
 #include <math.h>
 
-/* y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, t from -1 to 1 over the points: nearly orthogonal, so
- * that three sweeps of single projections are the least squares. */
+/* Fits y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, with t from -1 to 1 over the points. The functions
+ * are nearly orthogonal, so that three sweeps of single projections converge to the least
+ * squares. */
 typedef struct form {
   double middle, half, c[3];
 } form;
@@ -21,7 +22,7 @@ static double form_at(const form *f, double x) {
   return sum;
 }
 
-/* Weight of a point in integrals over x. */
+/* Returns the weight of a point in integrals over x. */
 static double weight(const arc_series *y, int i) {
   const double from = y->distance[i > 0 ? i - 1 : 0],
                to = y->distance[i + 1 < y->count ? i + 1 : i];
@@ -51,7 +52,7 @@ static double length_of_waves(const arc_series *y, const form *f, double height)
   enum { fewest = 4 };
   int turns = 0, sense = 0;
   double from = 0, to = 0,
-         at = 0; /* the first and the last extremum; the extreme point since then */
+         at = 0; /* values at the last two extrema, and the extreme point since then */
   double last = 0;
   for (int i = 0; i < y->count; i++) {
     const double x = y->distance[i], r = y->value[i] - form_at(f, x), step = r - last;

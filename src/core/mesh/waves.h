@@ -4,7 +4,8 @@
 
 #include "archard/body.h"
 
-/* Form and waves of a profile; INFINITY and zero height for other bodies. */
+/* Computes form and waves of a profile; for other bodies the wavelength is INFINITY and the height
+ * zero. */
 typedef struct body_waves {
   double form;   /* radius of the best-fit parabola [mm]: negative if hollow, INFINITY if flat */
   double length; /* wavelength [mm], INFINITY: no waves */
