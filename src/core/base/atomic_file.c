@@ -1,6 +1,6 @@
 /* Atomic writing of files (POSIX). A temporary file is named ".archard-part-SYSTEM-PID-TIME", so
- * that those of killed programs are recognised without locks, which network disks may not support.
- */
+ * that files of killed programs are recognised without locks, which network disks may not
+ * support. */
 #include "archard/atomic_file.h"
 #include "core/base/owner.h"
 #include "core/base/resolve.h"
@@ -19,12 +19,12 @@
 static const char prefix[] = ".archard-part-";
 
 struct arc_atomic_file {
-  int descriptor;        /* of the temporary file */
-  char name[PATH_MAX];   /* as given by the user, for messages */
-  char target[PATH_MAX]; /* final file, symbolic links resolved; "" for scratch */
-  char path[PATH_MAX];   /* of the temporary file */
+  int descriptor;        /* descriptor of the temporary file */
+  char name[PATH_MAX];   /* name given by the user, for messages */
+  char target[PATH_MAX]; /* path of the final file without symbolic links; "" for a scratch file */
+  char path[PATH_MAX];   /* path of the temporary file */
   size_t folder;         /* length of the folder in path, with its slash */
-  int stream;            /* 1: the target is a device, a pipe, or open already */
+  int stream;            /* 1: the target is a device, a pipe, or a file that is already open */
   int own;               /* descriptor of this process that the target names, or -1 */
 };
 
@@ -38,7 +38,7 @@ static int is_temporary(const char *name) {
 
 /* --- files of killed programs ----------------------------------------------------------------- */
 
-/* A database keeps its journal beside it. */
+/* Ending of the name of the journal that a database keeps beside a file. */
 static const char journal[] = "-journal";
 
 static void remove_temporary(int folder, const char *name) {
@@ -108,8 +108,8 @@ static int set_folder(arc_atomic_file *file, const char *path) {
 
 /* --- creating --------------------------------------------------------------------------------- */
 
-/* Creates a file of a name never used by this process, as another program may still be removing the
- * last one. Returns 0 or an errno. */
+/* Creates a file with a name that this process has never used, as another program may still be
+ * removing the last one. Returns 0 or an errno. */
 static int create_temporary(arc_atomic_file *file) {
   char owner[ARC_OWNER];
   arc_owner_name(owner);
@@ -198,15 +198,15 @@ void arc_atomic_file_discard(arc_atomic_file **file) {
   *file = NULL;
 }
 
-/* Opens the target for writing, after flushing standard output. Returns -1 with errno on failure.
- */
+/* Opens the target for writing, after flushing standard output. Returns -1 with errno on
+ * failure. */
 static int open_stream(const arc_atomic_file *file) {
   if (file->own < 0) return open(file->target, O_WRONLY | O_CLOEXEC | O_NOCTTY);
   fflush(NULL);
   return fcntl(file->own, F_DUPFD_CLOEXEC, 0);
 }
 
-/* Returns an errno. */
+/* Writes all bytes. Returns 0 or an errno. */
 static int write_all(int to, const char *bytes, size_t count) {
   while (count > 0) {
     const ssize_t written = write(to, bytes, count);
@@ -241,14 +241,15 @@ static void sync_folder(const arc_atomic_file *file) {
   close(descriptor);
 }
 
-/* Renames unless the name exists; on disks without hard links always. Returns 0 or an errno. */
+/* Renames the file unless the name exists (on disks without hard links always). Returns 0 or an
+ * errno. */
 static int name_first(const char *path, const char *target) {
   if (link(path, target) == 0 || errno == EEXIST) return unlink(path) == 0 ? 0 : errno;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
   return rename(path, target) == 0 ? 0 : errno;
 }
 
-/* Returns an errno. */
+/* Publishes the file. Returns 0 or an errno. */
 static int publish_name(arc_atomic_file *file, int first) {
   if (file->stream) return copy_to_stream(file);
   if (fsync(file->descriptor) != 0) return errno;

@@ -1,4 +1,4 @@
-/* Calls of callbacks; missing callbacks are allowed. */
+/* Calls of callbacks, which may be missing. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 
@@ -12,7 +12,7 @@ static inline int callbacks_progress(const arc_callbacks *c, const struct arc_we
   return c && c->progress && c->progress(c->context, wear);
 }
 
-/* Warns about the accuracy of results, with a printf-style line. */
+/* Gives a warning of one line about the accuracy of results, in printf style. */
 void arc_warn(const arc_callbacks *callbacks, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -4,14 +4,14 @@
 
 #include <stddef.h>
 
-/* One array: pointer to set, and length. */
+/* An array: the pointer to set, and its length. */
 typedef struct carve_part {
   double **at;
   size_t count;
 } carve_part;
 
-/* Allocates all parts, in this order and zeroed, as one block that is freed by the first. NULL: out
- * of memory, and all pointers are NULL. */
+/* Allocates all parts, zeroed and in this order, as one block that is freed by the first pointer.
+ * Returns NULL if out of memory; all pointers are then NULL. */
 double *arc_carve(const carve_part *part, size_t parts);
 #define ARC_CARVE(part) arc_carve(part, sizeof(part) / sizeof *(part))
 

@@ -1,5 +1,5 @@
-/* Small dense linear algebra on LAPACK and BLAS, through their Fortran symbols (any implementation
- * will do). */
+/* Small dense linear algebra on LAPACK and BLAS, through their Fortran symbols, so that any
+ * implementation can be used. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 
@@ -29,7 +29,7 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
-/* to[] -= four columns at once, as memory access limits these loops. */
+/* Subtracts four columns at once, as memory access limits these loops. */
 static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
   const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
 #pragma omp simd
@@ -56,7 +56,7 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Four sums at once, for even and odd rows, for the same reason. */
+/* Computes four sums at once, for even and odd rows, as memory access limits these loops. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)
@@ -68,7 +68,7 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* One right-hand side: dtrsm takes twice as long at the sizes of contacts. */
+/* Solves for one right-hand side; dtrsm is twice as slow at the sizes of contacts. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -103,8 +103,9 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Right-hand sides that go through the band together, side by side: x[sides * i + c]. LAPACK solves
- * them one by one. Solutions decay within a few band widths: negligible values count as zero. */
+/* Right-hand sides x[sides * i + c] that are solved together with the band matrix, as LAPACK solves
+ * them one by one. Solutions decay within a few band widths, where negligible values count as
+ * zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
 
@@ -112,7 +113,7 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* Largest absolute value of rows from .. to - 1. */
+/* Returns the largest absolute value in rows from .. to - 1. */
 ARC_WIDE static double row_peak(int from, int to, const double *x) {
   double most[sides] = {0}, largest = 0;
   for (int j = from; j < to; j++)
@@ -124,7 +125,7 @@ ARC_WIDE static double row_peak(int from, int to, const double *x) {
   return largest;
 }
 
-/* True if rows from .. to - 1 are negligible relative to the largest value so far. */
+/* Returns true if rows from .. to - 1 are negligible relative to the largest value so far. */
 static int fades(int from, int to, const double *x, double *peak) {
   const double largest = row_peak(from, to, x);
   *peak = fmax(*peak, largest);
@@ -155,7 +156,7 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Steps of the band width plus one: a negligible step decouples the rest. */
+/* Solves in steps of the band width plus one; a step with negligible values decouples the rest. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {
@@ -176,7 +177,7 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
   *from = j;
 }
 
-/* Four columns at a time. */
+/* Processes four columns at a time. */
 ARC_WIDE static void add_columns(int first, int last, int n, const int *at, const double *a,
                                  int lda, const double *x, double *y) {
   int s = 0;

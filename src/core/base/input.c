@@ -1,4 +1,4 @@
-/* Reads regular files only: a pipe could block and a device never end. */
+/* Opens and reads regular files only, as a pipe could block and a device never end. */
 #include "core/base/resolve.h"
 
 #include <errno.h>

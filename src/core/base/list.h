@@ -4,13 +4,13 @@
 
 #include <stddef.h>
 
-/* Items of one size; `data` is to be freed. */
+/* A list of items of one size; `data` must be freed. */
 typedef struct item_list {
   void *data;
   int count, capacity;
 } item_list;
 
-/* Appends an item of zeros. NULL: out of memory. */
+/* Appends an item of zeros and returns it; NULL if out of memory. */
 void *arc_list_add(item_list *list, size_t size);
 void arc_list_sort(item_list *list, size_t size, int (*compare)(const void *, const void *));
 

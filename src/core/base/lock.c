@@ -1,4 +1,4 @@
-/* Locks of files on disks that may have none, or not respond. */
+/* Locks of files on disks that may have no locks, or not respond. */
 #include "archard/lock.h"
 
 #include "core/base/owner.h"
@@ -15,13 +15,14 @@
 
 /* --- kinds of locks */
 
-/* A query of the disk on its own thread, as the system waits forever for a dead lock daemon. */
+/* A query of the disk, on a thread of its own as the system waits forever for a dead lock
+ * daemon. */
 typedef struct question {
   work_progress progress;
-  int file, answer; /* answer: an errno */
+  int file, answer; /* answer, an errno */
 } question;
 
-/* Queries the lock of a byte used by SQLite. */
+/* Queries the lock of a byte that SQLite uses. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -44,7 +45,7 @@ static int has_waited(void *context) {
   return now.tv_sec >= *(const time_t *)context;
 }
 
-/* Returns 0, an errno, or ETIMEDOUT. */
+/* Queries the locks of a file. Returns 0, an errno, or ETIMEDOUT. */
 static int locks_of(const char *path) {
   struct timespec now;
   question *q = calloc(1, sizeof *q);
@@ -61,7 +62,7 @@ static int locks_of(const char *path) {
   return answer;
 }
 
-/* True if a file can be created in its folder. */
+/* Returns true if a file can be created in the folder of the path. */
 static int is_folder_writable(const char *path) {
   char folder[PATH_MAX];
   snprintf(folder, sizeof folder, "%.*s", (int)(strrchr(path, '/') + 1 - path), path);
@@ -96,7 +97,8 @@ static int make(const char *lock) {
   return symlink(owner, lock);
 }
 
-/* Of several programs that find an abandoned lock, one checks it again and removes it. */
+/* Removes an abandoned lock. If several programs find it, one of them checks it again and removes
+ * it. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
   if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)
@@ -113,7 +115,8 @@ int arc_lock_take(const char *lock, mode_t ignored) {
     remove_left(lock);
     return make(lock);
   }
-  errno = EEXIST; /* also if the owner has released it meanwhile, when readlink gives ENOENT */
+  errno =
+      EEXIST; /* also if the owner has released it meanwhile, where readlink fails with ENOENT */
   return -1;
 }
 

@@ -9,7 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* The number after `key` at the beginning of a line of a file; "" takes the first number. */
+/* Returns the number after `key` at the beginning of a line of a file; "" selects the first
+ * number. */
 static double number_in(const char *path, const char *key) {
   FILE *file = fopen(path, "r");
   char line[200];

@@ -10,15 +10,15 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-/* FNV-1a. */
+/* Computes the FNV-1a hash. */
 static unsigned long long add(unsigned long long sum, const void *bytes, size_t count) {
   const unsigned char *byte = bytes;
   for (size_t i = 0; i < count; i++) sum = (sum ^ byte[i]) * 1099511628211u;
   return sum;
 }
 
-/* Identifies the running system since its start, and its process namespace: processes of other ones
- * cannot be checked. */
+/* Returns an identification of the system since its start and of its process namespace. Processes
+ * of other systems cannot be checked. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};
   struct stat processes = {0};

@@ -1,5 +1,5 @@
-/* Resolves file names: every file that a user names is opened, created or removed by the path found
- * here. */
+/* Resolves file names: every file that a user names is opened, created or removed by the path that
+ * this file computes. */
 #include "core/base/resolve.h"
 
 #include <ctype.h>
@@ -34,8 +34,8 @@ int arc_file_descriptor(const char *path) {
   return *end || number >= INT_MAX ? -1 : (int)number;
 }
 
-/* The absolute path without links; a file that does not exist keeps its last part. Returns 0 or an
- * errno. */
+/* Computes the absolute path without links; a file that does not exist keeps the last part of its
+ * name. Returns 0 or an errno. */
 static int resolve(const char *name, char *path) {
   char next[PATH_MAX], link[PATH_MAX];
   if (strlen(name) >= PATH_MAX) return ENAMETOOLONG;

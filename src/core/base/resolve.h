@@ -1,13 +1,14 @@
-/* File names of open descriptors, and refusals of files. */
+/* Names of open descriptors, and error messages for files. */
 #ifndef CORE_BASE_RESOLVE_H
 #define CORE_BASE_RESOLVE_H
 
 #include "archard/base.h"
 
-/* Descriptor named by a path such as "/proc/PID/fd/1" of this process; -1 for other paths. */
+/* Returns the descriptor named by a path of this process such as "/proc/PID/fd/1"; -1 for other
+ * paths. */
 int arc_file_descriptor(const char *path);
 
-/* Fails with ARC_IO: "cannot read NAME: why", or write. */
+/* Fails with ARC_IO and the message "cannot read NAME: why", or "cannot write". */
 arc_status arc_file_refused(const char *name, arc_file_use use, const char *why, arc_error *error);
 
 #endif

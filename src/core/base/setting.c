@@ -48,9 +48,9 @@ const arc_setting *arc_setting_find(const arc_setting *list, const char *name) {
   return list->name ? list : NULL;
 }
 
-/* --- in words --------------------------------------------------------------------------------- */
+/* --- texts --------------------------------------------------------------------------------- */
 
-/* Text of bounded length under construction. */
+/* A text of bounded length under construction. */
 typedef struct phrase {
   char *text;
   size_t size, length;
@@ -82,7 +82,7 @@ static void say_choices(phrase *p, const char *const *choices) {
     say(p, "%s%s%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", quote, choices[i], quote);
 }
 
-/* Other forms, separated by commas and an "or" before the last. */
+/* Appends the other forms, separated by commas and with an "or" before the last. */
 static void say_forms(phrase *p, unsigned forms) {
   static const struct {
     unsigned form;
@@ -141,7 +141,7 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* For a number the message has the range only. */
+/* Returns the description of valid values; for a number the message has the range only. */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {
   char expected[160];
@@ -218,7 +218,7 @@ arc_status arc_settings_check(const arc_setting *list, const char *prefix, const
   return ARC_OK;
 }
 
-/* --- walks ------------------------------------------------------------------------------------ */
+/* --- loops --------------------------------------------------------------------------------- */
 
 int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,
                       arc_setting_fn see, void *context) {

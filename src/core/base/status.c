@@ -27,12 +27,13 @@ const char *arc_status_name(arc_status status) {
   return "UNKNOWN";
 }
 
-/* Prints NaN without a sign. */
+/* Prints a number; NaN is printed without a sign. */
 static void unsign(char *text) {
   for (char *at = text; (at = strstr(at, "-nan")) != NULL;) memmove(at, at + 1, strlen(at));
 }
 
-/* Characters that change the text direction (Unicode Bidi_Control) or end a line. */
+/* Returns true for characters that change the text direction (Unicode Bidi_Control) or end a
+ * line. */
 static int turns(const unsigned char *at) {
   const int last = at[0] == 0xe2 && at[1] ? at[2] : 0;
   if (at[0] == 0xd8) return at[1] == 0x9c;
@@ -41,7 +42,7 @@ static int turns(const unsigned char *at) {
   return at[1] == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae));
 }
 
-/* Length [bytes] of a displayable character; 0 if its first byte is not displayable. */
+/* Returns the length [bytes] of a displayable character; 0 if its first byte is not displayable. */
 static size_t showable(const unsigned char *at) {
   static const unsigned char lead[] = {0xc0, 0xe0, 0xf0, 0xf8};
   if (at[0] < 0x80) return (at[0] >= 0x20 && at[0] != 0x7f) || at[0] == '\n' || at[0] == '\t';

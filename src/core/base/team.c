@@ -11,10 +11,10 @@ struct work_team {
   pthread_mutex_t lock;
   pthread_cond_t begun, ended;
   pthread_t *thread;
-  pid_t process; /* that the threads belong to */
-  int threads;   /* besides the caller */
-  int loop;      /* counts the loops */
-  int busy;      /* threads still in the loop */
+  pid_t process; /* process that the threads belong to */
+  int threads;   /* number of threads besides the caller */
+  int loop;      /* number of loops so far */
+  int busy;      /* number of threads still in the loop */
   int closing;
   team_task task;
   void *context;
@@ -52,7 +52,7 @@ static void *work(void *context) {
   return NULL;
 }
 
-/* Signals are handled by the caller's thread. */
+/* Blocks signals in the threads, so that the caller's thread handles them. */
 static int start(work_team *t) {
   member *m = malloc(sizeof *m);
   if (!m) return 0;

@@ -1,5 +1,5 @@
-/* A team of threads that share the tasks of a loop. The assignment of tasks to workers is random:
- * tasks must write to separate memory, so that results do not depend on the number of workers. */
+/* A team of threads that share the tasks of a loop. Tasks are assigned to workers at random and
+ * must write to separate memory, so that results do not depend on the number of workers. */
 #ifndef BASE_TEAM_H
 #define BASE_TEAM_H
 
@@ -7,18 +7,19 @@
 
 typedef struct work_team work_team;
 
-/* One task; `worker` is 0 .. workers - 1, for workspaces that each thread has one of. */
+/* Executes one task. `worker` is 0 .. workers - 1 and selects a workspace, of which each thread has
+ * its own. */
 typedef void (*team_task)(void *context, int task, int worker);
 
-/* Creates a team of `workers` threads, including the caller. With one worker *team is NULL, which
- * is valid for all functions below. ARC_MEMORY: no memory, or no threads. */
+/* Creates a team of `workers` threads, including the caller. For one worker *team is NULL, which is
+ * valid in all functions below. ARC_MEMORY: no memory, or no threads. */
 arc_status arc_team_create(int workers, work_team **team, arc_error *error);
 /* Ends the threads and sets the handle to NULL. */
 void arc_team_destroy(work_team **team);
 int arc_team_workers(const work_team *team);
 
 /* Executes tasks 0 .. tasks - 1 and returns when all are done. In a forked child, which has no
- * other threads, the caller executes them all. Not for two callers at once. */
+ * other threads, the caller executes all tasks. Two callers must not use one team at once. */
 void arc_team_run(work_team *team, int tasks, team_task task, void *context);
 
 #endif

@@ -1,4 +1,5 @@
-/* One thread for BLAS and OpenMP. OpenBLAS is reached through weak symbols: any BLAS will do. */
+/* Limits BLAS and OpenMP to one thread. OpenBLAS is called through weak symbols, so that any BLAS
+ * can be used. */
 #include "archard/base.h"
 
 #include "core/base/dense.h"
@@ -14,7 +15,8 @@ const char *arc_single_threaded(void) {
   return openblas_get_config ? openblas_get_config() : NULL;
 }
 
-/* Any routine that packs blocks allocates the memory, also for small matrices. */
+/* Calls a routine that packs blocks, as any such routine allocates the workspace, even for small
+ * matrices. */
 void arc_reserve_blas(void) {
   enum { N = 64 };
   double a[N * N] = {0}, b[N * N] = {0}, c[N * N] = {0};

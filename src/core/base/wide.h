@@ -1,11 +1,12 @@
-/* ARC_WIDE before a function that is a loop over arrays: it is compiled for each kind of wider
- * registers, and the program selects the widest available version at its start. The bits are the
- * same: no operations are contracted, and every sum keeps its order. With ARC_NARROW it is compiled
- * once: versions for other processors do not run in tests and would count as uncovered lines. */
+/* ARC_WIDE before a function that is a loop over arrays: the function is compiled for each kind of
+ * wider registers, and the program selects the widest available version at its start. The bits are
+ * the same, as no operations are contracted and every sum keeps its order. With ARC_NARROW it is
+ * compiled once, since versions for other processors do not run in tests and would count as
+ * uncovered lines. */
 #ifndef BASE_WIDE_H
 #define BASE_WIDE_H
 
-#include <stdlib.h> /* tells whether this is glibc, which chooses */
+#include <stdlib.h> /* defines __GLIBC__ if the C library is glibc, which selects the version */
 
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(ARC_NARROW)

@@ -7,15 +7,15 @@
 #include <stdlib.h>
 #include <time.h>
 
-static const long interval = 50000000; /* [ns] between two calls of callbacks */
+static const long interval = 50000000; /* [ns] interval between two calls of callbacks */
 
-/* Data shared by both threads; the last one frees it. */
+/* Data shared by both threads; the thread that ends last frees them. */
 typedef struct worker {
   pthread_t thread;
   pthread_mutex_t lock;
   pthread_cond_t changed;
   int done, abandoned;
-  int levels; /* of OpenMP, set for each thread */
+  int levels; /* number of OpenMP threads, set for each thread */
   arc_status status;
   worker_task work;
   void *job;
@@ -50,7 +50,7 @@ static void *run(void *context) {
   return NULL;
 }
 
-/* Starts a thread with blocked signals: the caller handles them. */
+/* Starts a thread with blocked signals, as the caller handles them. */
 static int start(worker *w) {
   sigset_t all, before;
   sigfillset(&all);
@@ -66,7 +66,7 @@ static double clock_now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Waits for the work or the interval. Returns 1 if it is done. */
+/* Waits for the end of the work or of the interval. Returns 1 if the work is done. */
 static int wait_interval(worker *w) {
   struct timespec until;
   clock_gettime(CLOCK_REALTIME, &until);

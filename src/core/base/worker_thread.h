@@ -1,5 +1,5 @@
-/* Long computations without stopping points: they run on their own thread while the caller calls
- * the callbacks, and are abandoned when a stop is requested. */
+/* Long computations without stopping points. They run on a thread of their own while the caller
+ * calls the callbacks, and are abandoned when a stop is requested. */
 #ifndef BASE_WORKER_THREAD_H
 #define BASE_WORKER_THREAD_H
 
@@ -7,7 +7,7 @@
 
 #include <stdatomic.h>
 
-/* Progress of the work, and the request to stop; used by the work at each stage. */
+/* Progress of the work, and the request to stop. The work updates and reads it at each stage. */
 typedef struct work_progress {
   _Atomic int stage, stages;
   _Atomic int abandoned;
@@ -21,11 +21,12 @@ arc_status arc_work_stage(work_progress *p);
 typedef struct worker_task {
   arc_status (*work)(void *job);
   void (*discard)(void *job);
-  work_progress *progress; /* inside the job */
+  work_progress *progress; /* progress, a member of the job */
 } worker_task;
 
-/* Runs the work. ARC_STOPPED by a callback: the job is discarded after its work has ended;
- * otherwise returns the status of the work, and the caller owns the job. */
+/* Runs the work. If a callback requests a stop it returns ARC_STOPPED, and the job is discarded
+ * after its work has ended. Otherwise it returns the status of the work, and the caller owns the
+ * job. */
 arc_status arc_worker_thread_run(const worker_task *work, void *job, const char *what,
                                  const arc_callbacks *callbacks, int *left_behind);
 

@@ -1,8 +1,8 @@
 /* Change of the compliance since the last condensation, to first order. For a contact, a worn body
  * is as stiff as before; only the error of the elements near the surface changes as they become
- * thinner. This change is limited to a few columns and proportional to the loss of thickness, so
- * that the change by one column (computed once, see arc_body_thinning) gives those by all columns.
- * It prevents jumps of the pressures when the wear box is condensed again. */
+ * thinner. This change is limited to a few columns and proportional to the loss of thickness. The
+ * change by one column, computed once (arc_body_thinning), therefore gives the changes by all
+ * columns. It prevents jumps of the pressures when the wear box is condensed again. */
 #include "core/contact/contact_problem.h"
 
 #include <math.h>
@@ -10,14 +10,15 @@
 
 enum { reach = ARC_THINNING_REACH, span = ARC_THINNING_SPAN };
 
-/* Relative loss of thickness of the wear box at column i since the last condensation. */
+/* Returns the relative loss of thickness of the wear box at column i since the last
+ * condensation. */
 static double thinned(const shape_side *side, int i) {
   const double bottom = arc_body_bottom(side->body, i)[1];
   const double then = side->settled[2 * i + 1], now = side->xy[2 * i + 1];
   return (now - then) / (bottom - then);
 }
 
-/* Factor for rings: their circumference, as in the elements. */
+/* Returns the factor for rings, their circumference, as in the elements. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   if (!side->body->chart.revolved.on) return 1;
@@ -33,8 +34,8 @@ static void add_column(shape_side *side, int at, double share) {
   }
 }
 
-/* Not for layers, whose wear changes more than the errors of elements: they are condensed again
- * earlier. */
+/* Computes the change of the compliance of one side. Bodies with layers have none: their wear
+ * changes more than the errors of elements, so they are condensed again earlier. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) {
   side->compliance_changed = 0;
   if (shape->geometry == ARC_FROZEN || !shape_is_corrected(shape)) return;
@@ -48,14 +49,14 @@ void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) 
   }
 }
 
-/* u := compliance change times f. */
+/* u := change of the compliance times f. */
 static void compliance_change_times(const shape_side *side, const double *f, double *u) {
   memset(u, 0, (size_t)side->n * sizeof *u);
   for (int j = 0; j < side->n; j++) {
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row = &side->compliance_change[j * span + reach]; /* it is symmetric */
+    const double *row = &side->compliance_change[j * span + reach]; /* the change is symmetric */
     for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }

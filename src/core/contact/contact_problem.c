@@ -78,7 +78,7 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
   return ARC_OK;
 }
 
-/* Error message with the zone needed. */
+/* Writes an error message with the zone needed. */
 static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
@@ -91,8 +91,8 @@ static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-/* Solves with the compliance of the last condensation; if it has changed, solves again with the
- * the change times the forces added to the gaps. */
+/* Solves with the compliance of the last condensation. If the compliance has changed since, solves
+ * again with the change times the forces added to the gaps. */
 static arc_status solve(contact_problem *p, double line) {
   arc_status status = arc_lcp_solve(p, line);
   if (status != ARC_OK || !arc_contact_problem_add_compliance_change(p)) return status;
@@ -134,7 +134,7 @@ void arc_contact_problem_forces(const contact_problem *p, double *f) {
 }
 
 /* Removes negative forces of plate nodes next to the contact, which come from negative parts of the
- * dual basis, by adding them to the neighbour towards the largest force: the sum is kept. */
+ * dual basis. Each is added to the neighbour towards the largest force, so that the sum is kept. */
 static void push_only(double *f, int n) {
   int peak = 0;
   for (int l = 1; l < n; l++)
@@ -161,7 +161,7 @@ void arc_contact_problem_transfer(const contact_problem *p, const double *from, 
   for (int l = 0; l < p->np; l++) to[l] /= p->wp[l];
 }
 
-/* Index of the cylinder's node in the direction of the load. */
+/* Returns the index of the cylinder's node in the direction of the load. */
 static int lowest(const contact_problem *p) {
   const shape_side *side = &p->shape->side[ARC_CYLINDER];
   if (p->angle == 0) return p->nc / 2;
@@ -194,7 +194,8 @@ double arc_contact_problem_ripple(const contact_problem *p, const arc_shape *sha
   return sum > 0 ? largest * count / sum : 0;
 }
 
-/* Integral of the pressure along x over the candidates' cells between from and to [N/mm]. */
+/* Returns the integral of the pressure along x over the candidates' cells between from and to
+ * [N/mm]. */
 static double force_between(const contact_problem *p, const double *cyl, double from, double to) {
   double sum = 0;
   for (int k = 0; k < p->count; k++) {
@@ -207,7 +208,7 @@ static double force_between(const contact_problem *p, const double *cyl, double 
   return sum;
 }
 
-/* The window with the largest mean starts or ends at the edge of a cell. */
+/* The window with the largest mean begins or ends at the edge of a cell. */
 double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape,
                                    double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;

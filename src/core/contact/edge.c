@@ -1,22 +1,23 @@
-/* Position of the edges of a contact and the pressure next to them. In a smooth contact, such as
+/* Position of the edges of a contact, and the pressure next to them. In a smooth contact, such as
  * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
- * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function; with c linear in d it has
- * three parameters: the edge, c there, and its slope. They are fitted to nodal forces and gaps a
- * few nodes away, where elements are accurate; nearer ones depend on the position of the edge
- * between nodes. At the kinks of scars the law does not hold; there the edge is interpolated from
- * the last node in contact and the next one. */
+ * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function. With c linear in d it has
+ * three parameters: the edge, c at the edge, and its slope. They are fitted to nodal forces and
+ * gaps a few nodes away, where elements are accurate; nearer nodes depend on the position of the
+ * edge between nodes. The law does not apply to the kinks of scars, where the edge is interpolated
+ * between the last node in contact and the next node. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
 
-/* One end of the contact: nodes by steps from the last one in contact, positive outwards. */
+/* One end of the contact. Nodes are counted in steps from the last one in contact, positive
+ * outwards. */
 typedef struct ending {
   const contact_problem *p;
-  const double *xy; /* of the cylinder's surface nodes */
-  int last;         /* candidate */
-  int out;          /* 1: right, -1: left */
+  const double *xy; /* [n] positions of the cylinder's surface nodes */
+  int last;         /* last candidate in contact */
+  int out;          /* 1: right end, -1: left end */
   double E_star;
 } ending;
 
@@ -33,13 +34,13 @@ static double gap(const ending *e, int step) {
   return e->p->open[e->last + e->out * step];
 }
 
-/* Pressure or gap by the square-root law: c0 sqrt(d) + c1 d sqrt(d). */
+/* Pressure or gap by the square-root law, c0 sqrt(d) + c1 d sqrt(d). */
 typedef struct edge_law {
   double x, c[2];
 } edge_law;
 
-/* Distance of the edge from the last node in contact (pressure q) by the laws of pressure and gap
- * with one c; the next node, at distance h, has the gap g. */
+/* Returns the distance of the edge from the last node in contact (pressure q), by the laws of
+ * pressure and gap with one c. The next node, at distance h, has the gap g. */
 static double edge_between(const ending *e) {
   const double q = pressure(e, 0), g = gap(e, 1), h = node_x(e, 1) - node_x(e, 0);
   double low = 0, high = h;
@@ -60,8 +61,8 @@ typedef struct equation {
   double of_c[2], of_x, value;
 } equation;
 
-/* Nodal forces are means of the pressure under hat functions, which second differences of its
- * double integral are. Of d^(3/2), d^(5/2) and d^(7/2). */
+/* Second differences of d^(3/2), d^(5/2) or d^(7/2). Nodal forces are means of the pressure under
+ * hat functions, which are second differences of the double integral of the pressure. */
 static void find_differences(const ending *e, double edge, int step, double difference[3]) {
   double at[3], power[3][3];
   for (int i = 0; i < 3; i++) {
@@ -85,7 +86,7 @@ static equation equation_inside(const ending *e, const edge_law *law, int step) 
                     .value = pressure(e, step)};
 }
 
-/* E* g / distance, which has the unit of a pressure. */
+/* Returns E* g / distance, which has the unit of a pressure. */
 static equation equation_outside(const ending *e, const edge_law *law, int step) {
   const double s = node_x(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
   equation q = {.of_c = {4 * root / 3, -4 * s * root / 5}, .value = g};
@@ -100,7 +101,7 @@ typedef struct stencil {
 
 enum { last_inside = -2, unknowns = 3 };
 
-/* Adds an equation to the normal equations for changes of c and x. Returns its defect. */
+/* Adds an equation to the normal equations for changes of c and x. Returns its residual. */
 static double add_equation(const edge_law *law, const equation *q, double a[unknowns * unknowns],
                            double b[unknowns]) {
   const double row[unknowns] = {q->of_c[0], q->of_c[1], q->of_x};
@@ -112,7 +113,8 @@ static double add_equation(const edge_law *law, const equation *q, double a[unkn
   return off;
 }
 
-/* Sets up the normal equations at given parameters. Returns the root mean square of the defects. */
+/* Sets up the normal equations at given parameters. Returns the root mean square of the
+ * residuals. */
 static double add_equations(const ending *e, const stencil *at, const edge_law *law,
                             double a[unknowns * unknowns], double b[unknowns]) {
   double sum = 0;
@@ -127,8 +129,8 @@ static double add_equations(const ending *e, const stencil *at, const edge_law *
   return sqrt(sum / count);
 }
 
-/* Gauss-Newton least squares, starting from the edge between the nodes. Returns the residual /
- * pressure one element inside; INFINITY without convergence. */
+/* Solves by Gauss-Newton least squares, beginning with the edge between the nodes. Returns the
+ * residual divided by the pressure one element inside; INFINITY without convergence. */
 static double fit_law(const ending *e, const stencil *at, double start, edge_law *law) {
   enum { most_iterations = 12 };
   const double h = node_x(e, 1) - node_x(e, 0);
@@ -146,7 +148,7 @@ static double fit_law(const ending *e, const stencil *at, double start, edge_law
   return INFINITY;
 }
 
-/* True if all nodes exist, in this half of the contact and outside. */
+/* Returns true if all nodes exist, in this half of the contact and outside. */
 static int has_nodes(const ending *e, const stencil *at) {
   if (e->p->active < 1 - 2 * at->first) return 0;
   const int inner = e->last + e->out * (at->first - 1), outer = e->last + e->out * at->to;
@@ -159,9 +161,9 @@ static int has_nodes(const ending *e, const stencil *at) {
 }
 
 /* Fits nodes far enough from the edge that its position between nodes has no influence, or nearer
- * ones if the law does not hold so far. Returns 1 if the law fits as well as in unworn contacts,
- * else 0. (Compared with finer meshes for worn contacts, the fit improves the edge if it
- * returns 1.) */
+ * nodes if the law does not extend so far. Returns 1 if the law fits as well as in unworn contacts,
+ * else 0. (Compared with finer meshes for worn contacts, the fit improves the edge if it returns
+ * 1.) */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;
@@ -177,7 +179,7 @@ contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape 
               .last = right ? p->set[p->active - 1] : p->set[0],
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = node_x(&e, 1) - node_x(&e, 0)};
-  /* modulus with layers at the wave length of the fitted nodes */
+  /* modulus with layers, at the wave length of the fitted nodes */
   e.E_star = arc_model_apparent_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
@@ -196,7 +198,7 @@ void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape,
 }
 
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p) {
-  static const double reach = 2; /* elements */
+  static const double reach = 2; /* in elements */
   for (int i = 0; i < n && edge->smooth > 0; i++) {
     const double d = edge->out * (edge->x - x[i]), root = sqrt(fmax(0, d));
     if (d > reach * edge->width) continue;
@@ -204,7 +206,7 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
   }
 }
 
-/* Tangential stress at the surface of a half-plane at the distance s outside the edge,
+/* Returns the tangential stress at the surface of a half-plane at the distance s outside the edge,
  * 2 (c0 sqrt(s) - c1 s sqrt(s)), for share = 1, and its integral. */
 static double cusp_at(const contact_edge *edge, double x, double *integral) {
   const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
@@ -214,7 +216,7 @@ static double cusp_at(const contact_edge *edge, double x, double *integral) {
 
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp) {
-  static const double reach = 4; /* elements; farther away means are accurate */
+  static const double reach = 4; /* in elements; farther away means are accurate */
   for (int i = 1; i + 1 < n && edge->smooth > 0; i++) {
     const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
     double sum[3];

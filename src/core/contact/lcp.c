@@ -1,9 +1,9 @@
 /* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = line, the load per
  * thickness. On polar charts the shares `down` of forces along the load replace 1: g = gap -
- * approach down + A f and sum down f = line. A primal-dual active set (semismooth Newton) starts
- * from the last set and needs one factorisation if the set is still correct. If sets repeat, a
- * primal active-set method on the equivalent convex problem, min f'A f / 2 + gap'f, replaces it;
- * its objective decreases with every set, so no set repeats. */
+ * approach down + A f and sum down f = line. A primal-dual active set method (semismooth Newton)
+ * begins with the last set and needs one factorisation if the set is still correct. If sets repeat,
+ * it is replaced by a primal active-set method on the equivalent convex problem, min f'A f / 2 +
+ * gap'f, whose objective decreases with every set, so that no set repeats. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -12,7 +12,7 @@
 
 enum { newton_limit = 30 };
 
-/* Reuses the factor if the set is the same as before. */
+/* Returns true if the factor of A belongs to the present set. */
 static int is_made(const contact_problem *p) {
   return p->factored && p->of == p->active &&
          memcmp(p->made, p->set, (size_t)p->of * sizeof *p->made) == 0;
@@ -34,25 +34,26 @@ int arc_lcp_factorise(contact_problem *p) {
   return 0;
 }
 
-/* The sum of values [active] of the set along the load. */
+/* Returns the sum along the load of values [active] of the set. */
 static double along_load(const contact_problem *p, const double *value) {
   double sum = 0;
   for (int k = 0; k < p->active; k++) sum += p->down[p->set[k]] * value[k];
   return sum;
 }
 
-/* Gaps far larger than the deformation are rounded to more than the load allows: an approach by the
- * missing force restores the load. */
+/* Corrects the approach by the missing force. Gaps far larger than the deformation have rounding
+ * errors that change the load by more than its tolerance. */
 static void restore_load(contact_problem *p, double line, double total, double *fs) {
-  static const double rounding = 1e-12; /* relative; the sum over a usual set is within 1e-14 */
+  static const double rounding =
+      1e-12; /* relative tolerance; the sum over a usual set is within 1e-14 */
   const double missing = line - along_load(p, fs);
   if (fabs(missing) <= rounding * line) return;
   p->approach += missing / total;
   for (int k = 0; k < p->active; k++) fs[k] += missing / total * p->ones[k];
 }
 
-/* Solves for the forces fs [active] that close the gaps of the set under the load `line`, and the
- * approach. Non-zero: A is not positive definite. */
+/* Solves for the approach, and for the forces fs [active] that close the gaps of the set under the
+ * load `line`. Returns non-zero if A is not positive definite. */
 static int solve_on_set(contact_problem *p, double line, double *fs) {
   if (arc_lcp_factorise(p)) return 1;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
@@ -82,7 +83,8 @@ static void spread(contact_problem *p, const double *fs) {
   }
 }
 
-/* New set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if it changed. */
+/* Computes the new set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if it
+ * changed. */
 static int update_set(contact_problem *p) {
   int n = 0, same = 1;
   for (int k = 0, s = 0; k < p->count; k++) {
@@ -103,7 +105,7 @@ static void all_active(contact_problem *p) {
   for (int k = 0; k < p->count; k++) p->set[k] = k;
 }
 
-/* Returns 1 if solved, 0 if it cycles, -1 on breakdown. */
+/* Runs the primal-dual method. Returns 1 if solved, 0 if sets repeat, -1 on breakdown. */
 static int newton(contact_problem *p, double line, double *fs) {
   if (p->active == 0) all_active(p);
   for (int i = 0; i < newton_limit; i++) {
@@ -127,9 +129,8 @@ static void drop(contact_problem *p, int at) {
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
 }
 
-/* Moves from feasible forces f to those of the set until a force becomes 0; drops this node.
- * Returns 1 for a full step, 0 if a node was dropped, -1 on breakdown.
- */
+/* Moves from feasible forces f towards those of the set until a force becomes 0, and drops this
+ * node. Returns 1 for a full step, 0 if a node was dropped, -1 on breakdown. */
 static int advance(contact_problem *p, double line, double *f, double *fs) {
   if (solve_on_set(p, line, fs)) return -1;
   double step = 1;

@@ -1,14 +1,13 @@
 /* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to its hat functions,
- * integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 / w_i)
- * integral psi_i phi_l dx.
- * Surfaces of revolution are integrated over their area as seen from above, dA = 2 pi r dx, in
- * place of x: widths are areas, and forces those on whole rings.
+ * is integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 /
+ * w_i) integral psi_i phi_l dx. Surfaces of revolution are integrated over their area as seen from
+ * above, dA = 2 pi r dx, instead of x: widths are areas, and forces act on whole rings.
  *
- * Pressures act along the normal that both surfaces share where they touch, taken from the plate,
- * with slope m. A surface element ds = dx / cos carries p ds along the normal, which is p dx along
- * y and -m p dx along x: the forces of an unknown f_k are f_k (-m_k, 1) on the cylinder and B' f,
- * B'm the opposite of f on the plate, and f_k = p_k w_k with the width along x. The gap is that
- * along y at a fixed x, 1 / cos times that along the normal: a point that moves by u changes it by
+ * Pressures act along the common normal of both surfaces, which is that of the plate with slope m.
+ * A surface element ds = dx / cos carries p ds along the normal, which is p dx along y and -m p dx
+ * along x. The forces of an unknown f_k are therefore f_k (-m_k, 1) on the cylinder, the opposite
+ * B' f, B'm on the plate, and f_k = p_k w_k with the width along x. The gap is measured along y at
+ * a fixed x and is 1 / cos times the gap along the normal. A point that moves by u changes it by
  * u_y - m u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces
  * along x balance to rounding too. */
 #include "core/contact/contact_problem.h"
@@ -19,12 +18,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Coordinate of a node by area. */
+/* Returns the coordinate of a node by area. */
 static double at(const contact_problem *p, const double *xy, int i) {
   return arc_revolution_area(p->revolved, xy[2 * i]);
 }
 
-/* Finds the cylinder nodes whose two segments lie completely over the plate's candidate zone. */
+/* Determines the cylinder nodes whose two segments lie completely over the plate's candidate
+ * zone. */
 static void find_candidates(contact_problem *p, const double *cyl, double plate_left,
                             double plate_right) {
   int lo = 1, hi = p->nc - 2;
@@ -34,7 +34,7 @@ static void find_candidates(contact_problem *p, const double *cyl, double plate_
   p->count = hi - lo + 1;
 }
 
-/* Index l of the plate segment [l, l + 1] around x (cylinder frame). */
+/* Returns the index l of the plate segment [l, l + 1] around x (in the cylinder's frame). */
 static int plate_segment(const contact_problem *p, const double *plate, double x) {
   int low = 0, high = p->np - 2;
   while (low < high) {
@@ -47,8 +47,8 @@ static int plate_segment(const contact_problem *p, const double *plate, double x
   return low;
 }
 
-/* Adds integral psi phi over the part [u, v] of the plate segment [left, right]; psi runs linearly
- * from at_a to at_b over [a, b]. */
+/* Adds integral psi phi over the part [u, v] of the plate segment [left, right]. psi is linear from
+ * at_a to at_b over [a, b]. */
 static void add_overlap(double left, double right, double a, double b, double at_a, double at_b,
                         double u, double v, double *entry) {
   static const double gauss = 0.57735026918962576451;
@@ -61,7 +61,7 @@ static void add_overlap(double left, double right, double a, double b, double at
   }
 }
 
-/* One of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
+/* Adds one of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
 static void add_segment(const contact_problem *p, const double *plate, double a, double b,
                         double at_a, double at_b, int first, double *row) {
   for (int l = plate_segment(p, plate, a); l < p->np - 1 && at(p, plate, l) + p->x < b; l++) {
@@ -71,7 +71,8 @@ static void add_segment(const contact_problem *p, const double *plate, double a,
   }
 }
 
-/* Longest row: plate nodes within reach of any candidate's two segments. */
+/* Returns the length of the longest row: the plate nodes within reach of any candidate's two
+ * segments. */
 static int row_width(const contact_problem *p, const double *cyl, const double *plate) {
   int width = 2;
   for (int i = p->lo; i < p->lo + p->count; i++) {
@@ -107,7 +108,7 @@ static void fill_row(contact_problem *p, int k, const double *cyl, const double 
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Components of forces along the load. */
+/* Computes the components of forces along the load. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
@@ -164,7 +165,7 @@ void arc_contact_problem_to_plate(const contact_problem *p, const double *v, dou
   }
 }
 
-/* to[] := responses along the normals of the cylinder's candidates, from k on, to a force at node
+/* to[] := responses of the cylinder's candidates, from k on, along the normals, to a force at node
  * k. */
 static inline void cylinder_responses(const contact_problem *p, const compliance *c, int k,
                                       double *to) {
@@ -175,7 +176,7 @@ static inline void cylinder_responses(const contact_problem *p, const compliance
   for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
 }
 
-/* column[] := F_p b_k, from the first row of b_k on, as later ones need no earlier rows. */
+/* column[] := F_p b_k, from the first row of b_k on, as later columns need no earlier rows. */
 static inline void plate_responses(const contact_problem *p, const double *fp, int k,
                                    double *column) {
   const int low = p->first[k];
@@ -189,7 +190,7 @@ static inline void plate_responses(const contact_problem *p, const double *fp, i
   }
 }
 
-/* Column k of A from its diagonal on. */
+/* Computes column k of A from its diagonal on. */
 ARC_WIDE static void stiffen_column(const contact_problem *p, const compliance *c, const double *fp,
                                     int k) {
   double *column = p->column, *a = &p->a[dense_at(0, k, p->count)];
@@ -203,7 +204,7 @@ ARC_WIDE static void stiffen_column(const contact_problem *p, const compliance *
   }
 }
 
-/* The upper triangle from the lower one, tile by tile. */
+/* Copies the lower triangle to the upper one, tile by tile. */
 static void mirror(int n, double *a) {
   enum { tile = 16 };
   for (int left = 0; left < n; left += tile)
@@ -213,8 +214,8 @@ static void mirror(int n, double *a) {
           a[dense_at(k, r, n)] = a[dense_at(r, k, n)];
 }
 
-/* A = F_c + B F_p B' along normals, the lower triangle first, then mirrored: A is symmetric to the
- * bit. */
+/* Computes A = F_c + B F_p B' along normals. The lower triangle is computed and then mirrored, so
+ * that A is symmetric to the bit. */
 void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   const compliance *c = shape_compliance(&shape->side[ARC_CYLINDER]);
   const double *fp = shape_compliance(&shape->side[ARC_PLATE])->along;
@@ -223,8 +224,8 @@ void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Corrects the gaps, measured for a pin at s = 0, for a pin that rests in the direction of the load
- * and has turned about its centre. */
+/* Converts the gaps, measured for a pin at s = 0, to those of a pin that rests in the direction of
+ * the load and has rotated about its centre. */
 static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

@@ -1,7 +1,7 @@
 /* Transfer of worn surfaces to another mesh of the same bodies, and of measured profiles to a mesh.
  * Pressures depend on curvature, so the displacements of the nodes are interpolated by cubic
- * splines with two continuous derivatives, one for each scar. The edge of a scar is a kink: there
- * the spline of the worn nodes is extrapolated down to zero. The displacements are then scaled so
+ * splines with two continuous derivatives, one for each scar. At the edge of a scar, which is a
+ * kink, the spline of the worn nodes is extrapolated to zero. The displacements are then scaled so
  * that the polygon of the new nodes has lost the same area. */
 #include "core/contact/shape.h"
 
@@ -18,8 +18,8 @@ typedef struct track {
   int n;
   double *x;
   double *value[QUANTITIES];
-  double *bend[QUANTITIES]; /* second derivatives, scar by scar */
-  double *work;             /* [n] */
+  double *bend[QUANTITIES]; /* [n] second derivatives, scar by scar */
+  double *work;             /* [n] workspace */
 } track;
 
 static arc_status track_create(track *t, int n) {
@@ -46,12 +46,12 @@ static void track_of(const shape_side *side, track *t) {
 
 /* --- splines ---------------------------------------------------------------------------------- */
 
-/* Second derivatives m of the spline through (x, y) [n], n >= 4, with the third derivative
- * continuous across the first and last inner points too (not-a-knot). */
+/* Computes the second derivatives m of the spline through (x, y) [n], n >= 4, whose third
+ * derivative is also continuous at the first and last inner points (not-a-knot). */
 static void bend_spline(const double *x, const double *y, int n, double *diagonal, double *m) {
   const double first = (x[1] - x[0]) / (x[2] - x[1]);
   const double last = (x[n - 1] - x[n - 2]) / (x[n - 2] - x[n - 3]);
-  double above = 0; /* of the row before */
+  double above = 0; /* coefficient of the previous row */
   for (int i = 1; i + 1 < n; i++) {
     const double h = x[i] - x[i - 1], g = x[i + 1] - x[i];
     double below = h, right = g, centre = 2 * (h + g);
@@ -71,7 +71,7 @@ static void bend_spline(const double *x, const double *y, int n, double *diagona
   m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
 }
 
-/* The cubic between points i and i + 1, also outside them. */
+/* Returns the value of the cubic between points i and i + 1, which may be extrapolated. */
 static double cubic(const track *t, int q, int i, double at) {
   const double h = t->x[i + 1] - t->x[i], b = (at - t->x[i]) / h, a = 1 - b;
   const double *y = t->value[q], *m = t->bend[q];
@@ -83,7 +83,7 @@ static int is_worn(const track *t, int i) {
   return i >= 0 && i < t->n && t->value[DEPTH][i] > 0;
 }
 
-/* Splines through each sequence of worn nodes; linear for fewer than four. */
+/* Computes splines through each sequence of worn nodes; linear for fewer than four nodes. */
 static void bend(track *t) {
   for (int a = 0; a < t->n; a++) {
     if (!is_worn(t, a)) continue;
@@ -95,8 +95,9 @@ static void bend(track *t) {
   }
 }
 
-/* Depth at x `at` relative to the worn node `edge`, between it and its unworn neighbour: by the
- * spline down to zero, or by a smooth function if the spline does not reach zero. */
+/* Returns the depth at x `at` relative to that of the worn node `edge`, between this node and its
+ * unworn neighbour: by the spline down to zero, or by a smooth function if the spline does not
+ * reach zero. */
 static double share_beyond(const track *t, int edge, int outside, double at) {
   const int inside = 2 * edge - outside;
   const double depth = t->value[DEPTH][edge];
@@ -107,11 +108,11 @@ static double share_beyond(const track *t, int edge, int outside, double at) {
   return fmin(1, fmax(0, cubic(t, DEPTH, i, at) / depth));
 }
 
-/* All quantities at x. */
+/* Computes all quantities at x. */
 static void track_at(const track *t, double at, double value[QUANTITIES]) {
   memset(value, 0, QUANTITIES * sizeof *value);
   if (at < t->x[0] || at > t->x[t->n - 1]) return;
-  int i = 0, high = t->n - 1; /* [i, i + 1] holds it */
+  int i = 0, high = t->n - 1; /* x lies in [i, i + 1] */
   while (high - i > 1) {
     const int middle = (i + high) / 2;
     if (t->x[middle] <= at)
@@ -132,8 +133,8 @@ static void track_at(const track *t, double at, double value[QUANTITIES]) {
 
 /* --- areas ------------------------------------------------------------------------------------ */
 
-/* Area [mm2] removed from the polygon of unworn nodes by `scale` times the displacements of a
- * track. */
+/* Returns the area [mm2] that `scale` times the displacements of a track removes from the polygon
+ * of unworn nodes. */
 static double area_under(const shape_side *side, const track *t, double scale) {
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
@@ -159,9 +160,9 @@ static void scale_to(const shape_side *side, track *t, double wanted) {
     for (int i = 0; i < t->n; i++) t->value[q][i] *= scale;
 }
 
-/* --- taking over ------------------------------------------------------------------------------ */
+/* --- transfer ------------------------------------------------------------------------------ */
 
-/* Height of the surface at the unworn positions (frozen geometry). */
+/* Converts displacements of the nodes to heights at their unworn positions (frozen geometry). */
 static void stand_upright(const shape_side *side, track *t) {
   memcpy(t->work, t->value[SHIFT_Y], (size_t)t->n * sizeof(double));
   for (int i = 1; i + 1 < t->n; i++) {
@@ -175,7 +176,8 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[SHIFT_X], 0, (size_t)t->n * sizeof(double));
 }
 
-/* True if the whole scar lies on the side; else its outer part and area are lost. */
+/* Returns true if the nodes of the side cover the whole scar; otherwise its outer part and area are
+ * lost. */
 static int covers(const shape_side *side, const track *from) {
   for (int i = 0; i < from->n; i++)
     if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))
@@ -218,7 +220,7 @@ arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *erro
 
 /* --- measured profiles ------------------------------------------------------------------------ */
 
-/* Area under the polyline through (x, h) [n] [mm2]. */
+/* Returns the area under the polyline through (x, h) [n] [mm2]. */
 static double area_of(const double *x, const double *h, size_t n) {
   double area = 0;
   for (size_t i = 1; i < n; i++) area += (x[i] - x[i - 1]) * (h[i] + h[i - 1]) / 2;

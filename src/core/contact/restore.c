@@ -1,15 +1,15 @@
-/* State of worn surfaces: storing, and restoring with checks of all numbers. */
+/* State of worn surfaces: storage, and restoration with checks of all numbers. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <string.h>
 
-/* State of one body with addresses of its values. */
+/* State of one body with the addresses of its values. */
 typedef struct surface_state {
   const double *h, *xy, *settled, *even, *condensed;
 } surface_state;
 
-/* X(name, nodes or 1, numbers at each) of a side of n nodes. */
+/* X(name, number of nodes or 1, numbers per node), for a side of n nodes. */
 #define ARRAYS(X)                                                                                  \
   X(h, n, 1)                                                                                       \
   X(xy, n, 2)                                                                                      \
@@ -39,7 +39,7 @@ static arc_status refuse(const shape_side *side, int node, const char *expected,
                   arc_body_name(side->body->mesh->body), node, expected, value);
 }
 
-/* Even and local wear. */
+/* Checks even and local wear. */
 static arc_status check_depths(const shape_side *side, const surface_state *state,
                                arc_error *error) {
   for (int i = 0; i < side->n; i++)
@@ -51,8 +51,8 @@ static arc_status check_depths(const shape_side *side, const surface_state *stat
   return ARC_OK;
 }
 
-/* Checks that nodes increase along x, and that no node has moved farther than its wear path, with a
- * tolerance for remeshed surfaces. */
+/* Checks that nodes increase along x, and that no node has moved farther than its wear depth, with
+ * a tolerance for remeshed surfaces. */
 static arc_status check_nodes(const shape_side *side, const surface_state *state, const double *xy,
                               arc_error *error) {
   for (int i = 0; i < side->n; i++) {

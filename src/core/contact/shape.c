@@ -10,14 +10,15 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
 }
 
-/* Doubles per node in the arrays of a side. */
+/* Number of doubles per node in the arrays of a side. */
 enum { side_arrays = 14 + ARC_THINNING_SPAN };
 
 static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   const size_t n = (size_t)body->mesh->surface;
   side->body = body;
   side->n = body->mesh->surface;
-  side->h = calloc(side_arrays * n, sizeof(double)); /* one block for all the arrays of a side */
+  side->h = calloc(side_arrays * n,
+                   sizeof(double)); /* Allocates one block for all the arrays of a side. */
   if (!side->h) return ARC_MEMORY;
   side->x0 = side->h + n;
   side->y = side->x0 + n;
@@ -116,14 +117,14 @@ void arc_meshed_discard(arc_shape **shape) {
   *shape = NULL;
 }
 
-/* Position of node k of the wear box: columns move with the surface, linearly to zero at the
- * bottom. Without rows only the surface moves. */
+/* Computes the position of node k of the wear box. Columns move with the surface, linearly to zero
+ * at the bottom. Without rows only the surface moves. */
 static void box_node_at(const shape_side *side, const double *surface_xy, double even, int k,
                         double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = arc_body_top(side->body, column);
-  /* nodes at the sides of the box are shared with far elements, which do not move */
+  /* nodes at the sides of the box also belong to far elements, which do not move */
   const int side_column = column == 0 || column == side->n - 1;
   const double pull = mesh->rows > 0 ? arc_body_pull(side->body, column, row) : 1;
   const double share = side_column ? 0 : pull;
@@ -140,16 +141,17 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double even
     box_node_at(side, surface_xy, even, k, &box_xy[2 * k]);
 }
 
-/* Remaining thickness of the exposed layer at node i [mm]. */
+/* Returns the remaining thickness of the exposed layer at node i [mm]. */
 static double left_of_layer(const shape_side *side, int i) {
   double end = 0;
   for (int n = 0; end <= side->h[i]; n++) end = arc_body_stratum(side->body, i, n).end;
   return end - side->h[i];
 }
 
-/* True if node i has moved too far since the last condensation: by the share `refresh` of the
- * element's height, a fifth of it of the remaining layer, or along the surface a hundredth of it of
- * an element's width, which has a similar effect on the pressure at the edge of a scar. */
+/* Returns true if node i has moved too far since the last condensation: by the share `refresh` of
+ * the element's height, by a fifth of this share of the remaining layer, or along the surface by a
+ * hundredth of this share of an element's width, which has a similar effect on the pressure at the
+ * edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
@@ -160,9 +162,9 @@ static int gone_too_far(const shape_side *side, const double *xy, int i, double 
   return across > share * height || along > share / 100 * mesh->def.size;
 }
 
-/* True if the slope at node i of the plate has changed too much. To first order slopes change
- * pressures by Dundurs' beta times the change of slope; between equal materials the forces along x
- * on both cancel. */
+/* Returns true if the slope at node i of the plate has changed too much. To first order slopes
+ * change pressures by Dundurs' beta times the change of slope; between equal materials the forces
+ * along x on both bodies cancel. */
 static int turned_too_far(const shape_side *side, const double *xy, int i, double limit) {
   double now[2], then[2];
   shape_chord(xy, side->n, i, now);
@@ -171,7 +173,8 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 }
 
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
-  static const double turn = 0.002; /* of `refresh`, over the mismatch: a share of the pressure */
+  static const double turn =
+      0.002; /* share of `refresh` over the mismatch, a share of the pressure */
   if (shape->geometry == ARC_FROZEN) return 0;
   /* relative change of pressure per change of slope */
   const arc_model_def *def = arc_model_definition(shape->handle.model);
@@ -191,9 +194,9 @@ static int is_unworn(const shape_side *side) {
 }
 
 /* Sets the slopes of a compliance's surface, unless it is flat to the bit. On polar charts
- * pressures act along z, worn or not: a pin that sinks into a hole rotates against the surfaces as
- * it moves, so slopes from its total displacement would be no better, and would be applied all at
- * once. */
+ * pressures act along z on any worn surface. A pin that sinks into a hole rotates against the
+ * surfaces as it moves, so slopes from its total displacement would be no better, and they would be
+ * applied all at once. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
   if (side->body->chart.polar) return;
@@ -277,7 +280,8 @@ arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *d
   return status;
 }
 
-/* Computes the compliance of one side for a geometry, into *renewed (n = 0: use the unworn one). */
+/* Computes the compliance of one side for a geometry and writes it to *renewed (n = 0: the unworn
+ * compliance is used). */
 static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
                                  arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};

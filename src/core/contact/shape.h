@@ -14,18 +14,18 @@ typedef struct shape_side {
   const elastic_body *body;
   int n;
   double *h;                 /* [n] wear depth, scalar sum [mm] */
-  double *x0, *y;            /* [n] unworn x; present height, even wear included [mm] */
-  double *xy;                /* [2 n] present surface nodes, even wear left out [mm] */
+  double *x0, *y;            /* [n] unworn x; present height, including even wear [mm] */
+  double *xy;                /* [2 n] present surface nodes, without even wear [mm] */
   double *settled;           /* [2 n] surface nodes at the last condensation */
   double *x, *shift;         /* [n] present x; distance from the unworn position [mm] */
   double *level;             /* [n] present height of the surface at the x of `settled` [mm] */
   double *compliance_change; /* [n x ARC_THINNING_SPAN] change of the compliance since then, between
-                                node i and nodes up to ARC_THINNING_REACH away */
+                                node i and the nodes up to ARC_THINNING_REACH away */
   double *work;              /* [4 n] workspace */
-  int compliance_changed;    /* 1 if it is not zero */
+  int compliance_changed;    /* 1 if this change is not zero */
   double even;               /* [mm] even wear */
-  int ahead;                 /* 1: the compliance is of the middle of the present update */
-  compliance own;            /* of the worn box; n = 0: the unworn compliance is used */
+  int ahead;                 /* 1: the compliance is that of the middle of the present update */
+  compliance own;            /* compliance of the worn box; n = 0: the unworn compliance is used */
 } shape_side;
 
 struct arc_shape {
@@ -33,7 +33,8 @@ struct arc_shape {
   arc_geometry geometry;
   double refresh;
   arc_corrections corrections;
-  long version; /* of both compliances: equal versions mean equal bits, for all shapes of a model */
+  long version; /* version of both compliances: equal versions mean equal bits, for all shapes of a
+                   model */
   shape_side side[ARC_BODIES];
 };
 
@@ -41,12 +42,13 @@ static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
 
-/* Sign of the direction into the material: up for the cylinder, down for the plate. */
+/* Returns the sign of the direction into the material: up for the cylinder, down for the plate. */
 static inline double shape_inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
 
-/* The chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the ends. */
+/* Computes the chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the
+ * ends. */
 static inline void shape_chord(const double *xy, int n, int i, double chord[2]) {
   const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
   chord[0] = b[0] - a[0];
@@ -55,75 +57,76 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
 
 /* --- surface.c -------------------------------------------------------------------------------- */
 
-/* Surface nodes [2 n] moved by `depth` [n] along their present normals. */
+/* Computes surface nodes [2 n] moved by `depth` [n] along their present normals. */
 void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
 
-/* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
- * Of revolution: the area of its ring as seen from above [mm2], and so for the spans below. */
+/* Returns the tributary width of surface node i [mm], from the positions along x at the last
+ * condensation. For bodies of revolution it is the area of the node's ring as seen from above
+ * [mm2], and likewise for the spans below. */
 double arc_shape_width(const shape_side *side, int i);
 
 /* Computes values derived from the nodes. Nodes move along x with their normals, but the coupling
- * uses the positions of the last condensation, and so do the levels. */
+ * and the levels use the positions of the last condensation. */
 void arc_shape_read_nodes(shape_side *side);
 
 /* Computes the compliance of the wear box with its surface at xy [2 n]. */
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
-/* How deep the wear box reaches under the unworn centre [mm]: rows of the usual height, thinner
- * ones of layers (wear_box.c). */
+/* Returns the depth of the wear box under the unworn centre [mm]: rows of the usual height, and
+ * thinner rows of layers (wear_box.c). */
 double arc_shape_box_depth(const shape_side *side);
 
-/* Displacement of node `row` of column i of the wear box [mm] for a given displacement of the
- * surface and even wear: rows on interfaces of layers remain on them, which `even` moves nearer,
- * until the surface reaches them; between them it is linear (wear_box.c). */
+/* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement of
+ * the surface and even wear. Rows on interfaces of layers remain on the interfaces, which `even`
+ * moves nearer, until the surface reaches them. Between these rows the displacement is linear
+ * (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
-/* The even wear [mm] that affects the stiffness: through layers, if the wear box reaches below all
- * of them (wear_box.c). */
+/* Returns the even wear [mm] that affects the stiffness, which is that of layers if the wear box
+ * extends below all of them (wear_box.c). */
 double arc_shape_even_stiffening(const shape_side *side);
 
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* Number of rows with which the wear box reaches below evenly worn layers, as many as fit into the
- * body; 0 if it has them already (wear_box.c). */
+/* Returns the number of rows with which the wear box extends below evenly worn layers, as many as
+ * fit into the body; 0 if it has them already (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
-/* The wear box must keep its elements with the surface at xy: every column a share of its height,
- * the nodes their order; ARC_GEOMETRY (wear_box.c). */
+/* Checks that the wear box keeps its elements with the surface at xy: every column must keep a
+ * share of its height, and the nodes their order; else ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
-/* Upper bound of the wear [mm] of a frozen geometry, beyond which gaps lose the digits of
- * displacements. */
+/* Largest wear [mm] of a frozen geometry; beyond it gaps lose the digits of displacements. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that the surface may wear by depth [n], apart from the common part. ARC_GEOMETRY
+/* Checks that the surface may wear by depth [n], not including the common part. ARC_GEOMETRY
  * (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
-/* Vertical lowering of the surface at fixed x per depth of wear along its normal, 1 / cos of the
- * slope, into down [n]. */
+/* Computes the vertical lowering of the surface at fixed x per depth of wear along its normal, 1 /
+ * cos of the slope, down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
-/* The length of surface that wears with node i [mm]: along the surface, or along x if depths are
- * heights (frozen). */
+/* Returns the length of surface that wears with node i [mm]: along the surface, or along x if
+ * depths are heights (frozen). */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
-/* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span: the
- * length of a curved surface changes with depth. Not for surfaces of revolution, where the effect
- * has second order in the depth of an update. */
+/* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span, as
+ * the length of a curved surface changes with depth. It is not used for surfaces of revolution,
+ * where the effect is of second order in the depth of an update. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* --- compliance_update.c ---------------------------------------------------------------------- */
 
-/* Brings `compliance_change` up to date with the present nodes. */
+/* Updates `compliance_change` to the present nodes. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
 
 /* --- shape.c ---------------------------------------------------------------------------------- */
 
-/* Functions of the kind for meshed surfaces: see arc_shape_create etc. */
+/* Functions of the kind for meshed surfaces, see arc_shape_create and so on. */
 arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
                              arc_shape **shape, arc_error *error);
 arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -131,10 +134,10 @@ void arc_meshed_discard(arc_shape **shape);
 arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body);
 double arc_meshed_depth(const arc_shape *shape, arc_body body);
 
-/* Wear-box nodes [2 * box_count] for a surface at surface_xy [2 n] and an even wear. */
+/* Computes wear-box nodes [2 * box_count] for a surface at surface_xy [2 n] and an even wear. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy);
 
-/* The even wear [mm] included in the stiffness; 0 with frozen geometry. */
+/* Returns the even wear [mm] included in the stiffness; 0 with frozen geometry. */
 double arc_shape_risen(const arc_shape *shape, arc_body body);
 
 /* Changes the geometry: frozen uses the unworn compliance, moving that of the present nodes. On
@@ -142,25 +145,25 @@ double arc_shape_risen(const arc_shape *shape, arc_body body);
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
-/* With the corrections of the elements' errors, or without. */
+/* Switches the corrections of the elements' errors on or off. */
 void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections);
 static inline int shape_is_corrected(const arc_shape *shape) {
   return shape->corrections == ARC_CORRECTIONS_ALL;
 }
-/* Called before an update wears the surface of one body. If the surface will move too far for its
- * compliance, computes the compliance with `depth` [n] added, the middle of the update; the end of
- * the update keeps it. If such a surface is not valid, the compliance is unchanged. ARC_MEMORY,
- * ARC_NUMERIC. */
+/* Prepares an update that wears the surface of one body. If the surface will move too far for its
+ * compliance, computes the compliance with `depth` [n] added, that of the middle of the update,
+ * which the end of the update keeps. If such a surface is not valid, the compliance is unchanged.
+ * ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
                                 arc_error *error);
 
 /* Sets the surface of one body by displacements of its unworn nodes along x and y [surface] [mm],
- * with depths h [surface] and additional even wear, and renews the compliance of moving geometry.
- * Errors as arc_shape_wear: the shape is unchanged. */
+ * with depths h [surface] and additional even wear, and computes the compliance of moving geometry.
+ * Errors as for arc_shape_wear; the shape is then unchanged. */
 arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
                          const double *shift_y, const double *h, double even, arc_error *error);
 
-/* Memory of one shape [bytes]. */
+/* Returns the memory of one shape [bytes]. */
 size_t arc_shape_bytes(const arc_shape *shape);
 
 #endif

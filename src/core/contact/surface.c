@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Tributary width of node i of a surface [2 n]; of revolution its area. */
+/* Returns the tributary width of node i of a surface [2 n]; for bodies of revolution its area. */
 static double width_at(const shape_side *side, const double *xy, int i) {
   const revolution *r = &side->body->chart.revolved;
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
@@ -15,7 +15,7 @@ double arc_shape_width(const shape_side *side, int i) {
   return width_at(side, side->settled, i);
 }
 
-/* Inward normal at a node (frozen geometry: straight up or down). */
+/* Computes the inward normal at a node; with frozen geometry it is straight up or down. */
 static void normal_at(const shape_side *side, arc_geometry geometry, int i, double normal[2]) {
   const double in = shape_inward(side);
   normal[0] = 0;
@@ -38,8 +38,8 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* -inward n_i x n_i+1: twice the area shared by the displacements of two neighbours, per depth of
- * each. */
+/* Returns -inward n_i x n_i+1, twice the area shared by the displacements of two neighbours, per
+ * depth of each. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];
   if (i + 1 == side->n) return 0;
@@ -49,9 +49,9 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
 }
 
 /* With displacements d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2;
- * each of two nodes has half of the product. */
+ * half of the product is assigned to each of the two nodes. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
-  enum { sweeps = 4 }; /* each gains a factor of depth over radius of curvature */
+  enum { sweeps = 4 }; /* each converges by a factor of depth over radius of curvature */
   const shape_side *side = &shape->side[body];
   if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;

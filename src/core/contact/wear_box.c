@@ -1,4 +1,5 @@
-/* Checks that worn surfaces are valid and keep the elements of the wear box; deeper wear boxes. */
+/* Checks that worn surfaces are valid and keep the elements of the wear box; sizes of deeper wear
+ * boxes. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -13,7 +14,8 @@ double arc_shape_box_depth(const shape_side *side) {
   return fabs(arc_body_bottom(side->body, middle)[1] - arc_body_top(side->body, middle)[1]);
 }
 
-/* Number of rows of a deeper wear box, limited by the bodies; 0 if it cannot be deeper. */
+/* Returns the number of rows of a deeper wear box, limited by the bodies; 0 if it cannot be
+ * deeper. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->handle.model)) return 0;
   const arc_model_def *def = arc_model_definition(shape->handle.model);
@@ -24,7 +26,7 @@ static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double need
 
 /* --- layers under a fixed surface */
 
-/* Rows down to a depth [mm] in a column of the unworn box. */
+/* Returns the number of rows down to a depth [mm] in a column of the unworn box. */
 static int rows_above(const elastic_body *body, const double *column, double depth) {
   int rows = 0;
   while (rows < body->mesh->rows && fabs(column[2 * rows + 3] - column[1]) <= depth * (1 + 1e-9))
@@ -33,7 +35,8 @@ static int rows_above(const elastic_body *body, const double *column, double dep
 }
 
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
-  static const double thinnest_row = 0.02; /* of the usual height: remains of worn layers */
+  static const double thinnest_row =
+      0.02; /* share of the usual height; thinner rows are remains of worn layers */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
   const double *column = arc_body_top(body, i);
@@ -54,7 +57,7 @@ double arc_shape_sink(const shape_side *side, double sunk, double even, int i, i
   return sunk_above * (bottom - depth) / (bottom - above);
 }
 
-/* Total thickness of the layers [mm]. */
+/* Returns the total thickness of the layers [mm]. */
 static double depth_of_layers(const arc_mesh *mesh) {
   return arc_body_interface(&mesh->solid, arc_body_layers(&mesh->solid) - 1);
 }
@@ -77,7 +80,7 @@ int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
   const double deep = depth_of_layers(mesh);
   if (shape->geometry == ARC_FROZEN || side->even <= noticed * deep || reaches_below_layers(side))
     return 0;
-  /* rows on interfaces may be a tenth of their height off where cells are coarse */
+  /* tolerance: rows on interfaces may be off by a tenth of their height where cells are coarse */
   const int rows = deeper_rows(shape, mesh, 1.1 * deep + mesh->def.height);
   const int most = rows < ARC_SHAPE_MOST_ROWS ? rows : ARC_SHAPE_MOST_ROWS;
   return most > mesh->rows ? most : 0;

@@ -91,8 +91,7 @@ static int find_pieces(search *f) {
   return 1;
 }
 
-/* --- layers
- * ------------------------------------------------------------------------------------ */
+/* --- layers -------------------------------------------------------------------------------- */
 
 /* Joins the pieces of each node to layers; duplicates on a common edge are removed. */
 static void join_pieces(const search *f, elastic_body *b) {

@@ -179,8 +179,7 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
   return ARC_OK;
 }
 
-/* --- the definition
- * ---------------------------------------------------------------------------- */
+/* --- the definition ------------------------------------------------------------------------ */
 
 /* Derives the definition of an imported pair in the form of a generated pair, with the bulk
  * materials. */

@@ -1,7 +1,7 @@
-/* One increment of Coulomb friction: pressures with shear held, shear with its bounds held, by
- * turns until gaps no longer change; each is a symmetric problem with a solver that always ends.
- * For similar bodies that is quick; where the coupling is strong friction_newton.c is tried in
- * between. */
+/* One increment of Coulomb friction: pressures at constant shear and shear at constant bounds,
+ * alternately, until gaps no longer change. Both are symmetric problems whose solvers always end.
+ * For similar bodies this converges quickly. Where the coupling is strong, friction_newton.c is
+ * tried in between. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -10,12 +10,12 @@
 
 enum { sweep_limit = 1000 };
 
-/* Gaps may be off by this share of the elastic displacement. */
+/* Tolerance of gaps, relative to the elastic displacement. */
 static const double settled = 1e-13;
 
 /* --- the shear problem of an increment -------------------------------------------------------- */
 
-/* Limits the force to that of friction, as only an intermediate iterate may exceed it. */
+/* Limits the force to that of friction, which only an intermediate iterate may exceed. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -28,7 +28,7 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-/* Sets up the shear problem for the present forces, starting from the states in w->slip. */
+/* Sets up the shear problem for the present forces, beginning with the states in w->slip. */
 static void set_shear(friction_task *k) {
   const contact_problem *p = k->p;
   shear_problem *s = &k->w->shear;
@@ -49,7 +49,7 @@ static void set_shear(friction_task *k) {
   if (s->by_force) set_total(k);
 }
 
-/* Copies its solution to w->t and w->slip, by candidate. */
+/* Copies the solution of the shear problem to w->t and w->slip, by candidate. */
 static void take_shear(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
@@ -63,7 +63,7 @@ static void take_shear(friction_task *k) {
 
 /* --- sweeps ----------------------------------------------------------------------------------- */
 
-/* Part of the load carried by shear on slopes [N/mm]. */
+/* Returns the part of the load carried by shear on slopes [N/mm]. */
 static double carried_by_shear(const friction_task *k) {
   double sum = 0;
   for (int i = 0; i < k->p->count && !k->g->flat; i++)
@@ -76,7 +76,7 @@ static void set_gaps(friction_task *k) {
     k->p->gap[i] = k->w->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->w->sheared[i];
 }
 
-/* Largest change of gaps in contact, relative to the displacement by pressures. */
+/* Returns the largest change of gaps in contact, relative to the displacement by pressures. */
 static double changed(const friction_task *k, const double *sheared) {
   double most = 0, all = 0;
   for (int i = 0; i < k->p->active; i++) {
@@ -88,7 +88,7 @@ static double changed(const friction_task *k, const double *sheared) {
   return most / all;
 }
 
-/* Shear of the next sweep: the new one, or a mean if the sweeps oscillate. */
+/* Sets the shear of the next sweep: the new one, or a mean if the sweeps oscillate. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
   for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
@@ -96,14 +96,14 @@ static void take_over(friction_task *k, const double *sheared, double held) {
   k->held += share * (held - k->held);
 }
 
-/* One sweep. Returns 1 if converged, 0 if not, -1 on breakdown. */
+/* Makes one sweep. Returns 1 if converged, 0 if not, -1 on breakdown. */
 static int sweep(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
-  if (k->p->active == 0) return -1; /* shear on steep slopes carries more than the load */
+  if (k->p->active == 0) return -1; /* shear on steep slopes then carries more than the load */
   set_shear(k);
   w->shear.iterations = 0;
   if (arc_shear_solve(&w->shear) != 1) return -1;
@@ -147,8 +147,8 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* As in contact_problem.c: once more with what the change of the compliance adds under the forces
- * found. */
+/* Solves once more with the change of the compliance times the forces added to the gaps, as in
+ * contact_problem.c. */
 static int add_compliance_change(friction_task *k) {
   contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;
@@ -163,20 +163,20 @@ static int add_compliance_change(friction_task *k) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* The approach at which the bodies touch [mm]. */
+/* Returns the approach at which the bodies touch [mm]. */
 static double touch(const contact_problem *p) {
   double least = p->gap[0];
   for (int c = 1; c < p->count; c++) least = fmin(least, p->gap[c]);
   return least;
 }
 
-/* Starts an unsolved problem from the nodes in contact before. */
+/* Sets the nodes in contact before as the start of an unsolved problem. */
 static void set_of(contact_problem *p, const friction_state *s) {
   for (int c = 0; c < p->count; c++)
     if (s->f[p->lo + c] > 0) p->set[p->active++] = c;
 }
 
-/* Reuses the factor of the shear problem on the same problem. */
+/* Reuses the factor of the shear problem if the problem is the same. */
 static void reuse_factor(tangential_compliance *g, const contact_problem *p,
                          friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
@@ -212,7 +212,7 @@ double arc_friction_slip(const friction_task *k, int candidate) {
   return k->dx + k->w->shear.shift + up + k->w->before[candidate] - k->w->dragged[candidate];
 }
 
-/* Slip of the open candidates. */
+/* Computes the slip of the open candidates. */
 static void slip_of_open(friction_task *k) {
   const contact_problem *p = k->p;
   friction_workspace *w = k->w;
@@ -257,7 +257,7 @@ static void commit(friction_task *k, friction_state *s) {
   arc_tangential_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
 }
 
-/* Handles separation. */
+/* Handles the separation of the bodies. */
 static void lift(friction_task *k, friction_state *s) {
   contact_problem *p = k->p;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);

@@ -1,6 +1,6 @@
-/* Computes the motion for a given tangential force. At constant pressures, if all nodes slip, one
- * force belongs to a whole range of motions; slopes make the motion unique through the pressures.
- * The force increases with the motion, so it can be bracketed. */
+/* Computes the motion for a given tangential force. At constant pressures, if all nodes slip, a
+ * whole range of motions has the same force; slopes make the motion unique through the pressures.
+ * The force increases with the motion, so the motion can be bracketed. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -17,7 +17,7 @@ static void move_to(friction_task *k, double dx) {
   k->dx = dx;
 }
 
-/* Force after a motion minus the given one [N/mm]; NaN on breakdown. */
+/* Returns the force after a motion minus the given force [N/mm]; NaN on breakdown. */
 static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
@@ -30,7 +30,7 @@ typedef struct range {
   double x[2], off[2]; /* motions with smaller and larger forces */
 } range;
 
-/* Doubles the distance from the first motion until the force has passed the given one. */
+/* Doubles the distance from the first motion until the force exceeds the given one. */
 static int enclose(friction_task *k, range *r) {
   const contact_problem *p = k->p;
   const double from = k->dx, off = excess(k, from);
@@ -50,7 +50,7 @@ static int enclose(friction_task *k, range *r) {
   return 0;
 }
 
-/* Secant steps within the bracket, and bisection every third time. */
+/* Makes secant steps within the bracket, and bisects it every third time. */
 static int narrow(friction_task *k, range *r) {
   const double enough = close_enough * k->step->line;
   for (int i = 1; i <= halvings; i++) {

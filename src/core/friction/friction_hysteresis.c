@@ -1,20 +1,20 @@
 /* Memory of the tangential forces under a constant load. During a motion in one direction nodes
- * slip one after the other. At a reversal all nodes stick; then the same nodes slip
- * back in the same order, each after twice the force. When the force is back at the start of an
- * inner loop, that loop is removed (rules of Masing and Madelung): later states depend only on the
- * forces at reversals that no later motion has passed. The first motion, on surfaces without shear,
- * is half of such a motion from the opposite reversal. If another load has left shear, the first
- * motion has no reference; later ones do, as long as the force stays within its range since then.
- */
+ * slip one after the other. At a reversal all nodes stick; then the same nodes slip back in the
+ * same order, each after twice the force. When the force is back at the start of an inner loop,
+ * that loop is removed (rules of Masing and Madelung). Later states therefore depend only on the
+ * forces at those reversals that no later motion has passed. The first motion, on surfaces without
+ * shear, is half of such a motion from the opposite reversal. If another load has left shear, the
+ * first motion has no reference; later motions have one as long as the force stays within its range
+ * since then. */
 #include "core/friction/friction.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Forces or loads that differ by less than this share of the load count as equal. */
+/* Forces or loads are equal if they differ by less than this share of the load. */
 static const double rounding = 1e-9;
 
-/* Direction of the plate under a constant load; 0: unknown. */
+/* Returns the direction of the plate under a constant load; 0 if it is unknown. */
 static int sense_of(const friction_task *k, const friction_state *s) {
   static const double still = 1e-12;
   const double motion = k->dx + k->w->shear.shift;
@@ -23,7 +23,7 @@ static int sense_of(const friction_task *k, const friction_state *s) {
   return motion > 0 ? 1 : -1;
 }
 
-/* True if the shear is negligible. */
+/* Returns true if the shear is negligible. */
 static int is_free(const friction_state *s, double mu) {
   static const double little = 0.1;
   double sum = 0;
@@ -31,14 +31,14 @@ static int is_free(const friction_state *s, double mu) {
   return sum <= little * mu * s->line;
 }
 
-/* Force at which the present motion closes a loop [N/mm]. */
+/* Returns the force at which the present motion closes a loop [N/mm]. */
 static double loop_end(const friction_memory *m) {
   if (m->count < 2) return copysign(INFINITY, m->sense);
   if (m->count == 2 && m->fresh) return 2 * m->turn[0].force - m->turn[1].force;
   return m->turn[m->count - 2].force;
 }
 
-/* Removes the closed loop and continues on the motion before it. */
+/* Removes the closed loop and continues on the motion before the loop. */
 static double close_loop(friction_memory *m) {
   friction_turn *last = &m->turn[m->count - 1];
   const double whole = (m->count == 2 && m->fresh ? 2 : 1) * last->energy;
@@ -63,7 +63,7 @@ double arc_friction_rise(const friction_memory *m, double force) {
   return m->count == 1 && m->fresh ? change : change / 2;
 }
 
-/* Drops the oldest turning point. */
+/* Removes the oldest turning point. */
 static void note_turn(friction_memory *m, double force) {
   if (m->count == ARC_FRICTION_TURNS) {
     memmove(&m->turn[0], &m->turn[1], (ARC_FRICTION_TURNS - 1) * sizeof *m->turn);

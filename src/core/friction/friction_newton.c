@@ -1,9 +1,9 @@
-/* Pressures and shear of an increment together: semismooth Newton on the sets (contact or not;
- * stick, slip along or against x). The matrix of a set is not symmetric, since shear follows
- * pressure where nodes slip. The method converges fast from good sets but need not converge:
- * friction.c starts it and continues without it on failure. Unknowns: forces f in contact, then
- * shear t of the nodes that stick; approach and the plate's motion under a given tangential force
- * follow from the resultants. */
+/* Solves for pressures and shear of an increment together, by semismooth Newton on the sets
+ * (contact or not; stick, slip along or against x). The matrix of a set is not symmetric, since
+ * shear follows pressure where nodes slip. The method converges fast from good sets but need not
+ * converge; friction.c starts it and continues without it on failure. The unknowns are the forces f
+ * in contact, then the shear t of the nodes that stick. The approach, and the plate's motion under
+ * a given tangential force, follow from the resultants. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -14,9 +14,9 @@ enum { newton_limit = 10, right_hand_sides = 3 };
 
 typedef struct newton_system {
   friction_task *k;
-  int na, ns, n;          /* in contact, sticking, unknowns */
-  int *direction, *stuck; /* [nc] by candidate; [ns] candidates that stick */
-  double *a, *b;          /* [n x n], [n x 3]: base, by approach, by motion */
+  int na, ns, n;          /* numbers of nodes in contact, of nodes that stick, and of unknowns */
+  int *direction, *stuck; /* [nc] index by candidate; [ns] the candidates that stick */
+  double *a, *b;          /* matrix [n x n]; solutions [n x 3]: base, by approach, by motion */
 } newton_system;
 
 static void set_workspace(newton_system *c) {
@@ -41,12 +41,13 @@ static double slope_at(const newton_system *c, int candidate) {
   return c->k->p->slope[c->k->p->lo + candidate];
 }
 
-/* A force at a slipping node causes shear of mu times its value. */
+/* Returns the shear caused by a unit of force at a node: mu if the node slips. */
 static double pull_at(const newton_system *c, int candidate) {
   return c->direction[candidate] * c->k->step->mu;
 }
 
-/* Column of the force at `from`: gaps of the nodes in contact, then r of those that stick. */
+/* Computes the column of the force at `from`: gaps of the nodes in contact, then r of the nodes
+ * that stick. */
 static void fill_force(newton_system *c, int column, int from) {
   const contact_problem *p = c->k->p;
   const tangential_compliance *g = c->k->g;
@@ -85,7 +86,7 @@ static void fill_sides(newton_system *c) {
   }
 }
 
-/* Contribution of an unknown to the load and the tangential force. */
+/* Computes the contribution of an unknown to the load and the tangential force. */
 static void share_of(const newton_system *c, int unknown, double *load, double *tangential) {
   const int shear = unknown >= c->na;
   const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];
@@ -132,7 +133,7 @@ static int solve_on_sets(newton_system *c) {
   return 1;
 }
 
-/* Forces, gaps and slip of all candidates. */
+/* Computes forces, gaps and slip of all candidates. */
 static void spread(newton_system *c) {
   const contact_problem *p = c->k->p;
   tangential_compliance *g = c->k->g;
@@ -153,7 +154,7 @@ static void spread(newton_system *c) {
   arc_dense_add_columns(0, p->count, c->na, p->set, p->a, p->count, c->b, p->open);
 }
 
-/* State (stick or slip direction) of a node in contact. */
+/* Returns the state (stick or direction of slip) of a node in contact. */
 static int next_direction(const newton_system *c, int at) {
   friction_workspace *w = c->k->w;
   const int direction = c->direction[at];
@@ -162,7 +163,7 @@ static int next_direction(const newton_system *c, int at) {
   return w->t[at] > 0 ? 1 : -1;
 }
 
-/* True if a set changed. */
+/* Revises the sets; returns true if a set changed. */
 static int update_sets(newton_system *c) {
   contact_problem *p = c->k->p;
   int n = 0, changed = 0;
@@ -195,7 +196,7 @@ static int iterate(newton_system *c) {
   return 0;
 }
 
-/* Restores sets and shear for the sweeps. */
+/* Restores the sets and the shear for the sweeps. */
 static void save(const newton_system *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);

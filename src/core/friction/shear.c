@@ -1,7 +1,7 @@
-/* Shear forces under given bounds: a symmetric box-constrained problem. A primal-dual active set
- * (semismooth Newton) over stick and slip along and against x, from the last sets. If sets repeat,
- * or if no node can carry a given force, a primal active-set method replaces it; its objective
- * decreases with every set, so no set repeats. */
+/* Shear forces under given bounds: a symmetric box-constrained problem. The solver is a primal-dual
+ * active set method (semismooth Newton) over stick and slip along and against x, which begins with
+ * the last sets. If sets repeat, or if no node can carry a given force, it is replaced by a primal
+ * active-set method, whose objective decreases with every set, so that no set repeats. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -45,7 +45,7 @@ int arc_shear_factorise(shear_problem *s) {
   return 0;
 }
 
-/* Motion for which the stuck nodes carry the rest of the given force. */
+/* Computes the motion for which the stuck nodes carry the rest of the given force. */
 static void find_shift(shear_problem *s) {
   double rest = s->total, sum = 0;
   for (int i = 0; i < s->n; i++)
@@ -57,8 +57,8 @@ static void find_shift(shear_problem *s) {
   s->shift = rest / sum;
 }
 
-/* target [stuck]: forces that prevent slip of the stuck nodes, with the others at their bounds. -1:
- * broke down, 0: no node can carry the given force. */
+/* target [stuck] := forces that prevent slip of the stuck nodes, with the other nodes at their
+ * bounds. Returns -1 on breakdown, 0 if no node can carry the given force. */
 static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
@@ -78,14 +78,14 @@ static void take_target(shear_problem *s) {
   for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
 }
 
-/* Slip of the slipping nodes. */
+/* Computes the slip of the slipping nodes. */
 static void measure_slip(shear_problem *s) {
   pull(s, s->t);
   for (int i = 0; i < s->n; i++)
     s->slip[i] = s->direction[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
 }
 
-/* True if a state changed. */
+/* Revises the states; returns true if one changed. */
 static int update_directions(shear_problem *s) {
   int changed = 0;
   for (int i = 0; i < s->n; i++) {
@@ -112,7 +112,7 @@ static int newton(shear_problem *s) {
   return 0;
 }
 
-/* Feasible forces with the given sum. */
+/* Computes feasible forces with the given sum. */
 static void start_inside(shear_problem *s) {
   double all = 0;
   for (int i = 0; i < s->n; i++) all += s->bound[i];
@@ -122,7 +122,7 @@ static void start_inside(shear_problem *s) {
   }
 }
 
-/* Moves towards the target as far as the bounds allow; a node that reaches its bound slips from
+/* Moves towards the target as far as the bounds allow. A node that reaches its bound slips from
  * then on. Returns 1 for a full step, 0 if a bound was reached, -1 on breakdown. */
 static int advance(shear_problem *s) {
   const int solved = solve_stuck(s);
@@ -147,7 +147,7 @@ static int advance(shear_problem *s) {
   return 0;
 }
 
-/* Node with the largest slip against its force, or -1. */
+/* Returns the node with the largest slip against its force, or -1. */
 static int most_wrong(const shear_problem *s) {
   int worst = -1;
   double most = 0;
@@ -173,7 +173,7 @@ static int descend(shear_problem *s) {
   return 0;
 }
 
-/* All nodes slip without friction. */
+/* Solves without friction, where all nodes slip. */
 static int is_free(shear_problem *s) {
   for (int i = 0; i < s->n; i++)
     if (s->bound[i] > 0) return 0;

@@ -1,18 +1,19 @@
-/* Energy dissipated by slip between the nodes. The plate is pushed in one direction under a
- * constant load, on surfaces without shear. The nodes slip one by one from the edge of the contact
- * inwards, node j when the force has risen by D_j; from then on the tangential compliance is larger
- * by C_j. Up to a rise of D they dissipate sum_j D_j C_j (D - D_j). Surfaces slip continuously: the
- * sum approximates an integral, and by the Euler-Maclaurin formula its error depends only on its
- * two ends, the edge of the contact and the edge of the stick zone, and on their positions between
- * nodes. These positions are measured by the force between the slip of two neighbouring nodes: the
- * inner node slips after its reserve r is used, that is after r / e at a share e of the force, and
- * the outer one has slipped by s at a rate of c per force, that is since s / c. Beyond the edge of
- * the contact mu times the gap replaces s, because force and slip behave as load and gap. Terms of
- * fourth order in the element size are left. A motion after a reversal is twice one of half its
- * length from surfaces without shear (friction_hysteresis.c), so the ends are those of such a
- * motion for any history of forces. Between bodies of different materials pressures depend on shear
- * and nodes may slip in another order: the correction is then less accurate, but still an
- * improvement. */
+/* Energy dissipated by slip between the nodes. Consider a plate that is pushed in one direction
+ * under a constant load, on surfaces without shear. The nodes slip one by one from the edge of the
+ * contact inwards, node j when the force has risen by D_j; from then on the tangential compliance
+ * is larger by C_j. Up to a rise of D they dissipate sum_j D_j C_j (D - D_j). Surfaces slip
+ * continuously, so the sum approximates an integral. By the Euler-Maclaurin formula its error
+ * depends only on its two ends, the edge of the contact and the edge of the stick zone, and on
+ * their positions between nodes. These positions are measured by the force between the slip of two
+ * neighbouring nodes: the inner node slips after its reserve r is used, that is after r / e at a
+ * share e of the force; the outer node has slipped by s at a rate of c per force, that is since s /
+ * c. Beyond the edge of the contact mu times the gap replaces s, because force and slip behave as
+ * load and gap do. Terms of fourth order in the element size are neglected.
+ *
+ * A motion after a reversal is twice a motion of half its length from surfaces without shear
+ * (friction_hysteresis.c), so the ends are those of such a motion for any history of forces.
+ * Between bodies of different materials pressures depend on shear, and nodes may slip in another
+ * order: the correction is then less accurate, but still an improvement. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -26,7 +27,7 @@ typedef struct sum_ends {
   friction_terms terms;
 } sum_ends;
 
-/* Slip of a candidate per force on the nodes that stick [mm2/N]. */
+/* Returns the slip of a candidate per force on the nodes that stick [mm2/N]. */
 static double slip_rate(const sum_ends *e, int at) {
   const shear_problem *h = &e->k->w->shear;
   const double *column = &h->a[dense_at(0, at, h->ld)];
@@ -35,8 +36,8 @@ static double slip_rate(const sum_ends *e, int at) {
   return fabs(1 - held) / e->unit;
 }
 
-/* Slip of the neighbour of a node in contact; outside the contact, the gap converted to slip [mm].
- */
+/* Returns the slip of the neighbour of a node in contact; outside the contact, the gap converted to
+ * slip [mm]. */
 static double slipped(const sum_ends *e, int in, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int next = in + side, out = h->at[in] + side;
@@ -47,22 +48,22 @@ static double slipped(const sum_ends *e, int in, int side) {
   return slip + e->k->step->mu * e->k->p->open[out];
 }
 
-/* Force until the q-th of the nodes that stick slips [N/mm]. */
+/* Returns the force until the q-th of the nodes that stick slips [N/mm]. */
 static double until_slip(const sum_ends *e, int q) {
   const shear_problem *h = &e->k->w->shear;
   const int in = h->pick[q];
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Share of the correction, from the forces until the next node and the one after it slip. Their
- * ratio is 1.2 to 1.9 for smooth contacts of three to forty nodes, at any position of the edges
- * between nodes, and up to 2.7 if the plate's nodes are halfway between the cylinder's. Returns 1,
- * less at kinks of the surfaces, 0 at edges of scars. */
+/* Returns the share of the correction that applies, from the forces until the next node and the one
+ * after it slip. Their ratio is 1.2 to 1.9 for smooth contacts of three to forty nodes, at any
+ * position of the edges between nodes, and up to 2.7 if the plate's nodes are halfway between the
+ * cylinder's. The share is 1, less at kinks of the surfaces, and 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
 
-/* The end on one side of the q-th of the nodes that stick. */
+/* Adds the end of the sum on one side of the q-th of the nodes that stick. */
 static void add_end(sum_ends *e, int q, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int out = h->list[q] + side, before = q - side;
@@ -77,7 +78,7 @@ static void add_end(sum_ends *e, int q, int side) {
   e->terms.odd += weight * step * phase * (phase - 0.5) * (phase - 1) / 3;
 }
 
-/* Both sides of every stick zone, from the directions of the shear problem. */
+/* Adds both sides of every stick zone, from the directions of the shear problem. */
 static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
   sum_ends e = {.k = k};
@@ -91,8 +92,8 @@ static int find_terms(friction_task *k, friction_terms *terms) {
   return 1;
 }
 
-/* The shear problem of a force along x on surfaces without shear, under the present pressures. The
- * search for slipping nodes starts from those of the solution. */
+/* Solves the shear problem of a force along x on surfaces without shear, under the present
+ * pressures. The search for slipping nodes begins with those of the solution. */
 static int shear_unsheared(friction_task *k, double force) {
   shear_problem *h = &k->w->shear;
   double carried = 0;
@@ -111,7 +112,7 @@ static int shear_unsheared(friction_task *k, double force) {
   return 1;
 }
 
-/* Error of the sum up to `rise` [N], with both ends under the present pressures. */
+/* Returns the error of the sum up to `rise` [N], with both ends under the present pressures. */
 static int sum_error(friction_task *k, double rise, double *energy) {
   friction_terms start, end;
   if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
@@ -120,8 +121,8 @@ static int sum_error(friction_task *k, double rise, double *energy) {
   return 1;
 }
 
-/* Direction of slip of the nearest slipping node on one side of a candidate; 0 if the contact ends
- * first. */
+/* Returns the direction of slip of the nearest slipping node on one side of a candidate; 0 if the
+ * contact ends before. */
 static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   const double *slip = k->w->slip, *f = k->p->f;
   int c = from;
@@ -130,8 +131,8 @@ static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Without a known history: the reserve up to the bound in the direction of the nearest slipping
- * nodes, or up to the nearer bound. */
+/* Computes the reserves without a known history: up to the bound in the direction of the nearest
+ * slipping nodes, or up to the nearer bound. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;
@@ -145,7 +146,7 @@ static void guess_reserve(friction_task *k) {
   }
 }
 
-/* From the shear problem just solved. */
+/* Computes the reserves from the shear problem that was solved last. */
 static void take_reserve(friction_task *k) {
   const shear_problem *h = &k->w->shear;
   memset(k->w->reserve, 0, (size_t)k->p->count * sizeof *k->w->reserve);
@@ -153,7 +154,8 @@ static void take_reserve(friction_task *k) {
     if (h->direction[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
 }
 
-/* The error of the sum is that of a motion on surfaces without shear, doubled after a reversal. */
+/* Computes the error of the sum as that of a motion on surfaces without shear, doubled after a
+ * reversal. */
 static void add_sum_error(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;

@@ -1,6 +1,6 @@
 /* The tangential part of a problem's contact matrix, and displacements of both surfaces. Tangents
- * correspond to the normals of mortar.c: the plate's own at its nodes, the tangent of the opposite
- * point at the cylinder's. */
+ * correspond to the normals of mortar.c: at the plate's nodes the tangent of the plate, at the
+ * cylinder's nodes that of the opposite point. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
@@ -29,7 +29,7 @@ size_t arc_tangential_bytes(const tangential_compliance *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Adds `weight` times the response to a unit of shear at a body's node `at` by xx to its nodes
+/* Adds `weight` times the response by xx to a unit of shear at a body's node `at`, for the nodes
  * first .. first + count - 1: gaps n, tangential displacements t. */
 ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
                                   int at, double weight, double *restrict n, double *restrict t) {
@@ -44,13 +44,13 @@ ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int
   }
 }
 
-/* Difference of the displacement of node l along the surface under a unit of shear at node `at`
- * from that of xx. */
+/* Returns the displacement of node l along the surface under a unit of shear at node `at`, minus
+ * that by xx. */
 static double beyond_xx(const compliance *c, int l, int at) {
   return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
 }
 
-/* The same by the compliance for shear, which differs near the diagonal. */
+/* Adds the response by the compliance for shear, which differs from xx near the diagonal. */
 static void respond(const compliance *c, int corrected, const double *slopes, int first, int count,
                     int at, double weight, double *n, double *t) {
   respond_wide(c, slopes, first, count, at, weight, n, t);
@@ -63,7 +63,8 @@ static void respond(const compliance *c, int corrected, const double *slopes, in
   }
 }
 
-/* Response to shear at candidate k of the plate's surface, by plate node, and of the cylinder's. */
+/* Computes the response to shear at candidate k of the plate's surface, by plate node, and of the
+ * cylinder's surface. */
 static void pull_at(const contact_problem *p, int k, double *const plate[2],
                     double *const cylinder[2]) {
   const compliance *c = shape_compliance(&p->shape->side[ARC_PLATE]);
@@ -105,7 +106,7 @@ void arc_tangential_update(tangential_compliance *g, const contact_problem *p, d
   g->x = p->x;
 }
 
-/* y += a x [n x n] in rows from .. to - 1, where x is zero but in the middle. */
+/* y += a x [n x n] in rows from .. to - 1, where x is zero except in the middle. */
 static void add_middle(int n, int from, int to, const double *a, const double *x, double *y) {
   int first = 0, last = n;
   while (first < last && x[first] == 0) first++;
@@ -151,8 +152,8 @@ static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
 }
 
-/* u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces only along
- * x, the only component used. force [2 n] is workspace. */
+/* Computes u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces
+ * only along x, the only component used. force [2 n] is workspace. */
 static void displace(const compliance *c, int corrected, const double *slope, int flat,
                      const double *f, const double *t, double *force, double *u) {
   double *fx = force, *fy = force + c->n;

@@ -10,12 +10,13 @@ enum { most_sets = 30 /* iterations before the cycling safeguard starts */ };
 /* Reduction of the residual before the set is revised. */
 static const double fall = 0.3;
 
-/* Revises the set: cells with p < 0 leave, cells that overlap by more than the limit enter. */
+/* Revises the set: cells with p < 0 leave it, and cells that overlap by more than the limit enter
+ * it. */
 static void change_set(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
   const size_t o = active_at(s, block);
-  unsigned long long hash = 14695981039346656037ull; /* FNV-1a */
+  unsigned long long hash = 14695981039346656037ull; /* Computes the FNV-1a hash of the set. */
   int changes = 0;
   (void)worker;
   for (int k = 0; k < s->problem->cells; k++) {
@@ -39,7 +40,7 @@ static unsigned long long hash_of(const pass *s) {
 }
 
 /* Stores the gaps in w->g and the rigid unknowns in delta. Restores the loads, which the
- * projections conserve to the rounding of their many steps. */
+ * projections conserve only to the rounding of their many steps. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
   arc_active_run(s, arc_active_restore_load);
@@ -92,7 +93,7 @@ arc_status arc_active_set_solve(const active_problem *problem, active_work *work
   return status;
 }
 
-/* The set is {p > 0}, and dp starts from 0. */
+/* The set is {p > 0}, and dp begins with 0. */
 static void start_tangent(const pass *s, const double *p) {
   const size_t all = (size_t)s->problem->blocks * (size_t)s->problem->cells;
   for (size_t c = 0; c < all; c++)

@@ -1,4 +1,4 @@
-/* Parts of the active set method: loads, residuals and conjugate gradients on a set. */
+/* Parts of the active set method: loads, residuals, and conjugate gradients on a set. */
 #include "core/base/dense.h"
 #include "core/numeric/active_work.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { most_steps = 400 /* steps of conjugate gradients between checks of the set */ };
+enum { most_steps = 400 /* number of steps of conjugate gradients between checks of the set */ };
 
 /* --- workspace -------------------------------------------------------------------------------- */
 
@@ -103,7 +103,7 @@ double arc_active_gap(const pass *s, int block, int cell) {
 
 enum { square = ARC_MOST_MODES * ARC_MOST_MODES };
 
-/* inverse := inverse of a positive a [m x m], which is overwritten; returns non-zero if it is
+/* inverse := inverse of a positive a [m x m], which is overwritten. Returns non-zero if a is
  * singular. */
 static int invert(int m, double *a, double *inverse) {
   if (m == 1) {
@@ -123,7 +123,8 @@ static void times(int m, const double *inverse, const double *b, double *x) {
   }
 }
 
-/* Inverse of N' y on the cells of `area`; y: the modes themselves or others [modes][cells]. */
+/* Computes the inverse of N' y on the cells of `area`. y: the modes or other vectors
+ * [modes][cells]. */
 static int invert_gram(const pass *s, const double *area, const double *y, double *inverse) {
   const int m = s->problem->modes, n = s->problem->cells;
   double a[square];
@@ -181,7 +182,7 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* Rounding of the gaps of the set, which no iteration improves. */
+/* Returns the rounding error of the gaps of the set, which no iteration improves. */
 static double rounding_of(const pass *s, size_t o) {
   const double *gap = s->problem->gap + o, *area = s->w->area + o;
   double largest = 0;
@@ -190,8 +191,8 @@ static double rounding_of(const pass *s, size_t o) {
   return 16 * DBL_EPSILON * largest;
 }
 
-/* After g = A p: adds the gap and stores the largest displacement, at least one whose tolerance is
- * above the rounding. */
+/* After g = A p: adds the gap and stores the largest displacement, or at least a displacement whose
+ * tolerance is above the rounding error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);
@@ -246,7 +247,7 @@ static void mask(void *context, int block, int worker) {
     if (s->w->area[k] == 0) s->w->z[k] = 0;
 }
 
-/* Projects the loads out of the preconditioned residual along y; computes r z. */
+/* Projects the loads out of the preconditioned residual along y, and computes r z. */
 static void project_oblique(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;

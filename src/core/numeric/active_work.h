@@ -1,4 +1,4 @@
-/* Internals of the active set method: its workspace, and steps common to both methods. */
+/* Internals of the active set method: its workspace, and the steps that both methods use. */
 #ifndef NUMERIC_ACTIVE_WORK_H
 #define NUMERIC_ACTIVE_WORK_H
 
@@ -8,31 +8,31 @@
 #include <stddef.h>
 
 struct active_work {
-  int blocks, cells, modes; /* the largest problem */
-  double *g;                /* A p + gap, and at the end the gaps */
+  int blocks, cells, modes; /* size of the largest problem */
+  double *g;                /* A p + gap; at the end of a solution the gaps */
   double *r;                /* residual on the set */
   double *d;                /* direction */
   double *q;                /* A d */
-  double *area;             /* of cells in the set, 0 elsewhere */
-  double *z;                /* preconditioned residual; r without a preconditioner */
+  double *area;             /* areas of cells in the set, 0 elsewhere */
+  double *z;                /* preconditioned residual, or r without a preconditioner */
   double *y; /* [blocks][modes][cells] preconditioned modes; NULL without a preconditioner */
   double *mode, *whole;     /* default N and areas */
   double *gram, *oblique;   /* [blocks][modes][modes] inverses of N' N and N' y on the set */
-  double *delta;            /* [blocks][modes] */
-  double *sum;              /* [blocks] of a pass over the blocks */
-  double *largest;          /* [blocks] displacement or overlap */
-  int *changes;             /* [blocks] cells that enter or leave */
+  double *delta;            /* [blocks][modes] rigid unknowns */
+  double *sum;              /* [blocks] partial sums of a pass over the blocks */
+  double *largest;          /* [blocks] largest displacement or overlap */
+  int *changes;             /* [blocks] number of cells that enter or leave the set */
   int *singular;            /* [blocks] true if the set does not determine the rigid unknowns */
-  unsigned long long *hash; /* [blocks] of the set */
+  unsigned long long *hash; /* [blocks] hash of the set */
 };
 
-/* Arguments of a task on a block. */
+/* Arguments of a task on one block. */
 typedef struct pass {
   const active_problem *problem;
   active_work *w;
   double *p;
-  double factor; /* step length, or share of the last direction */
-  double limit;  /* of gaps */
+  double factor; /* length of the step, or share of the last direction */
+  double limit;  /* tolerance of gaps */
 } pass;
 
 static inline size_t active_at(const pass *s, int block) {
@@ -40,20 +40,20 @@ static inline size_t active_at(const pass *s, int block) {
 }
 
 void arc_active_run(const pass *s, team_task task);
-/* N of mode j, and the cells' areas. */
+/* Return N of mode j, and the areas of the cells. */
 const double *arc_active_mode(const pass *s, int j);
 const double *arc_active_areas(const pass *s);
 double arc_active_weight(const active_problem *p, int block);
-/* Sums over the blocks, in a fixed order, of w->sum and of w->changes. */
+/* Return the sums over the blocks, in a fixed order, of w->sum and of w->changes. */
 double arc_active_total(const pass *s);
 int arc_active_changes(const pass *s);
-/* g - N delta of a cell. */
+/* Returns g - N delta of a cell. */
 double arc_active_gap(const pass *s, int block, int cell);
 
 /* Task for arc_active_run: scales p by 1 + N x so that it carries the load of its block. */
 void arc_active_restore_load(void *context, int block, int worker);
-/* Tasks for arc_active_run: the set becomes {p > 0}; Gram matrices of the set; residual on the set,
- * its square in w->sum; d A d in w->sum. */
+/* Tasks for arc_active_run. In this order: the set becomes {p > 0}; Gram matrices of the set;
+ * residual on the set, with its square in w->sum; d A d in w->sum. */
 void arc_active_mark(void *context, int block, int worker);
 void arc_active_factor(void *context, int block, int worker);
 void arc_active_residual(void *context, int block, int worker);
@@ -61,21 +61,22 @@ void arc_active_curvature(void *context, int block, int worker);
 
 /* Projects the modes out of x [cells] on the set of a block, and sets x to zero elsewhere. */
 void arc_active_project(const pass *s, int block, double *x);
-/* ARC_NUMERIC if a block's set does not determine the rigid unknowns. */
+/* Returns ARC_NUMERIC if the set of a block does not determine the rigid unknowns. */
 arc_status arc_active_check(const pass *s, arc_error *error);
 arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count);
-/* Restores the loads; g = A p + gap. *limit: tolerance of gaps. */
+/* Restores the loads and computes g = A p + gap. *limit is the tolerance of gaps. */
 arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error);
 /* Computes the data of a changed set and the residual. */
 arc_status arc_active_begin(const pass *s, arc_error *error);
-/* Root mean square of the residual whose squares are in w->sum. */
+/* Returns the root mean square of the residual whose squares are in w->sum. */
 double arc_active_rms(const pass *s);
-/* Conjugate gradients on the set until the residual is `wanted`. *product: of the residual and the
- * preconditioned one, kept between calls on one set; 0 for a new set. */
+/* Makes steps of conjugate gradients on the set until the residual is at most `wanted`. *product is
+ * the product of the residual and the preconditioned residual; it is kept between calls on one set
+ * and is 0 for a new set. */
 arc_status arc_active_relax(pass *s, double wanted, double *product, active_count *count,
                             arc_error *error);
 
-/* Polonsky and Keer's steps from p. */
+/* Makes steps of Polonsky and Keer's method from p. */
 arc_status arc_active_guard(pass *s, active_count *count, arc_error *error);
 
 #endif

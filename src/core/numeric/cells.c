@@ -88,7 +88,8 @@ ARC_WIDE static double residual(int n, const double *area, const double *g, doub
   return total(s);
 }
 
-/* Functions compiled for several processors are not visible in other files. */
+/* These wrappers are needed because functions compiled for several processors are not visible in
+ * other files. */
 double arc_cells_sum(int n, const double *a) {
   return add_up(n, a);
 }

@@ -1,6 +1,7 @@
-/* Convolutions by FFTW. Rows are transformed first, those of the window alone; then blocks of
- * columns go through transform, kernel and back, so that the padded box never exists as a whole.
- * Plans are estimated: they depend on sizes and the processor only, never on timing. */
+/* Convolutions by FFTW. Rows are transformed first, only those of the window. Then blocks of
+ * columns are transformed, multiplied by the kernel and transformed back, so that the padded box is
+ * never stored as a whole. Plans are estimated: they depend on sizes and the processor only, never
+ * on timing. */
 #include "core/numeric/convolution.h"
 
 #include "core/base/wide.h"
@@ -10,20 +11,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { block = 8 }; /* columns that are transformed together */
+enum { block = 8 }; /* number of columns that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
-  int half;               /* complex columns: box_columns / 2 + 1 */
-  int stride;             /* complex numbers from row to row of the spectrum */
-  int padded;             /* numbers from row to row of the values */
-  double *symbol;         /* by blocks of columns, [box_rows][columns of the block] each, scaled */
-  int imaginary;          /* times the imaginary unit */
-  fftw_plan into, out_of; /* rows, in place */
-  fftw_plan down[2], up[2]; /* columns: of whole blocks, of the last one */
+  int half;       /* number of complex columns: box_columns / 2 + 1 */
+  int stride;     /* distance of two rows of the spectrum in complex numbers */
+  int padded;     /* distance of two rows of the values in numbers */
+  double *symbol; /* scaled symbol by blocks of columns, each [box_rows][columns of the block] */
+  int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
+  fftw_plan into, out_of;   /* plans for rows, in place */
+  fftw_plan down[2], up[2]; /* plans for columns: of whole blocks, and of the last block */
 };
 
-/* Transforms go from array to array: in place FFTW copies. */
+/* Arrays of a workspace. Transforms go from one array to another, since FFTW copies data if they
+ * are in place. */
 struct convolution_work {
   double *values;                /* [rows][padded columns] */
   fftw_complex *spectrum;        /* [rows][stride] */
@@ -82,7 +84,7 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
                             FFTW_ESTIMATE);
 }
 
-/* Planning shares memory among all plans of the process; FFTW's own lock guards it. */
+/* Makes a plan. Plans of a process share memory, which FFTW's own lock protects. */
 static int plan(convolution *c, convolution_work *w) {
   const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();
@@ -128,7 +130,8 @@ static int is_imaginary(lag_parity parity) {
   return parity == ODD_ROWS || parity == ODD_COLUMNS;
 }
 
-/* Row i of the box has the symbol of row min(i, box_rows - i), with the other sign where odd. */
+/* Copies the symbol. Row i of the box has the symbol of row min(i, box_rows - i), with the opposite
+ * sign if the kernel is odd. */
 static void store_symbol(convolution *c, lag_parity parity, const double *symbol) {
   const double size = (double)c->box_rows * c->box_columns;
   double *to = c->symbol;
@@ -174,7 +177,8 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
   return create(rows, columns, box_rows, box_columns, EVEN_LAGS, symbol, made, error);
 }
 
-/* Wraps the kernel on the box, transforms it, and keeps the part that is not zero. */
+/* Wraps the kernel on the box, transforms it, and keeps the real or imaginary part that is not
+ * zero. */
 static arc_status find_symbol(int box_rows, int box_columns, lag_parity parity, lag_fn kernel,
                               const void *context, double *symbol, arc_error *error) {
   const double up = parity & ODD_ROWS ? -1 : 1, back = parity & ODD_COLUMNS ? -1 : 1;
@@ -209,7 +213,7 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
   return find_symbol(box_rows, box_columns, EVEN_LAGS, kernel, context, symbol, error);
 }
 
-/* A kernel that is zero beyond the window's lags, which nothing asks for. */
+/* A kernel that is zero beyond the lags of the window, which no result needs. */
 typedef struct limited {
   lag_fn kernel;
   const void *context;
@@ -279,7 +283,7 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
   }
 }
 
-/* Columns first .. first + width - 1 as waves, and back from them. */
+/* Transform columns first .. first + width - 1 to waves and back. */
 static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
   const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
   for (size_t i = 0; i < (size_t)c->rows; i++)
@@ -347,7 +351,8 @@ static arc_status no_memory(int rows, int columns, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a transform of %d x %d", rows, columns);
 }
 
-/* Arrays of FFTW's alignment, so that the plan does not depend on where the caller's lie. */
+/* Allocates arrays with FFTW's alignment, so that the plan does not depend on the addresses of the
+ * caller's arrays. */
 static int begin_box(int rows, int columns, double **values, fftw_complex **spectrum) {
   fftw_make_planner_thread_safe();
   *values = fftw_malloc((size_t)rows * (size_t)columns * sizeof **values);
@@ -396,10 +401,10 @@ arc_status arc_transform_back(int rows, int columns, double *spectrum, double *v
   return done ? ARC_OK : no_memory(rows, columns, error);
 }
 
-/* --- rows alone ------------------------------------------------------------------------------- */
+/* --- transforms of rows only --------------------------------------------------------------- */
 
 struct row_transform {
-  size_t values, pairs; /* in all rows */
+  size_t values, pairs; /* number of values in all rows */
   double *from;
   fftw_complex *to;
   fftw_plan forward, back;

@@ -1,6 +1,6 @@
-/* Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set method:
- * every step clips negative pressures, so that the energy decreases and no set repeats. Two
- * applications of A per step. */
+/* Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set method.
+ * Every step clips negative pressures, so that the energy decreases and no set repeats. A step
+ * needs two applications of A. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@
 
 enum { most_steps = 20000 };
 
-/* A direction on the set, without load: the residual downwards, and a share of the last one. */
+/* Computes a direction on the set without load: the negative residual, and a share of the last
+ * direction. */
 static void turn(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
@@ -21,7 +22,8 @@ static void turn(void *context, int block, int worker) {
   w->sum[block] = -arc_cells_dot3(n, w->area + o, w->r + o, w->d + o);
 }
 
-/* The step; p >= 0 then, and cells without pressure that overlap enter, and are counted. */
+/* Makes the step, after which p >= 0. Cells without pressure that overlap enter the set and are
+ * counted. */
 static void clip(void *context, int block, int worker) {
   const pass *s = context;
   int entered = 0;
@@ -54,7 +56,7 @@ static double overlap_of(const pass *s) {
   return overlap;
 }
 
-/* Gaps and residual of p. */
+/* Computes gaps and residual of p. */
 static arc_status look(pass *s, active_count *count, arc_error *error) {
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);

@@ -15,7 +15,7 @@ const arc_array *arc_array_find(const arc_array *arrays, size_t count, arc_body 
   return NULL;
 }
 
-/* Layout: the list, then values, then names, each aligned. */
+/* Copies the arrays to one block: first the list, then the values, then the names, each aligned. */
 arc_array *arc_arrays_copy(const arc_array *arrays, size_t count) {
   size_t values = 0, letters = 1;
   for (size_t i = 0; i < count; i++) {

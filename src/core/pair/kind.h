@@ -1,35 +1,37 @@
-/* Kinds of pairs of bodies. A kind implements surfaces, contact and their wear over a cycle; laws,
- * coefficients, steps and histories are common (core/wear). A run uses its bodies through this
- * table only. */
+/* Kinds of pairs of bodies. A kind implements surfaces, contact and their wear over a cycle. Laws,
+ * coefficients, steps and histories are common to all kinds (core/wear). A run uses its bodies
+ * through this table only. */
 #ifndef PAIR_KIND_H
 #define PAIR_KIND_H
 
 #include "core/pair/cycle.h"
 
-/* Functions for runs that outgrow their sites. Those marked with a * may be NULL. */
+/* Functions for runs that outgrow their sites. Functions marked with a * may be NULL. */
 typedef struct arc_growth {
-  /* True if a run must grow before the next step, with the reason. */
+  /* Returns true if a run must grow before the next step, with the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
-  /* True if a step failed because the run has outgrown its sites, not because of its length. */
+  /* Returns true if a step failed because the run has outgrown its sites, and not because of its
+   * length. */
   int (*has_outgrown)(const arc_wear *w, arc_status why);
-  /* True if the sites needed by the definition fit on the bodies. */
+  /* Returns true if the sites that the definition needs fit on the bodies. */
   int (*can_grow)(const arc_wear *w);
-  /* Copies the run to more sites, or to those of a given mesh; *result is NULL on failure. */
+  /* Copies the run to more sites, or to those of a given mesh. *result is NULL on failure. */
   arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* * Recreates a new run on sites fine enough for its cycles; *finer is NULL if they are, or if
-   * sizes are given. */
+  /* * Recreates a new run on sites fine enough for its cycles. *finer is NULL if the sites are fine
+   * enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
-  /* Reports growth, a wanted mesh, and a step that failed although the run could grow. */
+  /* Report growth, a mesh that the user requested, and a step that failed although the run could
+   * grow. */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                        arc_error *error);
 } arc_growth;
 
-/* Functions marked with a * may be NULL. */
+/* Functions of a kind. Functions marked with a * may be NULL. */
 typedef struct arc_kind {
   const char *name;
 
@@ -37,73 +39,75 @@ typedef struct arc_kind {
 
   /* Checks a definition for `build`. ARC_ARGUMENT, ARC_GEOMETRY. */
   arc_status (*check_model)(const arc_model_def *def, arc_error *error);
-  /* Builds a model with one reference; its first member is the handle (pair/model.h). */
+  /* Builds a model with one reference, whose first member is the handle (pair/model.h). */
   arc_status (*build)(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **model,
                       arc_error *error);
   void (*end_model)(arc_model *model);
   size_t (*model_bytes)(const arc_model *model);
-  const arc_mesh *(*mesh)(const arc_model *model, arc_body body); /* NULL: it has none */
+  const arc_mesh *(*mesh)(
+      const arc_model *model,
+      arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
-  int maps; /* surfaces are maps over x and z, whose cells each contact and run finds */
+  int maps; /* true: surfaces are maps over x and z, whose cells each contact and run chooses */
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
-  /* * Sets defaults of a run; NULL: the defaults of the settings. */
+  /* * Sets defaults of a run. NULL: the defaults of the settings apply. */
   void (*usual)(arc_wear_def *def);
 
   /* Checks combinations of settings. ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
   wear_manner (*manner)(const arc_wear_def *def, const arc_model_def *model);
-  /* * Increments of a full cycle of the plain stroke; NULL: 100 for "auto". */
+  /* * Returns the number of increments in a full cycle without a loading. NULL: 100 for "auto". */
   int (*increments)(const arc_wear_def *def, const arc_model_def *model);
-  /* * Number of increments of a loading, at least one between two points; parts [count] (or NULL):
-   * those that end at each point. */
+  /* * Returns the number of increments of a loading, at least one between two points. parts [count]
+   * (or NULL) receives the number of increments that end at each point. */
   double (*parts)(const arc_wear_def *def, const arc_model_def *model, const arc_loading *loading,
                   double *parts);
-  /* * The longest accurate increment [mm] under a load [N]. */
+  /* * Returns the longest accurate increment [mm] under a load [N]. */
   double (*reach)(const arc_model_def *model, double load);
 
   /* --- runs ----------------------------------------------------------------------------------- */
 
-  /* Sets sites and `own` of a run with definition, surfaces and blocks. ARC_MEMORY: `end` must be
-   * called. */
+  /* Sets sites and `own` of a run that has its definition, surfaces and blocks. On ARC_MEMORY `end`
+   * must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w); /* * with surfaces and tangents */
+  size_t (*bytes)(const arc_wear *w); /* * memory needed with surfaces and tangents */
   /* * Checks that the zones contain the contact over the whole motion. ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* * Gives warnings about the definition; `unworn`: also about too coarse sites. */
+  /* * Gives warnings about the definition; with `unworn` also about sites that are too coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* * Warns if the sites were too coarse for the last update. Returns 1 if so.
-   */
+  /* * Warns if the sites were too coarse for the last update. Returns 1 if so. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
 
-  /* Initial surfaces: unworn, or a copy of `from` of the same model. */
+  /* Creates initial surfaces: unworn ones, or a copy of `from` of the same model. */
   arc_status (*surfaces)(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                          arc_shape **shape, arc_error *error);
-  /* * Unworn ones for single contacts, see arc_shape_create. */
+  /* * Creates unworn surfaces for single contacts, see arc_shape_create. */
   arc_status (*unworn)(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                        arc_error *error);
   arc_status (*copy)(const arc_shape *shape, arc_shape **copy, arc_error *error);
   void (*discard)(arc_shape **shape);
   wear_sites (*sites)(const arc_shape *shape, arc_body body);
-  /* Size of site i of a body: a length along x [mm], or an area [mm2]. */
+  /* Returns the size of site i of a body: a length along x [mm], or an area [mm2]. */
   double (*area)(const arc_shape *shape, arc_body body, int i);
-  /* Along x through the middle. */
+  /* Returns the profile along x through the middle. */
   arc_profile (*profile)(const arc_shape *shape, arc_body body);
-  double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] */
-  /* * Converts depths [n] at the largest coefficient of layers to those at their own. */
+  double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] largest depth */
+  /* * Converts depths [n] at the largest coefficient of the layers to depths at their own
+   * coefficients. */
   void (*through_layers)(const arc_shape *shape, double *depth);
   /* Adds the volumes of depths, and the depths of tracks, before the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
-  /* * Prepares a shape for an update with these depths in its middle: what depends on them is to be
-   * right there. */
+  /* * Prepares a shape for an update with these depths in its middle, where quantities that depend
+   * on the depths must be accurate. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
-  /* Wears a shape and adds the volumes; depths are limited by layers. On failure the shape must be
+  /* Wears a shape and adds the volumes. Layers limit the depths. On failure the shape must be
    * destroyed. */
   arc_status (*wear)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                      arc_wear_record *record, arc_error *error);
@@ -117,24 +121,24 @@ typedef struct arc_kind {
   /* Computes the wear of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
-  /* * Sawtooth measure of pressures between neighbouring sites, relative to their mean [-], on the
-   * surfaces of the last record. */
+  /* * Returns the sawtooth measure of pressures between neighbouring sites, relative to their mean
+   * [-], on the surfaces of the last record. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* * Computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      arc_loop **loop, arc_error *error);
   wear_tangent *(*tangent)(const arc_wear *w); /* NULL: out of memory */
   void (*end_tangent)(wear_tangent **tangent);
-  /* Largest eigenvalue [1/cycle] of k times a tangent. */
+  /* Returns the largest eigenvalue [1/cycle] of k times a tangent. */
   double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
-  /* An implicit step: * `begin_stages` takes memory (ARC_MEMORY: `end_stages` is still to be
-   * called), `start` gives k times the rate at z = 0, `stage` solves from the present z, whose rate
-   * is given, and gives that of the solution, with z = known + h rate to the bit
-   * (ARC_NOT_CONVERGED: try a shorter step). `error` filters stiff ripples out of the estimated
-   * errors of depths, and returns the share of the load, or of the largest pressure, that they
-   * shift; negative: it cannot tell. `end_stages` gives a step's even wear, peak and normal
-   * force, where depths are not NULL. */
+  /* Functions of an implicit step. * `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
+   * must still be called). `start` computes k times the rate at z = 0. `stage` solves from the
+   * present z and its rate, and writes those of the solution, with z = known + h rate to the bit
+   * (ARC_NOT_CONVERGED: a shorter step may succeed). `error` filters stiff ripples out of the
+   * estimated errors of depths, and returns the share of the load, or of the largest pressure, that
+   * the errors shift; a negative value means unknown. `end_stages` writes a step's even wear,
+   * largest pressure and normal force, unless depths is NULL. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
@@ -143,22 +147,24 @@ typedef struct arc_kind {
 
   /* --- lengths of steps */
 
-  /* Depth [mm] of wear with the same effect on the contact as its elastic displacement. */
+  /* Returns the depth [mm] of wear that has the same effect on the contact as its elastic
+   * displacement. */
   double (*natural_depth)(const arc_wear *w);
-  /* * Integral of k over the distance [mm3/N] that takes `depth` [mm] off a lower body that wears
-   * evenly, and that by which layers, even ones or under `scars` too, change the contact by all
-   * that an update may; NULL where there are none. */
+  /* * Return integrals of k over the distance [mm3/N]. The first removes `depth` [mm] from a lower
+   * body that wears evenly. The second is that after which the wear of layers, even layers or also
+   * those under `scars`, changes the contact by as much as an update may. NULL: there are no such
+   * limits. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
-  /* * Wear coefficient of the exposed layer at the deepest point of a body, relative to the largest
-   * of the body; NULL: 1. */
+  /* * Returns the wear coefficient of the exposed layer at the deepest point of a body, relative to
+   * the largest coefficient of the body. NULL: 1. */
   double (*open_share)(const arc_wear *w, arc_body body);
 
-  const arc_growth *growth; /* NULL: sites do not grow */
+  const arc_growth *growth; /* NULL: the number of sites is constant */
 
   /* --- one contact ---------------------------------------------------------------------------- */
 
-  /* * All or none: see arc_contact_solve, arc_contact_move, arc_contact_surfaces. */
+  /* * All or none of these exist: see arc_contact_solve, arc_contact_move, arc_contact_surfaces. */
   arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
                       const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
   arc_status (*move)(const arc_contact *from, const arc_motion_def *motion,
@@ -172,10 +178,10 @@ typedef struct arc_kind {
 
   /* * */
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
-  /* Arrays of the present surfaces for arc_wear_surfaces, body by body. */
+  /* Returns arrays of the present surfaces for arc_wear_surfaces, body by body. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
-  /* The complete state of surfaces, with update and distance 0: one block to be freed with free(),
-   * NULL: out of memory; and its restoration from untrusted numbers, with the errors of
+  /* Return the complete state of surfaces, with update and distance 0, in one block to be freed
+   * with free() (NULL: out of memory), and restore it from untrusted numbers, with the errors of
    * arc_wear_resume. */
   arc_array *(*save)(const arc_shape *shape, size_t *count);
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
@@ -185,7 +191,7 @@ typedef struct arc_kind {
   arc_status (*validate)(const arc_wear *w, arc_error *error);
 } arc_kind;
 
-/* Returns the kind of a model's definition. */
+/* Returns the kind of pair that a model's definition describes. */
 const arc_kind *arc_kind_of(const arc_model_def *def);
 
 #endif

@@ -8,7 +8,7 @@ struct arc_model {
   const arc_kind *kind;
   int references;
   arc_model_def def;
-  double seconds; /* the build took */
+  double seconds; /* [s] time that the build needed */
 };
 
 /* Common first part of the surfaces of all kinds. */
