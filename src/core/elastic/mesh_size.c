@@ -47,7 +47,7 @@ static double smallest_size(const contact_estimate *e) {
 }
 
 /* Resolves the edges of the contact as finely as in the paper's mesh, and twice as finely for
- * spots, whose pressure at the axis would be 0.3 % low. Places a node at the ends of a flat. */
+ * spots, whose pressure at the axis would be 0.3 % low. The ends of a flat get a node. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;

@@ -16,7 +16,7 @@ typedef enum body_form {
 
 /* Lengths along the surface [mm]. */
 typedef struct body_limits {
-  double zone; /* width of the widest zone that leaves enough width for coarse columns, and its
+  double zone; /* width of the widest zone beside which coarse columns fit, and its
                   formula in the user's fields */
   const char *zone_text;
   double outer; /* half of the surface that may have fine elements */

@@ -41,7 +41,7 @@ static double row_at(const body_map *m, double depth, double above) {
   return fmax(above + 1, round(j / coarse) * coarse);
 }
 
-/* Places rows of elements on every interface. */
+/* Adds rows of elements at every interface. */
 static void lay_layers(body_map *m) {
   m->layers = arc_body_layers(m->solid);
   for (int l = 0; l < m->layers; l++) {
