@@ -72,7 +72,7 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
 
 /* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, depth
- * [surface], with 0 beyond its ends. The splines of arc_shape_transfer are used. If the points
+ * [surface], with 0 beyond its ends. The splines of arc_shape_remap are used. If the points
  * cover a whole scar (unworn at both ends, within the nodes), the area of the polyline through them
  * is kept. Points at nodes keep their depths. ARC_MEMORY. */
 arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,

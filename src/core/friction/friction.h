@@ -113,7 +113,7 @@ typedef struct friction_memory {
   int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if load and motion
                 change together */
   int fresh; /* 1 if the first motion began without shear */
-  int count; /* the turning points, each between the two previous ones */
+  int count; /* number of turning points, each between the two previous ones */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] energy between the nodes in the present motion */
 } friction_memory;
