@@ -15,7 +15,7 @@ static arc_model *shared_model(void) {
   return model;
 }
 
-/* Wears a surface by a few measured points, as a user would, or by arbitrary numbers. */
+/* Wears a surface by a few measured points, as a user might, or by arbitrary numbers. */
 static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
   enum { MOST = 12 };
   double x[MOST], h[MOST], depth[2000];
@@ -25,7 +25,7 @@ static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
     h[i] = wild ? take_any(s) : take_in(s, 0, 0.004);
   }
   for (int i = 1; i < count; i++)
-    if (!(x[i] > x[i - 1])) return ARC_ARGUMENT; /* the Lua binding refuses these */
+    if (!(x[i] > x[i - 1])) return ARC_ARGUMENT; /* the Lua binding refuses such values */
   arc_error error = {0};
   arc_status status = arc_shape_sample(
       shape, body, (arc_depths){.x = x, .h = h, .count = (size_t)count}, depth, &error);
@@ -59,8 +59,8 @@ static void solve(const arc_shape *shape, source *s) {
   arc_contact *contact = NULL;
   const int wild = take_byte(s) % 8 == 0;
   def.load = wild ? take_any(s) : take_in(s, 0.1, 200);
-  /* heights of 1e-3 mm are rounded to 1e-19, equivalent to 1e-14 N at a node: more than 1e-9 of
-   * smaller loads */
+  /* heights of 1e-3 mm have rounding errors of 1e-19, equivalent to 1e-14 N at a node, which is
+   * more than 1e-9 of smaller loads */
   if (fabs(def.load) < 1e-5) return;
   def.x = wild ? take_any(s) : take_in(s, -0.2, 0.2);
   def.friction = take_byte(s) % 2 ? take_in(s, 0, 1.5) : 0;

@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 /* Reports a finding and aborts. */
 #define FOUND(...) (fprintf(stderr, "found: " __VA_ARGS__), fputc('\n', stderr), abort())
 
-/* A file of this process, in a folder in memory if the system has one. */
+/* Returns the path of a file of this process, in a folder in memory if the system has one. */
 __attribute__((unused)) static const char *own_file(const char *ending) {
   static char path[4][80];
   static int turn;
@@ -35,7 +35,7 @@ __attribute__((unused)) static const char *as_file(const uint8_t *data, size_t s
   return path;
 }
 
-/* Reads values from the bytes of an input; zero after its end. */
+/* Reads values from the bytes of an input; after its end they are zero. */
 typedef struct source {
   const uint8_t *data;
   size_t left;
@@ -54,14 +54,14 @@ __attribute__((unused)) static unsigned take_byte(source *s) {
   return byte;
 }
 
-/* A number in [low, high] from 16 bits. */
+/* Returns a number in [low, high] made from 16 bits. */
 __attribute__((unused)) static double take_in(source *s, double low, double high) {
   uint16_t bits;
   take_bytes(s, &bits, sizeof bits);
   return low + (high - low) * bits / 65535;
 }
 
-/* Any double, including NaN, infinity and denormal numbers. */
+/* Returns any double, including NaN, infinity and denormal numbers. */
 __attribute__((unused)) static double take_any(source *s) {
   double value;
   take_bytes(s, &value, sizeof value);

@@ -1,4 +1,5 @@
-/* Fuzz target for history files of the prompt: after any content, later entries are still found. */
+/* Fuzz target for history files of the prompt: after any content, later entries can still be
+ * read. */
 #include "fuzz.h"
 
 #include "cli/history_file.h"

@@ -9,15 +9,15 @@
 
 #include "lua/base/archard.h"
 
-/* Defines `read(with)`: a function of a path and its text that calls `with` on the path and passes
- * on errors that are none of archard's. */
+/* Defines `read(with)`: a function of a path and its text that calls `with` on the path and raises
+ * errors again unless they are errors of archard. */
 #define IN_LUA_READ                                                                                \
   "local function read(with) return function(path, text)\n"                                        \
   "  local fine, why = pcall(with, path)\n"                                                        \
   "  if not fine and not (type(why) == 'table' and why.code) then error(why, 0) end\n"             \
   "end end\n"
 
-/* A Lua state with the list of functions that the script returns on its stack. */
+/* Returns a Lua state with the list of functions that the script returns on its stack. */
 static lua_State *in_lua_state(const char *script) {
   static lua_State *L;
   if (L) return L;
@@ -28,8 +28,8 @@ static lua_State *in_lua_state(const char *script) {
   return L;
 }
 
-/* Calls the function that the first byte selects of `count` with the path of a file that contains
- * the rest, and the rest. */
+/* Calls one of `count` functions, selected by the first byte, with the path of a file that contains
+ * the other bytes, and with these bytes. */
 static void in_lua_call(lua_State *L, int count, const uint8_t *data, size_t size,
                         const char *ending) {
   if (size == 0 || size > 20000) return;

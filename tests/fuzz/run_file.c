@@ -131,7 +131,7 @@ static const char *const changes[] = {
     "UPDATE info SET value = ?1",
     "INSERT OR REPLACE INTO settings VALUES (1, ?1, ?2)",
     "INSERT OR REPLACE INTO results VALUES (1, ?1, ?2)",
-    /* one number of an array */
+    /* changes one number of an array */
     "UPDATE arrays SET numbers = CAST(substr(numbers, 1, 8 * (?2 % 30)) || substr(CAST(?1 AS BLOB) "
     "|| x'0000000000000000', 1, 8) || substr(numbers, 8 * (?2 % 30) + 9) AS BLOB) WHERE part = "
     "'state' AND name = 'h'",
@@ -205,7 +205,8 @@ static void go_on(arc_store *store, int id, arc_stored_run *run) {
   arc_error error = {0};
   arc_model *model = NULL;
   arc_wear *wear = NULL;
-  if (run->model.mesh.size > 0 && run->model.mesh.size < 0.05) return; /* too slow here */
+  if (run->model.mesh.size > 0 && run->model.mesh.size < 0.05)
+    return; /* such a run is too slow for fuzzing */
   if (model_of(run, &model) == ARC_OK &&
       arc_store_restore(store, id, model, &run->def, &wear, &error) == ARC_OK)
     arc_wear_step(wear, NULL, &error);

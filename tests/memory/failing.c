@@ -35,10 +35,11 @@ static kind armed;
 static long asked, first;
 static __thread int inside;
 
-/* --- places ----------------------------------------------------------------------------------- */
+/* --- call sites
+ * -------------------------------------------------------------------------------- */
 
 typedef struct place {
-  uint64_t callers; /* a hash of them; 0: none yet */
+  uint64_t callers; /* hash of the callers' addresses; 0: no call yet */
   long first, last;
 } place;
 enum { CALLERS = 12, PLACES = 1 << 16 };
@@ -47,7 +48,7 @@ static place places[PLACES];
 static uint64_t hash_of_callers(void) {
   void *caller[CALLERS];
   const int count = backtrace(caller, CALLERS);
-  uint64_t hash = 14695981039346656037u; /* FNV-1a, by addresses */
+  uint64_t hash = 14695981039346656037u; /* Computes the FNV-1a hash of the addresses. */
   for (int k = 0; k < count; k++) hash = (hash ^ (uintptr_t)caller[k]) * 1099511628211u;
   return hash;
 }
@@ -91,7 +92,8 @@ static int fails(kind what) {
   return n >= first && n < first + in_a_row[what];
 }
 
-/* True for libgomp, which ends the program if an allocation of its threads fails. */
+/* Returns true for a call by libgomp, which ends the program if an allocation of its threads
+ * fails. */
 static int ends_the_program(const void *caller) {
   Dl_info from;
   return dladdr(caller, &from) && strstr(from.dli_fname, "libgomp");

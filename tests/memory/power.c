@@ -47,7 +47,7 @@ static void tell(char what, const struct stat *facts, long long offset, const vo
   free(record);
 }
 
-/* The path relative to the folder, or NULL if it is outside. */
+/* Returns the path relative to the folder, or NULL if it is outside. */
 static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   const char *base = getenv("POWER_FOLDER");
   char stands[PATH_MAX] = "";
@@ -65,7 +65,7 @@ static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   return strncmp(whole, base, length) == 0 && whole[length] == '/' ? whole + length + 1 : NULL;
 }
 
-/* The path of an open file relative to the folder; "." for the folder itself. */
+/* Returns the path of an open file relative to the folder; "." for the folder itself. */
 static const char *opened(int file, char whole[PATH_MAX]) {
   char link[40], target[PATH_MAX];
   const char *base = getenv("POWER_FOLDER");

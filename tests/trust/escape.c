@@ -155,8 +155,8 @@ static void try_files(void) {
 
 /* --- programs --------------------------------------------------------------------------------- */
 
-/* Becomes another program, or returns, since no process can be started for it. A program
- * that runs keeps the line "OUT", which is overwritten here. */
+/* Replaces this process by another program, or returns, since the sandbox allows no other process.
+ * A program that runs leaves the line "OUT", which is overwritten here otherwise. */
 static void try_program(const char *what, const char *path, char *const argv[]) {
   const long line = ftell(tried);
   tell(what, 1);

@@ -18,7 +18,8 @@
 
 #define UNUSED __attribute__((unused))
 
-/* --- random numbers --------------------------------------------------------------------------- */
+/* --- random numbers
+ * ---------------------------------------------------------------------------- */
 
 static uint64_t random_state = 1;
 
@@ -30,7 +31,7 @@ UNUSED static void random_start(uint64_t usual) {
   if (random_state == 0) random_state = 1;
 }
 
-/* Uniform random number in [low, high), by xorshift64*. */
+/* Returns a uniform random number in [low, high), by xorshift64*. */
 UNUSED static double random_in(double low, double high) {
   random_state ^= random_state >> 12;
   random_state ^= random_state << 25;
@@ -95,8 +96,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
-/* Replaces one of `count` numbers at a time by `wrong` and checks that the call fails with
- * ARC_NUMERIC and the message part of this number. */
+/* Replaces one of `count` numbers at a time by `wrong`, and checks that the call fails with
+ * ARC_NUMERIC and a message that contains the part for this number. */
 #define check_spoilt(call, count, numbers, wrong, parts)                                           \
   for (int spoilt = 0; spoilt < (count); spoilt++) {                                               \
     const double right = *(numbers)[spoilt];                                                       \
@@ -107,7 +108,7 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
 
 /* --- models ----------------------------------------------------------------------------------- */
 
-/* A coarse model, built in milliseconds, for contacts up to 100 N. */
+/* Returns a coarse model, built in milliseconds, for contacts up to 100 N. */
 UNUSED static arc_model_def coarse_definition(void) {
   arc_model_def def = arc_model_default();
   def.mesh.size = 0.04;

@@ -15,7 +15,7 @@
 
 enum { MESH_TEXT_ROOM = 20000 };
 
-/* Reads a whole file; NULL if it does not exist. */
+/* Reads a whole file; returns NULL if it does not exist. */
 static char *mesh_file(const char *name, size_t *length) {
   char path[100];
   snprintf(path, sizeof path, "tests/files/msh/%s", name);
@@ -29,7 +29,7 @@ static char *mesh_file(const char *name, size_t *length) {
   return text;
 }
 
-/* Start of the line after the one at `at`. */
+/* Returns the start of the line after the one at `at`. */
 static const char *next_line(const char *at) {
   const char *end = strchr(at, '\n');
   return end ? end + 1 : at + strlen(at);
@@ -59,7 +59,7 @@ static void apply_change(const char *change, const char *good, char *to) {
   }
 }
 
-/* The text of a mesh by its name; the caller frees it. */
+/* Returns the text of a mesh by its name; the caller frees it. */
 static char *mesh_text(const char *name, size_t *length) {
   char with_ending[60], entry[60];
   snprintf(with_ending, sizeof with_ending, "%s.msh", name);

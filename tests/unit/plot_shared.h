@@ -30,7 +30,7 @@ static inline int exists(const char *name) {
   return access(path_of(name, path), F_OK) == 0;
 }
 
-/* The content of a file in the test's folder; the buffer is overwritten by the next call. */
+/* Returns the content of a file in the test's folder; the next call overwrites the buffer. */
 static inline const char *content(const char *name) {
   static char text[20000];
   char path[256];
@@ -41,7 +41,7 @@ static inline const char *content(const char *name) {
   return text;
 }
 
-/* Writes a shell script to be started instead of gnuplot. */
+/* Writes a shell script that is started instead of gnuplot. */
 static inline char *fake(const char *name, const char *body, char path[256]) {
   FILE *file = fopen(path_of(name, path), "w");
   fprintf(file, "#!/bin/sh\n%s\n", body);

@@ -19,7 +19,7 @@ UNUSED static int tear_down(void **state) {
   return 0;
 }
 
-/* A case with few steps and increments. */
+/* Returns a case with few steps and increments. */
 UNUSED static arc_wear_def quick(double stroke, double alpha) {
   arc_wear_def def = arc_wear_default();
   def.stroke = stroke;

@@ -17,7 +17,7 @@ typedef struct rubbing {
   arc_halfspace_friction s;
   arc_halfspace_increment to;
   arc_halfspace_effort effort;
-  double work; /* [N mm] of the last leg */
+  double work; /* [N mm] work of the last leg */
 } rubbing;
 
 UNUSED static void slide(rubbing *r) {

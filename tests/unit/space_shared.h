@@ -9,7 +9,8 @@
 
 #include <time.h>
 
-static const double steel_modulus = 200e3 / (2 * (1 - 0.09)); /* of both bodies together [MPa] */
+static const double steel_modulus =
+    200e3 / (2 * (1 - 0.09)); /* contact modulus of both bodies together [MPa] */
 
 UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   arc_halfspace *h = NULL;
@@ -17,7 +18,7 @@ UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   return h;
 }
 
-/* A ball on a flat with n x n cells. */
+/* Returns a ball on a flat with n x n cells. */
 UNUSED static arc_halfspace_def ball(double radius, double size, int n) {
   arc_halfspace_def def = arc_halfspace_default();
   def.body[ARC_UPPER].radius_x = def.body[ARC_UPPER].radius_z = radius;
@@ -44,7 +45,7 @@ UNUSED static double largest_of(const double *value, int count) {
   return most;
 }
 
-/* One contact solution at x = 0. */
+/* Result of one contact solution at x = 0. */
 typedef struct solved {
   arc_halfspace *h;
   double *p, approach;
@@ -77,7 +78,7 @@ UNUSED static void free_solved(solved *s) {
 typedef struct history_def {
   arc_halfspace_def space;
   double load, k, alpha, stroke, distance;
-  int increments; /* of the stroke; 0: one position */
+  int increments; /* number of positions of the stroke; 0: one position */
   int steps;
   double first; /* length of the first step [mm]; 0: equal steps */
   double tolerance;
@@ -142,7 +143,7 @@ UNUSED static void run_stage(history *w, const history_def *d, double *const kno
   w->stages++;
 }
 
-/* One step of SDIRK2, gamma = 1 - 1 / sqrt 2: L-stable, of second order. */
+/* Makes one step of SDIRK2, gamma = 1 - 1 / sqrt 2, which is L-stable and of second order. */
 UNUSED static void run_step(history *w, const history_def *d, double length, int warm) {
   const double gamma = 1 - sqrt(0.5), carry = (1 - gamma) / gamma;
   run_stage(w, d, w->depth, gamma * length, warm, w->half);
@@ -152,8 +153,8 @@ UNUSED static void run_step(history *w, const history_def *d, double length, int
   run_stage(w, d, w->known, gamma * length, 1, w->depth);
 }
 
-/* Ratio of successive steps for which `steps` steps starting with `first` add up to the distance.
- */
+/* Returns the ratio of successive steps for which `steps` steps beginning with `first` add up to
+ * the distance. */
 UNUSED static double ratio_of(double first, double distance, int steps) {
   double low = 1, high = 4;
   for (int k = 0; k < 100; k++) {
@@ -186,7 +187,7 @@ UNUSED static double volume_of(const history *w, arc_body body) {
          arc_halfspace_site_area(w->h, body);
 }
 
-/* Depth at x = z = 0. */
+/* Returns the depth at x = z = 0. */
 UNUSED static double depth_of(const history *w, arc_body body) {
   return arc_halfspace_scar(w->h, body, w->depth[body], 0.01).center;
 }

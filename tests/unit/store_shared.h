@@ -22,7 +22,7 @@
 
 static char folder[] = "/tmp/archard-store-XXXXXX";
 
-/* The path of a file in the test's folder, valid for the next three calls. */
+/* Returns the path of a file in the test's folder, valid for the next three calls. */
 __attribute__((unused)) static const char *in_folder(const char *name) {
   static char path[4][200];
   static int turn;
@@ -55,7 +55,7 @@ __attribute__((unused)) static void must(arc_status status, const arc_error *err
   if (status != ARC_OK) fail_msg("%s", error->message);
 }
 
-/* All bytes of a file; the caller frees them. */
+/* Returns all bytes of a file; the caller frees them. */
 __attribute__((unused)) static unsigned char *bytes_of(const char *path, size_t *count) {
   FILE *file = fopen(path, "rb");
   assert_non_null(file);

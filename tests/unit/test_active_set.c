@@ -6,7 +6,7 @@
 
 enum { side = 9, n = side * side, blocks = 2, modes = 3 };
 
-/* A dense compliance matrix that decays with the distance and is self-adjoint with the areas. */
+/* A dense compliance matrix that decreases with the distance and is self-adjoint with the areas. */
 static double kernel[n][n], area[n], mode[modes][n], gap[blocks][n], load[blocks][modes];
 
 static void set_up_problem(void) {

@@ -100,7 +100,7 @@ static void test_links_are_followed(void **state) {
   assert_non_null(strstr(error.message, strerror(ELOOP)));
 }
 
-/* The file meant by a name, for all functions that open, create or confine files. */
+/* Returns the file that a name means, for all functions that open, create or confine files. */
 static void test_names_mean_files(void **state) {
   (void)state;
   char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];
@@ -110,7 +110,7 @@ static void test_names_mean_files(void **state) {
   assert_int_equal(symlink("../meant/../to-new", "meant/chain"), 0);
   assert_int_equal(symlink("ring", "ring"), 0);
   static const struct meaning {
-    const char *name, *file; /* below this folder */
+    const char *name, *file; /* the file is below this folder */
   } known[] = {{"meant/file", "/meant/file"}, {"./meant//../meant/file", "/meant/file"},
                {"meant/none", "/meant/none"}, {"to-new", "/meant/new"},
                {"meant/chain", "/meant/new"}, {"file:meant", "/file:meant"},
@@ -221,8 +221,8 @@ static void test_no_room(void **state) {
   assert_int_equal(parts("."), 0);
 }
 
-/* A killed program leaves its temporary file, and a database its journal: the next writer there
- * removes them, but no file that is in use or has another origin. */
+/* A killed program leaves its temporary file, and a database its journal. The next writer in the
+ * folder removes them, but no file that is in use or has another origin. */
 static void test_strays(void **state) {
   (void)state;
   arc_atomic_file *held;

@@ -5,8 +5,8 @@
 #include "core/base/dense.h"
 #include "core/contact/shape.h"
 
-/* The matrix of the whole body with nodes at `xy`; unknown[node]: index of its x displacement, or
- * -1 if fixed. */
+/* Returns the matrix of the whole body with nodes at `xy`; unknown[node] is the index of its x
+ * displacement, or -1 if fixed. */
 typedef struct whole {
   const elastic_body *body;
   int n, *unknown;
@@ -28,9 +28,9 @@ static void add_entry(const whole *w, sparse_entries *entries, int row, int colu
     assert_int_equal(arc_sparse_add(entries, i + row % 2, j + column % 2, value), ARC_OK);
 }
 
-/* Triangles with the same first corner on one side of the body have a common dilatation: adds the
- * square of the change of their total area. The triangles are found by search, independent of the
- * order of elements. */
+/* Adds the square of the change of total area of triangles with the same first corner on one side
+ * of the body, which have a common dilatation. The triangles are found by search, independent of
+ * the order of elements. */
 static void add_dilatation(const whole *w, const double *xy, int e, sparse_entries *entries) {
   const arc_mesh *m = w->body->mesh;
   int unknown[64], count = 0;
@@ -83,7 +83,7 @@ static void whole_free(whole *w) {
   free(w->unknown);
 }
 
-/* Response to a unit force along x (0) or y (1) at surface node s, written to u [n]. */
+/* Computes the response to a unit force along x (0) or y (1) at surface node s, u [n]. */
 static void push(const whole *w, int s, int direction, double *u) {
   memset(u, 0, (size_t)w->n * sizeof *u);
   u[w->unknown[w->body->mesh->surface_node[s]] + direction] = 1;

@@ -68,8 +68,8 @@ static void test_hertz_refused(void **state) {
   check_refused(arc_hertz_solve(10, 1, 100, fluid, &hertz, why), ARC_ARGUMENT, "nu'");
 }
 
-/* The whole profile against Hertz for 75 to 200 N, with five to eight nodes in contact on each
- * side. */
+/* Compares the whole profile with Hertz for 75 to 200 N, with five to eight nodes in contact on
+ * each side. */
 static void test_hertz_profile(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -122,8 +122,8 @@ static void test_balance(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Gaps of 300 mm are rounded to 6e-14 mm, as much as 4e-9 N at a node: the load is carried all the
- * same. */
+/* Gaps of 300 mm have rounding errors of 6e-14 mm, equivalent to 4e-9 N at a node, but the load is
+ * balanced nevertheless. */
 static void test_balance_far_away(void **state) {
   (void)state;
   static const double x[] = {-1, 0, 1}, h[] = {303, 300, 304}, load[] = {100, 3, 0.02};
@@ -132,7 +132,7 @@ static void test_balance_far_away(void **state) {
   check_ok(arc_shape_create(steel, ARC_FROZEN, 0, &shape, why));
   check_ok(
       arc_shape_sample(shape, ARC_PLATE, (arc_depths){.x = x, .h = h, .count = 3}, depth, why));
-  depth[0] = 0; /* what all nodes have lost counts as an approach, not as a gap */
+  depth[0] = 0; /* depth lost by all nodes counts as an approach, not as a gap */
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   for (int k = 0; k < 3; k++) {
     arc_contact *contact = solve(shape, load[k], 0);
@@ -227,7 +227,7 @@ static void test_scaling(void **state) {
 
 /* --- worn shapes ------------------------------------------------------------------------------ */
 
-/* A parabolic scar h0 (1 - (x/w)^2) on one body. */
+/* Returns a parabolic scar h0 (1 - (x/w)^2) on one body. */
 static void wear_scar(arc_shape *shape, arc_body body, double deepest, double half) {
   const arc_profile profile = arc_shape_profile(shape, body);
   double *depth = calloc((size_t)profile.count, sizeof *depth);

@@ -21,7 +21,7 @@ static void linear_stress(elasticity d, double stress[3]) {
   stress[2] = d.c33 * gxy;
 }
 
-/* A random convex element of about unit size. */
+/* Returns a random convex element of about unit size. */
 static element random_element(int corners, arc_element kind) {
   static const double unit[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   element e = {.corners = corners, .kind = kind};
@@ -49,7 +49,7 @@ static double largest(const double *value, int count) {
   return most;
 }
 
-/* f := K u; returns the largest entry of |K| |u|, the scale of rounding errors. */
+/* f := K u. Returns the largest entry of |K| |u|, the scale of rounding errors. */
 static double forces(const element *e, elasticity d, const double *u, double *f) {
   const int n = 2 * e->corners;
   double k[64], scale = 0;

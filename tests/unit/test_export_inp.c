@@ -23,8 +23,8 @@ static void check_deck_nodes(FILE *file, int nodes, const double *xy, double shi
   }
 }
 
-/* Checks the elements and their corners with the given offset; layer > 0: each has a second face.
- */
+/* Checks the elements and their corners with the given offset. layer > 0: each element is a solid
+ * with a second face, whose nodes have numbers higher by `layer`. */
 static void check_deck_elements(FILE *file, const arc_mesh *m, int node, int element, int layer) {
   for (int corners = 4; corners >= 3; corners--) {
     find_line(file, "*ELEMENT, TYPE=");

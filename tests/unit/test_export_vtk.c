@@ -119,7 +119,7 @@ static char *read_whole(const char *path, size_t *size) {
   return text;
 }
 
-/* The bytes of the named array and their number, from its description. */
+/* Returns the bytes of the named array and their number, from its description. */
 static const void *array_bytes(const char *text, const char *name, uint64_t *bytes) {
   char start[80];
   snprintf(start, sizeof start, "Name=\"%s\"", name);

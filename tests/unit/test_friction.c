@@ -7,7 +7,8 @@
 #include "core/friction/friction.h"
 #include "core/plane/solution.h"
 
-/* --- a history ------------------------------------------------------------------------------- */
+/* --- a loading history
+ * ------------------------------------------------------------------------- */
 
 typedef struct history {
   arc_shape *shape;
@@ -61,7 +62,8 @@ static void go(history *h, const friction_step *step) {
   check_ok(arc_friction_solve(&h->problem, &h->compliance, &h->workspace, step, &h->state, why));
 }
 
-/* --- its conditions -------------------------------------------------------------------------- */
+/* --- conditions of an increment
+ * ---------------------------------------------------------------- */
 
 /* Recomputes the gaps from the matrices and the shape only. */
 static void check_gaps(const history *h) {
@@ -271,7 +273,7 @@ static int tear_down(void **state) {
   return 0;
 }
 
-/* Presses, then moves to and fro: ends in partial slip on worn surfaces. */
+/* Presses, then moves to and fro, and ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
   static const double x[] = {0, 1.5e-3, -1e-3, 0, 5e-4, 0.03, 0.0285};
   static const double force[] = {0, 0, 0, 8, 0, 0, 0};
@@ -390,8 +392,8 @@ static void test_displaced(void **state) {
   end(&h);
 }
 
-/* Shear that alternates from node to node moves the surface like alternating pressure; elements
- * alone would have an error of one half. Wide loads are left to the elements. */
+/* Shear that alternates from node to node moves the surface as alternating pressure does; elements
+ * alone would have an error of one half. Wide loads use the elements without correction. */
 static void test_alternating(void **state) {
   (void)state;
   history h;
@@ -424,7 +426,7 @@ static void test_between(void **state) {
   go(&h, &(friction_step){.mu = 0, .line = 100});
   double start[2] = {0}, area = 0;
   for (int i = 1; i <= 200; i++) {
-    const double force = i <= 40 ? i : i <= 120 ? 80 - i : i - 160; /* 40, -40, 40 */
+    const double force = i <= 40 ? i : i <= 120 ? 80 - i : i - 160; /* displacements 40, -40, 40 */
     if (i == 41) start[0] = h.state.energy, start[1] = h.state.between;
     go(&h, &(friction_step){.mu = 0.6, .line = 100, .by_force = 1, .tangential = force});
     if (i > 40) area += (h.state.x - h.before.x) * (h.state.tangential + h.before.tangential) / 2;
@@ -432,7 +434,7 @@ static void test_between(void **state) {
   }
   const double energy = h.state.energy - start[0], between = h.state.between - start[1];
   check_near(energy, 3.2635e-3,
-             0.04 * 3.2635e-3); /* of half-planes; the nodes alone give 27 % less */
+             0.04 * 3.2635e-3); /* energy of half-planes; that of the nodes alone is 27 % lower */
   check_near(area, energy - between, 1e-3 * energy);
   end(&h);
 }

@@ -1,12 +1,12 @@
-/* The gnuplot session: with the real gnuplot, and with shell scripts that play a missing, old,
- * slow, silent or dying one.
- */
+/* Tests of the gnuplot session: with the real gnuplot, and with shell scripts that act like a
+ * gnuplot that is missing, old, slow, silent or dying. */
 #include "plot_shared.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 
-/* --- a gnuplot that is not well --------------------------------------------------------------- */
+/* --- a faulty gnuplot
+ * -------------------------------------------------------------------------- */
 
 static void assert_start(const char *program, arc_status status, const char *words) {
   arc_gnuplot *session = open_session(program);
@@ -18,7 +18,7 @@ static void assert_start(const char *program, arc_status status, const char *wor
   arc_gnuplot_close(&session);
 }
 
-/* Plays gnuplot 4.6: answers a print of our last line with it. */
+/* A script that acts like gnuplot 4.6 and answers the print command at the end of each request. */
 static const char old_gnuplot[] =
     "while read -r a b c; do\n"
     "  case \"$a $b\" in\n"
@@ -54,7 +54,7 @@ static void test_silent(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* One that needs a second to start is waited for. */
+/* The session waits for a gnuplot that needs a second to start. */
 static void test_slow(void **state) {
   (void)state;
   char path[256];
@@ -124,7 +124,7 @@ static void test_signals(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* True if the process, which nobody has waited for, ends within a second. */
+/* Returns true if the process, which nobody has waited for, ends within a second. */
 static int ends_soon(long pid) {
   char path[40], state = '?';
   snprintf(path, sizeof path, "/proc/%ld/stat", pid);

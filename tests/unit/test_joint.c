@@ -12,7 +12,7 @@ static arc_joint_def metal(double size) {
   return def;
 }
 
-/* A liner of 8 mm on a rigid head. */
+/* Returns a liner of 8 mm on a rigid head. */
 static arc_joint_def liner(double size) {
   arc_joint_def def = metal(size);
   def.clearance = 0.1;
@@ -44,7 +44,7 @@ static double deepest(const arc_joint *j, arc_body body) {
   return 1000 * most;
 }
 
-/* Graded updates up to `cycles`. */
+/* Makes graded updates up to `cycles`. */
 static arc_joint_record wear_down(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                                   int updates) {
   arc_joint_record r = {0};
@@ -67,7 +67,7 @@ static void walk(const char *name, int n, double angle, double load, arc_gait_in
   assert_int_equal(arc_gait_named(name, n, angle, load, gait, &error), ARC_OK);
 }
 
-/* alpha, R, F against 1 - alpha, R', R' F: head and cup exchange their roles exactly. */
+/* With alpha, R, F replaced by 1 - alpha, R', R' F, head and cup exchange their roles exactly. */
 static void test_exchange(void **state) {
   (void)state;
   const arc_joint_def def = metal(3);
@@ -174,7 +174,8 @@ static void test_metal(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Winkler springs: p_max 15.13737, u .1578969, the integral of p 1.139244 of 3000 N. */
+/* Winkler springs under 3000 N: p_max 15.13737, u .1578969, and the integral of p is 1.139244 times
+ * the load. */
 static void test_springs(void **state) {
   (void)state;
   arc_joint_def def = liner(2);

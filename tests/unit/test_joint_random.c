@@ -9,9 +9,10 @@
 enum { instants = 8 };
 
 typedef struct worst_case {
-  double force, touching, overlap; /* relative to the load; relative to the largest displacement */
-  double volume, share;            /* relative to the volume of both bodies */
-  int runs, refused, springs, updates; /* refused: the contact extends round the head */
+  double force, touching,
+      overlap;          /* errors relative to the load, and to the largest displacement */
+  double volume, share; /* errors relative to the volume of both bodies */
+  int runs, refused, springs, updates; /* refused: the contact would extend around the head */
 } worst_case;
 
 /* --- random definitions ----------------------------------------------------------------------- */
@@ -46,7 +47,8 @@ static arc_joint_def definition(void) {
   return def;
 }
 
-/* A built-in gait scaled to a load; keeps the directions and the relative size of its loads. */
+/* Returns a built-in gait scaled to a load. It keeps the directions and the relative size of its
+ * loads. */
 static void gait_of(double load, arc_gait_instant *gait) {
   static const char *const name[] = {"iso", "prosim", "flexion", "rocking"};
   const double turn = uniform(-0.3, 0.3);
@@ -93,7 +95,7 @@ static void check_contact(arc_joint *j, const double load[3], const double appro
   free(u);
 }
 
-/* 0 if the contact would extend round the head. */
+/* Returns 0 if the contact would extend around the head. */
 static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
                  worst_case *worst) {
   arc_error error = {0};
@@ -103,8 +105,8 @@ static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
   return status == ARC_OK;
 }
 
-/* The load [N] whose approach is a share of the clearance, and cells suitable for its contact: 0 if
- * the contact would extend round the head. */
+/* Returns the load [N] whose approach is a share of the clearance, and cells suitable for its
+ * contact; 0 if the contact would extend around the head. */
 static double fit(arc_joint_def *def) {
   arc_error error = {0};
   arc_joint *j;
@@ -124,8 +126,8 @@ static double fit(arc_joint_def *def) {
   return c.half_angle > 0 ? load : 0;
 }
 
-/* Four updates; 0 if the worn contact would extend round the head, which leaves the joint
- * unchanged. */
+/* Makes four updates. Returns 0 if the worn contact would extend around the head, which leaves the
+ * joint unchanged. */
 static int wear_down(arc_joint *j, const arc_joint_wear_def *wear, double cycles,
                      arc_joint_record *r) {
   const size_t bytes = (size_t)j->sites * sizeof(double);

@@ -29,15 +29,16 @@ static int is_parameter(const arc_setting *s) {
 
 typedef int (*seen_fn)(const law *l, const arc_wear_def *d, double p);
 
-/* True for a pressure [MPa] in a range far beyond that of contacts on both sides. */
+/* Returns true if `seen` is true at some pressure [MPa], in a range far wider than that of
+ * contacts. */
 static int at_any_pressure(const law *l, const arc_wear_def *d, seen_fn seen) {
   for (double p = 1e-3; p < 1e4; p *= 1.01)
     if (seen(l, d, p)) return 1;
   return 0;
 }
 
-/* True if `seen` is true at any pressure, with the default parameters or with each parameter times
- * 2 or 2/3. */
+/* Returns true if `seen` is true at any pressure, with the default parameters or with each
+ * parameter times 2 or 2/3. */
 static int at_any(const law *l, seen_fn seen) {
   const arc_wear_def usual = arc_wear_default();
   int found = at_any_pressure(l, &usual, seen);
@@ -57,7 +58,7 @@ static int is_not_archards(const law *l, const arc_wear_def *d, double p) {
   return l->factor(d, p) != 1 || l->growth(d, p) != 1;
 }
 
-/* True for a discontinuity: a difference that does not decrease with the interval. */
+/* Returns true for a discontinuity, a difference that does not decrease with the interval. */
 static int jumps(const law *l, const arc_wear_def *d, double p) {
   double low = p, high = 1.01 * p;
   for (int i = 0; i < 40; i++) {
@@ -70,13 +71,13 @@ static int jumps(const law *l, const arc_wear_def *d, double p) {
   return fabs(l->factor(d, high) - l->factor(d, low)) > 1e-6 * l->factor(d, 2 * p);
 }
 
-/* Logarithmic slope of p times the factor, over a small interval on one side. */
+/* Returns the logarithmic slope of p times the factor, over a small interval on one side. */
 static double slope(const law *l, const arc_wear_def *d, double p, double side) {
   const double to = p * (1 + side);
   return log(to * l->factor(d, to) / (p * l->factor(d, p))) / log1p(side);
 }
 
-/* True if the exponent differs from the stated one where the factor is smooth. */
+/* Returns true if the exponent differs from the stated one where the factor is smooth. */
 static int grows_otherwise(const law *l, const arc_wear_def *d, double p) {
   const double left = slope(l, d, p, -1e-5), right = slope(l, d, p, 1e-5);
   if (!(l->factor(d, p) > 0) || !(fabs(left - right) < 1e-2)) return 0;

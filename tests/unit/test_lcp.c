@@ -7,7 +7,7 @@
 
 enum { most = 80 };
 
-/* A contact problem of n candidates with only the fields that lcp.c uses. */
+/* Makes a contact problem of n candidates with only the fields that lcp.c uses. */
 static contact_problem room(int n) {
   contact_problem p = {.nc = n, .np = n, .count = n};
   p.set = calloc((size_t)n, sizeof(int));
@@ -54,7 +54,7 @@ static void random_matrix(contact_problem *p, int rank, double ridge) {
   p->factored = 0;
 }
 
-/* Integer data, which cause ties. */
+/* Makes integer data, which cause ties. */
 static void whole_numbers(contact_problem *p) {
   const int n = p->count;
   memset(p->a, 0, (size_t)(n * n) * sizeof(double));
@@ -71,7 +71,7 @@ static void random_gaps(contact_problem *p, double high) {
   for (int k = 0; k < p->count; k++) p->gap[k] = random_in(0, high);
 }
 
-/* Violation of f >= 0, g >= 0, f g = 0, sum f = load, in units of force. */
+/* Returns the violation of f >= 0, g >= 0, f g = 0, sum f = load, in units of force. */
 static double defect(const contact_problem *p, double load, const double *f, double approach) {
   double worst = 0, sum = 0, size = fabs(load);
   for (int k = 0; k < p->count; k++) size = fmax(size, fabs(f[k]));
@@ -93,9 +93,8 @@ static void check_solution(const contact_problem *p, double load) {
   for (int s = 1; s < p->active; s++) assert_true(p->set[s] > p->set[s - 1]);
 }
 
-/* Tries all 2^n - 1 sets and returns the forces of the one that solves the problem; Gauss
- * elimination on [A -1; 1' 0].
- */
+/* Tries all 2^n - 1 sets and returns the forces of the set that solves the problem, by Gauss
+ * elimination on [A -1; 1' 0]. */
 static int solve_set(const contact_problem *p, unsigned set, double load, double *f,
                      double *approach) {
   double m[9 * 9], x[9];

@@ -28,8 +28,8 @@ static int compare_elements(const void *a, const void *b) {
   return memcmp(a, b, 4 * sizeof(int));
 }
 
-/* twin[n]: the node at exactly (-x, y); the test fails without one. Nodes of one height are sorted
- * by x, so the k-th from the left must mirror the k-th from the right. */
+/* twin[n] is the node at exactly (-x, y); the test fails if there is none. Nodes of one height are
+ * sorted by x, so the k-th from the left must mirror the k-th from the right. */
 static int *find_twins(const arc_mesh *m) {
   int *order = malloc((size_t)m->nodes * sizeof(int)),
       *twin = malloc((size_t)m->nodes * sizeof(int));
@@ -49,7 +49,8 @@ static int *find_twins(const arc_mesh *m) {
   return twin;
 }
 
-/* Mapped corners of all elements, each element's in increasing order, elements sorted. */
+/* Returns the mapped corners of all elements, those of each element in increasing order, with
+ * sorted elements. */
 static int *canonical(const arc_mesh *m, const int *map) {
   int *list = malloc(4 * (size_t)m->elements * sizeof(int));
   for (int e = 0; e < m->elements; e++) {
@@ -95,7 +96,7 @@ static int has_corner(const int *element, int node) {
   return element[0] == node || element[1] == node || element[2] == node || element[3] == node;
 }
 
-/* Element (column, row) of the box is a quadrilateral of four box nodes. */
+/* Checks that element (column, row) of the box is a quadrilateral of four box nodes. */
 static void check_box_elements(const arc_mesh *m) {
   const int high = m->rows + 1;
   for (int column = 0; column + 1 < m->surface; column++)
@@ -128,7 +129,7 @@ static void check_surface(const arc_mesh *m) {
   assert_true(width < m->def.zone[m->body] + 2 * m->def.size * (1 + 1e-9));
 }
 
-/* Rows of the box have the distance `height` along the normal. */
+/* Checks that rows of the box have the distance `height` along the normal. */
 static void check_rows(const arc_mesh *m) {
   for (int c = 0; c < m->surface; c++)
     for (int row = 0; row < m->rows; row++) {
@@ -290,7 +291,7 @@ static void test_deterministic(void **state) {
   }
 }
 
-/* A random definition in the allowed range, limited to sizes that are quick to build. */
+/* Makes a random definition in the allowed range, limited to sizes that are quick to build. */
 static arc_mesh_def random_definition(double radius) {
   arc_mesh_def def = arc_mesh_default();
   def.size = radius * exp(random_in(log(2e-3), log(0.1)));

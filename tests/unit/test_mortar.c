@@ -12,7 +12,7 @@ static arc_shape *make_shape(arc_model *model) {
   return shape;
 }
 
-/* A model with a wide plate zone, over which the cylinder slides far. */
+/* Returns a model with a wide plate zone, over which the cylinder slides far. */
 static arc_model *make_model(void) {
   arc_model_def def = coarse_definition();
   def.mesh.zone[ARC_PLATE] = 1.9;
@@ -34,7 +34,7 @@ static double plate_x(const arc_shape *shape, const contact_problem *p, int l) {
   return shape->side[ARC_PLATE].settled[2 * l] + p->x;
 }
 
-/* B 1 = 1 and B x = x. */
+/* Checks B 1 = 1 and B x = x. */
 static void check_rows(const arc_shape *shape, const contact_problem *p) {
   double *v = calloc((size_t)(p->np + p->nc), sizeof *v), *at_cylinder = v + p->np;
   for (int l = 0; l < p->np; l++) v[l] = 1;
@@ -47,7 +47,7 @@ static void check_rows(const arc_shape *shape, const contact_problem *p) {
   free(v);
 }
 
-/* Forces of the cylinder have the same sum and the same moment on the plate. */
+/* Checks that forces of the cylinder have the same sum and the same moment on the plate. */
 static void check_balance(const arc_shape *shape, const contact_problem *p) {
   double *f = calloc((size_t)(p->np + p->nc), sizeof *f), *on_plate = f + p->nc;
   double sum[2] = {0}, moment[2] = {0}, size = 0;
@@ -68,7 +68,7 @@ static void check_balance(const arc_shape *shape, const contact_problem *p) {
   free(f);
 }
 
-/* Forces of a solution on worn surfaces along x and y, and along the plate's normals. */
+/* Checks the forces of a solution on worn surfaces along x and y, and along the plate's normals. */
 static void check_forces(const arc_shape *shape, double x) {
   contact_problem p;
   assert_int_equal(arc_contact_problem_create(&p, arc_shape_model(shape)), ARC_OK);
@@ -83,7 +83,7 @@ static void check_forces(const arc_shape *shape, double x) {
     for (int i = 0; i < p.np; i++) sum[ARC_PLATE][d] += l[d * p.np + i];
   }
   for (int i = 0; i < p.nc; i++) along_x += fabs(c[i]);
-  assert_true(along_x > 0.01); /* else the balance would be trivial */
+  assert_true(along_x > 0.01); /* otherwise the balance would be trivial */
   check_near(sum[ARC_CYLINDER][0], -sum[ARC_PLATE][0], 1e-11);
   check_near(sum[ARC_CYLINDER][1], 100, 1e-10);
   check_near(sum[ARC_PLATE][1], -100, 1e-10);
@@ -93,7 +93,7 @@ static void check_forces(const arc_shape *shape, double x) {
   arc_contact_problem_free(&p);
 }
 
-/* (B v)'f = v'(B'f): the same matrix in both directions. */
+/* Checks (B v)'f = v'(B'f), that is, the same matrix in both directions. */
 static void check_adjoint(const contact_problem *p) {
   double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
   double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;

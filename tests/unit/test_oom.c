@@ -23,8 +23,8 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 void __wrap_free(void *block);
 
-static long until_failure = -1; /* number of allocations that still succeed; negative: all */
-static long live;               /* blocks not yet freed */
+static long until_failure = -1; /* number of allocations that will still succeed; negative: all */
+static long live;               /* number of blocks not yet freed */
 
 static int fails_now(void) {
   return until_failure >= 0 && until_failure-- == 0;
@@ -329,7 +329,7 @@ static void test_steps(void **state) {
     }
 }
 
-/* The same for implicit steps. */
+/* A failed implicit step leaves the run unchanged, too. */
 static void test_implicit_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);

@@ -28,9 +28,9 @@ static void test_text_colour(void **state) {
   char *picture;
   output.colour = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
-  assert_non_null(strstr(picture, "\033[1;31m*")); /* the second curve's colour and mark */
+  assert_non_null(strstr(picture, "\033[1;31m*")); /* colour and mark of the second curve */
   for (char *line = picture; *line;
-       line = strchr(line, '\n') + 1) { /* each line ends without colour */
+       line = strchr(line, '\n') + 1) { /* each line of the picture ends without colour */
     size_t length = strcspn(line, "\n");
     char *last = NULL;
     for (char *at = line; (at = strchr(at, '\033')) && at < line + length; at++) last = at;
@@ -45,15 +45,15 @@ static void test_dot_marks(void **state) {
   arc_plot_panel panel = panel_of(c, 2);
   arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
   arc_plot_output output = as_text;
-  static const char *const marks[] = {"\342\227\217", "\342\226\240"}; /* circle, square */
+  static const char *const marks[] = {"\342\227\217", "\342\226\240"}; /* marks: circle, square */
   char *picture;
   output.colour = output.fine = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
   for (int i = 0; i < 2; i++) {
     int count = 0;
     for (char *at = picture; (at = strstr(at, marks[i])); at++) count++;
-    assert_in_range(count, 4,
-                    6); /* five on the curve, as the curve hides no marks, and one in the key */
+    assert_in_range(
+        count, 4, 6); /* five marks on the curve, as the curve hides no marks, and one in the key */
   }
   free(picture);
   figure.panels = &panel, panel.curve_count = 1;

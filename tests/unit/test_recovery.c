@@ -34,8 +34,8 @@ static arc_model *model_with(arc_element kind, double nu) {
   return build_model(&def);
 }
 
-/* True for nodes of the wear box at some distance from its sides, where the stresses do not depend
- * on the rest of the boundary. */
+/* Returns true for nodes of the wear box at some distance from its sides, where the stresses do not
+ * depend on the rest of the boundary. */
 static int is_judged(const arc_mesh *m, int box) {
   const int column = box / (m->rows + 1);
   return column >= 6 && column < m->surface - 6;
@@ -102,8 +102,8 @@ static int mirror_of(const arc_mesh *m, int node) {
   return -1;
 }
 
-/* Tolerance of the pressure at surface node i against its element: near an end of the contact the
- * square-root law gives another value. */
+/* Returns the tolerance of the pressure at surface node i relative to its element: near an end of
+ * the contact the square-root law gives another value. */
 static double room_at(const arc_contact *contact, arc_pressure pressure, int i) {
   const arc_contact_result c = arc_contact_get(contact);
   const double x = pressure.x[i], width = 1.01 * (pressure.x[i + 1] - x);

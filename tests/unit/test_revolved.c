@@ -158,7 +158,7 @@ static void test_no_locking(void **state) {
   assert_true(full > 100);
 }
 
-/* Thin plates: E for a free strip, and the shear modulus. */
+/* Thin plates (plane stress): modulus E for a free strip, and the shear modulus. */
 static void test_plane_stress(void **state) {
   (void)state;
   const elasticity d = arc_elasticity_in(ARC_PLANE_STRESS, steel);

@@ -8,7 +8,7 @@ static const double pi = 3.14159265358979323846;
 /* --- half-spaces
  * ------------------------------------------------------------------------------------ */
 
-/* Hertz: a 0.0880442, p0 615.942, approach 7.75179e-4. */
+/* Hertz contact of a ball: a 0.0880442, p0 615.942, approach 7.75179e-4. */
 static void test_ball(void **state) {
   (void)state;
   const arc_halfspace_def def = ball(10, 0.0880442 / 23, 57);
@@ -38,14 +38,14 @@ static void test_order(void **state) {
   check_below(error[2], 7.75e-4 * 1.5e-4);
 }
 
-/* a 0.0683891, b 0.171021, p0 816.46, approach 1.19891e-3. */
+/* Hertz contact of an ellipsoid: a 0.0683891, b 0.171021, p0 816.46, approach 1.19891e-3. */
 static void test_ellipse(void **state) {
   (void)state;
   arc_halfspace_def def = ball(5, 0.006, 31);
   def.body[ARC_UPPER].radius_z = 20;
   def.nz = 71;
   solved s = solve_space(&def, 20, 1e-6);
-  check_share(s.extent.center, 816.56, 5e-5); /* reference computed with the same cells */
+  check_share(s.extent.center, 816.56, 5e-5); /* the reference is computed with the same cells */
   check_share(s.approach, 1.19867e-3, 1e-5);
   check_share(s.extent.half_width, 0.0683891, 0.015);
   check_share(s.extent.half_width_z, 0.171021, 0.01);
@@ -76,7 +76,7 @@ static double cone_recess(void *context, double x, double z) {
   return *(double *)context * hypot(x, z);
 }
 
-/* approach pi a t / 2 with a = sqrt(2 P / (pi E* t)). */
+/* A cone of slope t: approach pi a t / 2 with a = sqrt(2 P / (pi E* t)). */
 static void test_cone(void **state) {
   (void)state;
   double slope = 0.01;
@@ -97,8 +97,8 @@ static double punch_recess(void *context, double x, double z) {
   return hypot(x, z) <= *(double *)context ? 0 : 1;
 }
 
-/* approach P / (2 E* c) = 1.82e-3; converges from above with first order, as the edge is a
- * staircase. */
+/* A flat punch of radius c: approach P / (2 E* c) = 1.82e-3, which converges from above with first
+ * order, as the edge is a staircase. */
 static void test_punch(void **state) {
   (void)state;
   static const double computed[2] = {1.83020e-3, 1.82612e-3};
@@ -281,7 +281,7 @@ static arc_halfspace_def random_pair(double waves[48], double *load) {
   return def;
 }
 
-/* Random pairs of bodies: ARCHARD_PAIRS of them, default 300. */
+/* Random pairs of bodies. ARCHARD_PAIRS sets their number (default 300). */
 static void test_random_pairs(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_PAIRS");

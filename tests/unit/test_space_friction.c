@@ -122,7 +122,8 @@ static void check_coulomb(const rubbing *r, double scale) {
   }
 }
 
-/* A ball of 10 mm under 10 N, friction 0.5; cell size as a share of the contact's half width. */
+/* A ball of 10 mm under 10 N, friction 0.5, on a window of 2.3 half widths of the contact with
+ * `cells` cells along each side. */
 static rubbing mindlin(double nu, int cells, double *a) {
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[0].material = def.body[1].material = elastic(200e3, nu);
@@ -271,7 +272,7 @@ static int random_leg(rubbing *r, double stuck) {
 }
 
 /* Every increment satisfies Coulomb's conditions and has converged except for single cells.
- * SPACE_PATHS: number of paths. */
+ * SPACE_PATHS sets the number of paths. */
 static void test_random_paths(void **state) {
   (void)state;
   const char *wish = getenv("SPACE_PATHS");

@@ -2,12 +2,13 @@
  * nu = 0. */
 #include "space_rubbing.h"
 
-/* Jaeger: in a round contact at nu = 0 the shear is that of layers of load X, q = integral of s(X)
- * dp/dX, |s| <= mu, with s constant between these loads. Exact for any path of load and force. */
+/* Jaeger: in a round contact at nu = 0 the shear is a sum over layers of load X, q = integral of
+ * s(X) dp/dX, |s| <= mu, with s constant between these loads. The sum is exact for any path of load
+ * and force. */
 typedef struct layers {
-  double mu, approach; /* that of 1 N [mm] */
+  double mu, approach; /* approach under 1 N [mm] */
   double load[64], s[64];
-  int count; /* layer k reaches from load[k - 1] (0) to load[k] */
+  int count; /* layer k extends from load[k - 1] (0 for the first) to load[k] */
 } layers;
 
 static double approach_at(const layers *j, double load) {
@@ -28,7 +29,8 @@ static double motion_of(const layers *j) {
   return sum;
 }
 
-/* Elastic energy of the shear: that of layers X < Y has the derivative of the approach at Y. */
+/* Returns the elastic energy of the shear. The energy of layers X < Y has the derivative of the
+ * approach at Y. */
 static double elastic_energy(const layers *j) {
   double sum = 0, from = 0, below = 0;
   for (int k = 0; k < j->count; from = j->load[k++]) {
@@ -49,7 +51,7 @@ static void add_layer(layers *j, double below, double load, double s) {
   j->s[j->count++] = s;
 }
 
-/* Load below which layers keep their shear when the others slip. */
+/* Returns the load below which layers keep their shear when the others slip. */
 static double kept(const layers *j, double load, double force, double s) {
   const double before = j->count > 0 ? j->load[j->count - 1] : 0;
   double low = 0, high = fmin(before, load);
@@ -74,8 +76,8 @@ static void go(layers *j, double load, double force) {
   add_layer(j, kept(j, load, force, s), load, s);
 }
 
-/* Follows a straight leg; returns the work of friction: that of the force less the elastic energy
- * gained. */
+/* Follows a straight leg. Returns the work of friction, which is the work of the force minus the
+ * elastic energy gained. */
 static double follow(layers *j, const double from[2], const double to[2]) {
   enum { parts = 400 };
   const layers start = *j;
@@ -104,7 +106,7 @@ static rubbing jaeger(int cells, double share, layers *j) {
   return r;
 }
 
-/* From the last load and force to others, in equal increments; 0: in as many as are needed. */
+/* Moves from the last load and force to others, in equal increments; 0: in as many as needed. */
 static void leg(rubbing *r, double load, double force, int increments) {
   const double from = r->to.position.load;
   r->to.by_force[0] = r->to.by_force[1] = 1;
@@ -114,7 +116,8 @@ static void leg(rubbing *r, double load, double force, int increments) {
   check_ok(arc_halfspace_follow(r->h, NULL, &path, NULL, &r->s, NULL, &r->effort, why));
 }
 
-/* Published numbers of paths; load and force that grow in proportion stick, in one increment. */
+/* Published values for paths. If load and force grow in proportion the contact sticks, in one
+ * increment. */
 static void test_grown(void **state) {
   (void)state;
   static const double path[4][3] = {
@@ -139,7 +142,7 @@ static void test_grown(void **state) {
     check_share(r.s.xi[0], motion_of(&j), 2e-4);
     end(&r);
     r = jaeger(41, 2.8 / 41, &j);
-    leg(&r, 10, 4, n); /* from nothing */
+    leg(&r, 10, 4, n); /* from zero load and force */
     go(&j, 10, 4);
     check_share(r.s.xi[0], motion_of(&j), 3e-4);
     assert_true(r.s.energy <= 1e-9);
@@ -147,7 +150,8 @@ static void test_grown(void **state) {
   }
 }
 
-/* Six random legs: motion off, relative to the largest, and the share by which work is. */
+/* Computes six random legs: error of the motion relative to the largest motion, and relative error
+ * of the work. */
 static void random_layers(double off[2], arc_halfspace_effort *effort) {
   enum { legs = 6 };
   layers j;
@@ -173,7 +177,8 @@ static void random_layers(double off[2], arc_halfspace_effort *effort) {
   end(&r);
 }
 
-/* SPACE_LAYERS: number of paths. The work of friction is of second order in the increments. */
+/* SPACE_LAYERS sets the number of paths. The work of friction is of second order in the
+ * increments. */
 static void test_jaeger(void **state) {
   (void)state;
   const char *wish = getenv("SPACE_LAYERS");

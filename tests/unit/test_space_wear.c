@@ -61,7 +61,7 @@ static void check_rows(const row *rows, int count, double load, double dx, int n
   }
 }
 
-/* 10 N, 1320 mm, against an independent program with the same cells. */
+/* A ball under 10 N over 1320 mm, compared with an independent program with the same cells. */
 static void test_short_strokes(void **state) {
   (void)state;
   static const row rows[] = {{0, .04, 0, 1.97333e-3, 3e-4},
@@ -78,7 +78,7 @@ static void test_long_strokes(void **state) {
   check_rows(rows, 2, 10, 0.01, 49, 1320);
 }
 
-/* 30 N, 3000 mm. */
+/* A ball under 30 N over 3000 mm. */
 static void test_deep_scars(void **state) {
   (void)state;
   static const row rows[] = {{1, 0, 5.2699e-3, 0, 3e-4},
@@ -301,7 +301,7 @@ static void test_workers(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.0110055, 43, 0.5, 0.0880442, 600);
   d.steps = 6;
-  d.increments = 7; /* between cells */
+  d.increments = 7; /* positions between cells */
   d.space.track = 43 + 10;
   history one = run_history(&d);
   d.space.workers = 4;
@@ -372,7 +372,8 @@ static void test_failures(void **state) {
   free_history(&w);
 }
 
-/* Random radii, moduli, strokes, alpha and step lengths: ARCHARD_HISTORIES of them, default 12. */
+/* Random radii, moduli, strokes, alpha and step lengths. ARCHARD_HISTORIES sets their number
+ * (default 12). */
 static void test_random_histories(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_HISTORIES");
@@ -466,7 +467,7 @@ static void test_equilibrium(void **state) {
       }
       worst = fmax(worst, fmax(fabs(force[0]), fabs(force[1])));
     }
-  /* against p0 / a */
+  /* relative to p0 / a */
   check_below(worst, 0.03 * largest_of(s.p, n * n) / 0.0880442);
   free(above);
   free(below);

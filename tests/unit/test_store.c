@@ -54,7 +54,7 @@ static void test_notes(void **state) {
   arc_store_close(&store);
 }
 
-/* Doubles that are easily changed by conversions. */
+/* Doubles that conversions would easily change. */
 static const double awkward[] = {0.0,
                                  -0.0,
                                  1.0,
@@ -337,7 +337,7 @@ static void test_surfaces(void **state) {
   arc_store *store = opened("surfaces", ARC_STORE_CREATE);
   must(arc_store_add(store, 1, "run", &error), &error);
   must(arc_store_save(store, 1, wear, given, 12, &error), &error);
-  must(arc_store_save(store, 1, wear, given, 12, &error), &error); /* replaces */
+  must(arc_store_save(store, 1, wear, given, 12, &error), &error); /* replaces the old values */
 
   arc_array *surfaces;
   must(arc_store_surfaces(store, 1, &surfaces, &count, &error), &error);

@@ -3,7 +3,8 @@
  * contents. */
 #include "store_sql.h"
 
-/* A line for each column of each table and view, sorted by name; the caller frees it. */
+/* Returns a text with a line for each column of each table and view, sorted by name; the caller
+ * frees it. */
 static char *structure_of(const char *path) {
   static const char sql[] =
       "SELECT group_concat(line, char(10)) || char(10) FROM (SELECT m.name || '.' || c.name || "
@@ -124,7 +125,7 @@ static void test_damage_stays(void **state) {
   }
 }
 
-/* If the last conversion but one fails, no conversion is applied. */
+/* If the last but one conversion fails, no conversion is applied. */
 static void test_whole_or_not_at_all(void **state) {
   (void)state;
   arc_error error = {0};

@@ -60,7 +60,8 @@ static void put_name(FILE *to, const char *names) {
   put_magic(to);
 }
 
-/* --- ours ------------------------------------------------------------------------------------- */
+/* --- journals of archard
+ * ----------------------------------------------------------------------- */
 
 /* Makes a file without its last page and the journal that contains this page. */
 static void cut_in_mid_change(const char *name) {
@@ -92,7 +93,8 @@ static void test_put_right(void **state) {
   free(good);
 }
 
-/* --- strangers' ------------------------------------------------------------------------------- */
+/* --- journals of other programs
+ * ---------------------------------------------------------------- */
 
 static void lay_file(const char *name) {
   write_bytes(in_folder(name), "precious", 8);
@@ -143,7 +145,7 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
-/* The same for a share that is merged. */
+/* Checks this for a share that is merged, too. */
 static void test_share(void **state) {
   (void)state;
   arc_error error = {0};

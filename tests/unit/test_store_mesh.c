@@ -166,7 +166,8 @@ static void test_texts(void **state) {
   assert_int_equal(number_of("texts", "SELECT count(*) FROM texts"), 3);
 }
 
-/* --- strangers -------------------------------------------------------------------------------- */
+/* --- untrusted files
+ * --------------------------------------------------------------------------- */
 
 static void set_mesh(const char *name, const char *value) {
   sqlite3 *db;
@@ -182,7 +183,7 @@ static void set_mesh(const char *name, const char *value) {
   sqlite3_close(db);
 }
 
-/* The good run with another mesh. */
+/* Makes the good run with another mesh. */
 static void change_mesh(const char *name, const char *text) {
   arc_error error = {0};
   char of_text[ARC_TEXT_NAME];
@@ -194,7 +195,7 @@ static void change_mesh(const char *name, const char *text) {
   seal(name);
 }
 
-/* Every kind of broken mesh in a run file. */
+/* Tests every kind of broken mesh in a run file. */
 static void test_broken_meshes(void **state) {
   (void)state;
   static const struct {

@@ -70,7 +70,7 @@ static void test_damaged_pages(void **state) {
   arc_store_close(&store);
 }
 
-/* True if all data of the first case can be read and are as expected. */
+/* Returns true if all data of the first case can be read and are as expected. */
 static int reads_well(const char *name, const arc_wear_record *expected, size_t expected_count) {
   arc_error error = {0};
   arc_store *store;
@@ -132,7 +132,7 @@ static void test_replace(void **state) {
     must(arc_store_publish(&store, &error), &error);
   }
   must(arc_store_replace(in_folder("replaced"), "wear", &store, &error), &error);
-  arc_store_close(&store); /* close without storing */
+  arc_store_close(&store); /* closes without storing */
   store = opened("replaced", ARC_STORE_READ);
   must(arc_store_info(store, "kind", &text, &error), &error);
   assert_string_equal(text, "wear");
@@ -152,7 +152,8 @@ static void test_replace(void **state) {
   free(letter);
 }
 
-/* --- hard times ------------------------------------------------------------------------------- */
+/* --- full disks and killed programs
+ * ------------------------------------------------------------ */
 
 static void add_many(arc_store *store, int from, int to, arc_error *error, arc_status *status) {
   *status = arc_store_begin(store, error);
@@ -326,7 +327,7 @@ static void test_merge(void **state) {
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));
-  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* the same share again */
+  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* the same share once more */
   assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);

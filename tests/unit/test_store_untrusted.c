@@ -264,16 +264,16 @@ static void test_histories(void **state) {
 static void test_surfaces(void **state) {
   (void)state;
   static const char *const wrong[] = {
-      "numbers = zeroblob(8 * rows) WHERE name = 'x'", /* not one after the other */
+      "numbers = zeroblob(8 * rows) WHERE name = 'x'", /* all x equal */
       "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f07f' || substr(numbers, 25) AS "
       "BLOB) "
-      "WHERE name = 'h'", /* infinite */
+      "WHERE name = 'h'", /* an infinite number */
       "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f8ff' || substr(numbers, 25) AS "
       "BLOB) "
-      "WHERE name = 'y'", /* no number */
+      "WHERE name = 'y'", /* not a number */
       "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f0bf' || substr(numbers, 25) AS "
       "BLOB) "
-      "WHERE name = 'p'", /* -1 */
+      "WHERE name = 'p'", /* the number -1 */
       "numbers = substr(numbers, 1, 80), rows = 10 WHERE name = 'y'",
       "name = 'z' WHERE name = 'y'",
       "distance_mm = NULL",
@@ -388,7 +388,7 @@ static void make_inner(unsigned char *page, unsigned child) {
     link[2] = (unsigned char)(child >> 8);
     link[3] = (unsigned char)child;
     if (row == ROWS) continue;
-    link[4] = 1; /* the row's number, which is not read */
+    link[4] = 1; /* number of the row, which is not read */
     page[12 + 2 * row] = (unsigned char)(at >> 8);
     page[13 + 2 * row] = (unsigned char)at;
   }
@@ -415,7 +415,8 @@ static void test_tangled_tree(void **state) {
   assert_damaged("tangled", "");
 }
 
-/* --- not run files ---------------------------------------------------------------------------- */
+/* --- files that are no run files
+ * --------------------------------------------------------------- */
 
 static void test_devices(void **state) {
   (void)state;

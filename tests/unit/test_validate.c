@@ -56,7 +56,7 @@ static void test_sound_runs(void **state) {
     }
 }
 
-/* A change of load between steps: each part has its own k L d. */
+/* The load changes between steps: each part has its own k L d. */
 static void test_changed_run(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -92,8 +92,8 @@ static void test_broken_runs(void **state) {
   arc_wear_destroy(&w);
 }
 
-/* Checks that a number in the last record that is NaN or smaller than the one before is reported
- * with its name. */
+/* Checks that a number in the last record that is NaN or smaller than in the previous one is
+ * reported with its name. */
 static void check_record(arc_wear *w, double *number, double wrong, const char *name,
                          const char *how) {
   char told[80];

@@ -279,11 +279,12 @@ static void test_leaps(void **state) {
   const arc_loading once = {.count = 3, .x = x, .load = load, .cycles = 1};
   arc_wear_def def = quick(0.44, 0.5);
   for (int k = 0; k < 5; k++) {
-    if (k == 1) def.increments = 0; /* follows the contact */
+    if (k == 1) def.increments = 0; /* "auto": the increments follow the contact */
     if (k > 1) def.blocks = 1, def.loading = k == 4 ? &once : &ends, def.jump = 1;
     if (k == 3) def.increments = 2;
     if (k == 4)
-      def.increments = 0, def.jump = 1e6, def.distance = 0; /* a jump without effect there */
+      def.increments = 0, def.jump = 1e6,
+      def.distance = 0; /* the jump has no effect on a loading that runs once */
     if (k == 0) def.increments = 8;
     arc_wear *wear = start(&def);
     warnings = 0;
@@ -351,7 +352,7 @@ static void test_refused_numbers(void **state) {
     def = arc_wear_default();
     def.distance = bad[k];
     refuse(&def, ARC_ARGUMENT, "'distance'");
-    if (bad[k] == 0) continue; /* not worn, not given, or "auto" */
+    if (bad[k] == 0) continue; /* 0 is a valid jump: "auto" */
     def = arc_wear_default();
     def.jump = bad[k];
     refuse(&def, ARC_ARGUMENT, "'jump'");
