@@ -155,8 +155,8 @@ static void try_files(void) {
 
 /* --- programs --------------------------------------------------------------------------------- */
 
-/* Replaces this process by another program, or returns, since the sandbox allows no other process.
- * A program that runs leaves the line "OUT", which is overwritten here otherwise. */
+/* Replaces this process by another program, or returns, since the sandbox allows no further
+ * process. The line "OUT" stays if the program runs, and is overwritten here otherwise. */
 static void try_program(const char *what, const char *path, char *const argv[]) {
   const long line = ftell(tried);
   tell(what, 1);

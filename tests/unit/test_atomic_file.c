@@ -100,7 +100,7 @@ static void test_links_are_followed(void **state) {
   assert_non_null(strstr(error.message, strerror(ELOOP)));
 }
 
-/* Returns the file that a name means, for all functions that open, create or confine files. */
+/* Checks which file a name means, for all functions that open, create or confine files. */
 static void test_names_mean_files(void **state) {
   (void)state;
   char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];

@@ -5,7 +5,7 @@
 #include "core/base/dense.h"
 #include "core/contact/shape.h"
 
-/* Returns the matrix of the whole body with nodes at `xy`; unknown[node] is the index of its x
+/* The matrix of the whole body with nodes at `xy`; unknown[node] is the index of its x
  * displacement, or -1 if fixed. */
 typedef struct whole {
   const elastic_body *body;

@@ -227,7 +227,7 @@ static void test_scaling(void **state) {
 
 /* --- worn shapes ------------------------------------------------------------------------------ */
 
-/* Returns a parabolic scar h0 (1 - (x/w)^2) on one body. */
+/* Wears a parabolic scar h0 (1 - (x/w)^2) on one body. */
 static void wear_scar(arc_shape *shape, arc_body body, double deepest, double half) {
   const arc_profile profile = arc_shape_profile(shape, body);
   double *depth = calloc((size_t)profile.count, sizeof *depth);

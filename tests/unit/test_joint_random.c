@@ -47,7 +47,7 @@ static arc_joint_def definition(void) {
   return def;
 }
 
-/* Returns a built-in gait scaled to a load. It keeps the directions and the relative size of its
+/* Computes a built-in gait scaled to a load. It keeps the directions and the relative size of its
  * loads. */
 static void gait_of(double load, arc_gait_instant *gait) {
   static const char *const name[] = {"iso", "prosim", "flexion", "rocking"};

@@ -329,7 +329,7 @@ static void test_steps(void **state) {
     }
 }
 
-/* A failed implicit step leaves the run unchanged, too. */
+/* After a failed implicit step the run is unchanged, too. */
 static void test_implicit_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
