@@ -136,7 +136,7 @@ fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
 
--- fields of another object, and symbols of other books
+-- fields of another object, and symbols of textbooks
 for _, case in ipairs{
   { function() wear{ geometry = "axisymmetric" } end, "field 'geometry'", "give model = { geometry = \"axisymmetric\" }" },
   { function() wear{ plate = { E = 1e5 } } end, "unknown field 'plate': it is a field of model{}" },

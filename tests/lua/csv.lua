@@ -99,14 +99,14 @@ fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an 
 refused("a,b\n1,1e999\n", { ":2: column \"b\": expected a number in the range of doubles, got \"1e999\"" }, "a number too large")
 refused("a,b\n1,2\n1,-1e400\n", { ":3: column \"b\"", "got \"-1e400\"" }, "or too small")
 
--- Processor seconds of a call, and its result.
+-- Returns the processor seconds of a call, and its result.
 local function timed(f)
   local start = os.clock()
   local result = f()
   return os.clock() - start, result
 end
 
--- Seconds to read a file with this number of columns, chosen by name.
+-- Returns the seconds to read a file with this number of columns, chosen by name.
 local function seconds_for(columns)
   local names, numbers, choice = {}, {}, {}
   for i = 1, columns do
@@ -121,7 +121,7 @@ end
 local few = seconds_for(5000)
 tap.ok(seconds_for(50000) < 40 * few, "ten times the columns take some ten times as long, not a hundred times")
 
--- Seconds to read a field with this number of blanks, at least a millisecond.
+-- Returns the seconds to read a field with this number of blanks, at least a millisecond.
 local function seconds_of_blanks(count)
   local blanks = (" "):rep(count)
   local given = file("a,b\n1,x" .. blanks .. "y" .. blanks .. "\n")

@@ -4,7 +4,7 @@ local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails = tap.ok, tap.is, tap.fails
 local random = require "archard.random"
 
--- Smallest and largest number of points in the `n` slices of (0, 1).
+-- Returns the smallest and the largest number of points in the `n` slices of (0, 1).
 local function slices(column, n)
   local count = {}
   for i = 1, n do count[i] = 0 end

@@ -15,7 +15,7 @@ local function read(name)
   return text
 end
 
--- The columns of a CSV file by name, with and without units; numbers start at row 1.
+-- Returns the columns of a CSV file by name, with and without units; numbers start at row 1.
 local function read_csv(name)
   local names, columns, headers = {}, {}, read(name):match("[^\n]*")
   for line in read(name):gmatch("[^\n]+") do

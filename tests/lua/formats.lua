@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- Copies a file of tests/files; nil if it does not exist.
+-- Copies a file of tests/files; returns nil if it does not exist.
 local function copy(name, to)
   local from = io.open(here .. "/../files/" .. name, "rb")
   if not from then return nil end

@@ -162,7 +162,8 @@ for beta, of in pairs(unlike) do
       near(energy[press], steady_energy(w, force, press), 1e-12,
         ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
     end
-    -- by 2.5, 0.6, 2.2 and 0.4 % on finer elements; here, with few slipping nodes, by 0.35 % and more
+    -- by 2.5, 0.6, 2.2 and 0.4 % on finer elements, and here, with few slipping nodes, by 0.35 %
+    -- and more
     ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "friction during pressing changes the energy")
   end
 end

@@ -144,7 +144,7 @@ fails(function() plot.shear(smooth) end, "expected a contact with friction", "no
 fails(function() plot.slip(d, "plate") end, "expected contacts", "a word")
 os.remove(name)
 
--- automatic meshes: finer with friction, but 320 elements in a given zone at most
+-- automatic meshes: finer with friction, but at most 320 elements in a zone set by the user
 local plain, rubbed = contact{ load = 100 }.model.mesh, contact{ load = 100, friction = 0.3 }.model.mesh
 near(rubbed.size, plain.size / 5, 1e-12, "a fifth as wide with friction")
 is(rubbed.fineness, 1, "and still of fineness 1")

@@ -72,7 +72,7 @@ local function add(address, f) -- f() makes the call
   list[#list + 1] = { address = address, call = f }
 end
 
--- The first argument, mostly a right one.
+-- Returns the first argument, mostly a right one.
 local function itself(class)
   world.target = random(8) == 1 and hostile.value() or objects[class]
   return world.target
@@ -211,7 +211,7 @@ for _, class in ipairs{ "model", "contact", "wear", "hertz", "material" } do
   end
 end
 
--- --- ways of calling -----------------------------------------------------------------------------
+-- --- forms of calls ---------------------------------------------------------------------------
 
 local function in_coroutine(f)
   local co = coroutine.create(f)
@@ -257,7 +257,7 @@ local function draw()
   return chosen.call
 end
 
--- A hostile call inside another one.
+-- Makes a hostile call inside another one.
 function hostile.call()
   local list = short_list
   list[random(#list)].call()

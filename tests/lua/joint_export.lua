@@ -23,7 +23,7 @@ local function read(path)
     pressure = array "pressure", text = text }
 end
 local function cross(a, b) return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] } end
--- The integral of a list of values over the cells, as a vector.
+-- Returns the integral of a list of values over the cells, as a vector.
 local function integral(file, values)
   local sum = { 0, 0, 0 }
   local function point(c)
@@ -85,8 +85,7 @@ looked:run{ progress = function() looked:map "pressure" end }
 is(looked.volume.cup, whole.volume.cup, "a look at the pressures changes nothing")
 ok(#before == #w:map("cup").values, "a map of an instant")
 
--- --- the rim, springs ------------------------------------------------------------------------------------
--- The program: what stands first on its command line.
+-- --- the rim, springs -----------------------------------------------------------------------
 local program
 for i = -1, -9, -1 do program = arg[i] or program end
 local function warning_of(f)
@@ -120,7 +119,7 @@ near(p0("column", 0.4, 1000) / 13.096, 1.038, 3e-3, "springs of a column: 3.8 %"
 near(p0("column", 0.3, 1000) / 12.446, 0.928, 3e-3, "at nu 0.3 7.2 % below")
 near(p0("winkler", 0.3, 1000) / 12.446, 1.001, 3e-3, "where the shell's are 0.1 % off")
 
--- --- memory of joints that nobody has any more -----------------------------------------------------------
+-- --- memory of joints without references ----------------------------------------------------
 local function resident()
   return tonumber(io.open("/proc/self/status"):read("a"):match "VmRSS:%s*(%d+) kB")
 end
@@ -144,7 +143,8 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
--- The rim and the cells are checked in all instants, updates and blocks; a look changes no bit.
+-- The rim and the cells are checked in all instants, updates and blocks. Reading results changes no
+-- bit.
 local lining = joint{ foundation = "winkler", mesh = { size = 4 }, cup = { clearance = 0.1, inclination = 20, cover = 85,
   layers = { { thickness = 5, material = pe } } } }
 warnings.keep()

@@ -9,7 +9,7 @@ local folder = os.tmpname()
 os.remove(folder)
 local function path(name) return folder .. name end
 
--- --- runs as those of wear{} --------------------------------------------------------------------------
+-- --- runs with the interface of wear{} -----------------------------------------------------
 local w = wear{ model = springs, k = 1e-9, alpha = 0.3, cycles = 2e5, updates = 4 }:run{ progress = false }
 is(w.cycle, 2e5, "cycles done")
 near(w.distance, 2e5 * gait("iso").track, 1e-12, "sliding distance of the load")

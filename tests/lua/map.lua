@@ -13,7 +13,7 @@ end
 
 local function sampled(f, nx, nz) return map{ x = even(-2, 4, nx or 61), z = even(1, 2, nz or 31), y = f } end
 
--- Largest difference from f at the points.
+-- Returns the largest difference from f at the points.
 local function apart(t, f)
   local most = 0
   for i, x in ipairs(t.x) do

@@ -22,7 +22,8 @@ end
 local nx, nz, dx, dz = 7, 5, 0.01, 0.02 -- mm
 local function height(x, z) return 1e-3 * (0.3 * x / dx - 0.2 * z / dz + 0.05 * x * z / (dx * dz)) end
 
--- Rows of integers in steps of `step` mm, starting at the smallest z, or with from_top at the largest.
+-- Returns rows of integers in steps of `step` mm, beginning at the smallest z, or with from_top at
+-- the largest.
 local function rows(step, from_top)
   local list = {}
   for j = 1, nz do
@@ -200,7 +201,7 @@ local function al3d(changes, list)
     local value = changes and changes[tag[1]] or tag[2]
     if value ~= "none" then head = head .. pack("c20c30c2", tag[1], tostring(value), "\r\n") end
   end
-  -- 7 columns: rows of 32 bytes
+  -- with 7 columns a row has 32 bytes
   return head .. ("\0"):rep(254) .. "\r\n" .. packed(list or rows(1e3, true), "<f", "\0\0\0\0")
 end
 same(map.read(write("a.al3d", al3d())), 1e-6, ".al3d")

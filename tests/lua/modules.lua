@@ -14,7 +14,7 @@ for _, count in ipairs{ 0, 257 } do
 end
 fails(function() process.pool(1, { {} }) end, "argument 1 is not a text", "an argument that is a table")
 
--- All lines of a worker that runs `chunk`, and how it ended.
+-- Returns all lines of a worker that runs `chunk`, and how it ended.
 local function worker(chunk, line)
   local pool <close> = process.pool(1, { "-e", chunk })
   pool:send(1, line or "go")

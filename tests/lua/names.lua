@@ -6,7 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
 local mesh = { size = 0.03, height = 0.03, zone = { cylinder = 0.6, plate = 0.6 } }
 
--- A pair with a layer, whose bodies have their own coefficients if `k` is given.
+-- Returns a pair with a layer, whose bodies have their own coefficients if `k` is given.
 local function pair(E, thickness, k)
   return { mesh = mesh, upper = body.cylinder{ name = "pin", k = k },
     lower = body.block{ E = E or 2e5, k = k and 2 * k, layers = { { thickness = thickness or 0.05,

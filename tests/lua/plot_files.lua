@@ -55,7 +55,7 @@ end
 
 -- --- for print -----------------------------------------------------------------------------------
 
--- Width and height of a png, and its pixels per metre, if given.
+-- Returns the width and height of a png, and its pixels per metre, if the file has them.
 local function png_size(name)
   local png = read(name) or ""
   if #png < 24 then return 0, 0 end

@@ -48,7 +48,7 @@ end
 
 -- --- greys ---------------------------------------------------------------------------------------
 
--- True if all colours of a script are greys.
+-- Returns true if all colours of a script are greys.
 local function is_grey(script)
   for r, g, b in script:gmatch "#%x?%x?(%x%x)(%x%x)(%x%x)'" do
     if r ~= g or g ~= b then return false end
@@ -168,7 +168,7 @@ end
 
 -- --- stresses, depths, bars ----------------------------------------------------------------------
 
--- A square of one element with stresses up to `most`.
+-- Returns a square of one element with stresses up to `most`.
 local function square(low, most)
   return { x = { 0, 1, 1, 0 }, y = { low, low, low + 1, low + 1 }, mises = { 0, most, most, 0 }, elements = { 1, 2, 3, 4 } }
 end
@@ -225,7 +225,7 @@ do
   ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of one input are side by side")
 end
 
--- --- what an editor would send back ----------------------------------------------------------------
+-- --- defects that an editor would not accept ----------------------------------------------------
 
 do
   local x, y, bars = {}, {}, {}

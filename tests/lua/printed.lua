@@ -21,7 +21,7 @@ ok(not tostring(w.model):find("radius 10", 1, true), "no radius that nothing has
 w:run{ progress = false }
 has(w, "in a cycle ", "the largest pressure of a cycle is printed")
 
--- --- where the largest pressure lies --------------------------------------------------------------
+-- --- position of the largest pressure --------------------------------------------------------
 
 local punch = { upper = body.punch{ flat = 3.6, radius = 0.2 }, mesh = { size = 0.1 } }
 warnings.keep()

@@ -10,7 +10,7 @@ math.randomseed(20)
 local pause = collectgarbage("setpause", 200) -- long lists of numbers: small steps would take minutes
 local function normal() return sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * pi * math.random()) end
 
--- A trace of f with noise.
+-- Returns a trace of f with noise.
 local function trace(from, to, count, f, noise)
   local x, z = {}, {}
   for i = 1, count do
@@ -20,7 +20,7 @@ local function trace(from, to, count, f, noise)
   return profile{ x = x, z = z }
 end
 
--- The largest |a[i] - b(x[i])| for x between the bounds.
+-- Returns the largest |a[i] - b(x[i])| for x between the bounds.
 local function apart(x, a, b, from, to)
   local most = 0
   for i = 1, #x do

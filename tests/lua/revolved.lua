@@ -79,7 +79,7 @@ local function deck_of(mesh)
   file:close()
   return text
 end
--- Elements of a deck, and the smallest radius of their nodes.
+-- Returns the elements of a deck, and the smallest radius of their nodes.
 local function rings_of(text)
   local x, count, least = {}, 0, math.huge
   for number, at in text:match("%*NODE[^\n]*\n([^*]*)"):gmatch("(%d+), ([^,]+),[^\n]*\n") do x[number] = tonumber(at) end

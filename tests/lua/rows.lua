@@ -26,7 +26,7 @@ local function text_of(name)
   return file:read "a"
 end
 
--- Values of a row besides its default, the most likely valid ones first.
+-- Returns values of a row other than its default, the most likely valid ones first.
 local function others(row)
   local list, usual = {}, tonumber(row.default)
   for _, value in ipairs(row.choice and row.values or {}) do
@@ -41,7 +41,7 @@ local function others(row)
   return list
 end
 
--- The first value for which `make` succeeds: object, value.
+-- Returns the object and the value for the first value for which `make` succeeds.
 local function tried(row, make)
   local why
   for _, value in ipairs(others(row)) do
@@ -70,7 +70,7 @@ local function saved(w)
   return path "run.archard"
 end
 
--- Reads a value back from all forms of a run or a model; `places`: its paths.
+-- Reads a value back from all forms of a run or a model. `places`: its paths.
 local function reads_back_run(w, places, value, what, held_as)
   local function look(run, where)
     for _, place in ipairs(places) do same(at(run, held_as or place), value, what .. ", " .. where .. " as " .. place) end

@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- The printed text of a function.
+-- Returns the printed text of a function.
 local function printed(f, ...)
   local lines, kept = {}, print
   print = function(...)
@@ -173,7 +173,7 @@ is(w.saved, true, "indeed")
 
 -- --- untrusted sessions ----------------------------------------------------------------------------
 
--- A session file with one value made of these settings.
+-- Writes a session file with one value made of these settings.
 local function stranger(settings)
   local file <close> = require "archard.store".replace(path "stranger", "session")
   file:begin()

@@ -49,7 +49,7 @@ ok(stroke.largest_shear > 2 and stroke.largest_shear < 5, "below full friction: 
 local across = fret{ stroke = 6e-4, tangential = false, cycles = 200, slide = "z" }:run{ progress = false }
 near(across.volume.total, stroke.volume.total, 1e-9, "along z as along x")
 
--- increments are a matter of drawing
+-- the number of increments changes only the drawn loop
 near(fret{ increments = 8 }:run{ progress = false }.volume.total, w.volume.total, 2e-3, "eight increments a cycle")
 
 -- --- laws ------------------------------------------------------------------------------------------

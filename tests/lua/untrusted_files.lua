@@ -8,7 +8,7 @@ local merged = require "archard.lib.merged"
 local path = os.tmpname()
 os.remove(path)
 
--- A study file with valid checksums: info by name, settings by the number of their case.
+-- Writes a study file with valid checksums: info by name, settings by the number of their case.
 local function stranger(given)
   local file <close> = require "archard.store".replace(path, "study")
   file:begin()

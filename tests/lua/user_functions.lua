@@ -7,7 +7,7 @@ local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
 local m = model{ mesh = { size = 0.1, height = 0.1 } }
 require "archard.warnings".keep() -- suppresses the warning of the coarse mesh
 
--- A function that fails after five updates and counts its later calls.
+-- Returns a function that fails after five updates and counts its later calls.
 local asked
 local function failing(value, words)
   asked = 0
@@ -20,7 +20,7 @@ local function failing(value, words)
   end
 end
 
--- `good` then replaces the function; the run has five updates, or `stands`.
+-- `good` then replaces the function. The run has made five updates, or `stands`.
 local function try(name, fields, parts, good, stands)
   fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)

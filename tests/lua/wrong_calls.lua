@@ -40,7 +40,7 @@ local function names_of(field)
   return list
 end
 
--- The part missing in the message of a failed call, or nil.
+-- Returns the part missing in the message of a failed call, or nil.
 local function lack(err, address, field)
   if type(err) ~= "table" or not err.message then return "an error object" end
   local text = tostring(err)
@@ -65,7 +65,7 @@ local function try(f, address, field, value, ...)
   end
 end
 
--- True for valid calls that take long.
+-- Returns true for valid calls that need much time.
 local function would_work(address, value)
   if type(value) ~= "table" or getmetatable(value) then return false end
   return address == "study.figures" or address == "study.converge" and next(value) == nil

@@ -23,7 +23,8 @@ local function ok(fine, says)
   print(("%s %d - %s"):format(fine and "ok" or "not ok", number, says))
 end
 
--- True if the failure is reported: Lua's own errors are strings, archard's are tables with a code.
+-- Returns true if the failure is reported: Lua's own errors are strings, archard's are tables with
+-- a code.
 local told = {}
 
 function told.memory(why)
@@ -32,7 +33,7 @@ end
 
 function told.system(why) return type(why) == "table" and why.code == "IO" end
 
--- The number of possible failures, and which of them are the first or last of a call site.
+-- Returns the number of possible failures, and those that are the first or last of a call site.
 local function points_of(work)
   arm(1 << 22)
   pcall(work)

@@ -1,5 +1,5 @@
--- Typical uses, each with a name and a function; files: it writes files in the given folder; whole: fails if existing
--- data are lost.
+-- Typical uses, each with a name and a function. files: the use writes files in the given folder;
+-- whole: the test fails if existing data are lost.
 
 local folder = ...
 local small = { radius = 10, mesh = { size = 0.08 } }

@@ -99,8 +99,8 @@ local function bring(file)
   for s, bytes in pairs(file.now) do file.sure[s] = bytes end
 end
 
--- A possible content of the file after a power cut: each later write is kept with probability `chance`, the length is
--- one of the later lengths. chance = 1: everything.
+-- Returns a possible content of the file after a power cut: each later write is kept with
+-- probability `chance`, and the length is one of the later lengths. chance = 1: everything is kept.
 local function left_of(file, chance)
   local sectors, length, lengths = {}, file.length, { file.length }
   for s, bytes in pairs(file.sure) do sectors[s] = bytes end
@@ -160,7 +160,7 @@ local function lines_of(lines, name, value)
   for _, key in ipairs(keys) do lines_of(lines, name .. "." .. tostring(key), value[key]) end
 end
 
--- All data of a run file as text.
+-- Returns all data of a run file as text.
 local function said_by(path)
   local store <close> = stores.open(path, "read")
   store:check()
@@ -174,7 +174,8 @@ local function said_by(path)
   return table.concat(lines, "\n")
 end
 
--- State of a target: "absent", the bytes of a file that is not an SQLite file, or the text of a run file.
+-- Returns the state of a target: "absent", the bytes of a file that is not an SQLite file, or the
+-- text of a run file.
 local function look(content)
   if not content then return "absent" end
   if content:sub(1, 15) ~= "SQLite format 3" then return content end
@@ -189,7 +190,8 @@ local function put(name, content)
   file:write(content)
 end
 
--- A possible state of a target after a power cut; chance: probability of a write; cut: number of changed names.
+-- Returns a possible state of a target after a power cut. chance: probability of a write; cut:
+-- number of changed names.
 local function state_of(target, chance, cut)
   local list = {}
   for name, file in pairs(sure_names) do list[name] = file end
@@ -205,7 +207,7 @@ end
 
 local allowed, tried, wrong, seen = {}, 0, 0, 0
 
--- A file that existed before is first seen in its first record.
+-- A file that existed before appears for the first time in its first record.
 local ops = parse(bytes_of(log))
 assert(#ops > 0, "nothing was written")
 local function known(op)

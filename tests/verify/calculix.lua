@@ -18,7 +18,7 @@ local function largest(values)
   return most
 end
 
--- The result of CalculiX for an exported object, or nil.
+-- Returns the result of CalculiX for an exported object, or nil.
 local function solve(name, object, c)
   export.inp(object, ("%s/%s.inp"):format(folder, name))
   local mesh = c.model.mesh

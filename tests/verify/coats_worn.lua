@@ -33,7 +33,7 @@ for _, thickness in ipairs{ 1, 1e-4 } do
   local alone = 1e-9 * 50 * w.distance
   if thickness == 1 then
     within(w.volume_plate, alone, 1e-12, "layer under a track: volume by its own k [mm3]")
-  else -- the mean depth when it has reached this depth
+  else  -- otherwise the mean depth when the wear has reached this depth
     local left = 2 * math.pi * 20 * 2 * w.half_width * thickness
     within(w.volume_plate, left + 20 * (alone - left), 0.01, "layer under a track, worn through: volume [mm3]")
   end

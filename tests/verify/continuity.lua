@@ -6,7 +6,7 @@ local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
 local most, noise = 2e-3, 1e-9
 
--- Largest step of a list, relative to its largest value.
+-- Returns the largest step of a list, relative to its largest value.
 local function largest_step(list)
   local largest, step = 0, 0
   for _, v in ipairs(list) do largest = math.max(largest, math.abs(v)) end

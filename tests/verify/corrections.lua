@@ -1,25 +1,27 @@
--- What the corrections of the elements' errors are worth (theory.md, "Corrections"): each quantity with them and
--- without, on the default mesh, against closed forms of half-planes, or against stiffness renewed at every update.
+-- Effect of the corrections of the elements' errors (theory.md, "Corrections"): each quantity with
+-- and without them, on the default mesh, compared with closed forms of half-planes, or with
+-- stiffness recomputed at every update.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local mu, size = 0.6, 0.02
 local usual = model{}
 
--- The root mean square and the largest of a list.
+-- Returns the root mean square and the largest value of a list.
 local function spread(list)
   local sum, most = 0, 0
   for _, value in ipairs(list) do sum, most = sum + value * value, math.max(most, math.abs(value)) end
   return math.sqrt(sum / #list), most
 end
 
--- Loads whose edges of contact move across two elements.
+-- Returns loads whose edges of contact move across two elements.
 local function loads(count)
   local list, a = {}, hertz{}.half_width
   for i = 1, count do list[i] = 100 * (1 + (2 * (i - 0.5) / count - 1) * size / a) ^ 2 end
   return list
 end
 
--- Compares an error with the corrections and without: at most `most`, and at least `times` larger without them.
+-- Checks that an error is at most `most` with the corrections, and at least `times` larger without
+-- them.
 local function earns(what, error_of, most, times)
   local with, without = error_of("all"), error_of("none")
   figures.below(with, most, what .. ": with the correction")
@@ -73,7 +75,8 @@ earns("cusp: stress along the surface beside the edges in sliding, largest error
   return most
 end, 0.1, 2.5)
 
--- A contact under half of the friction, and the closed form of its shear (Cattaneo and Mindlin).
+-- Computes a contact under half of the friction, and the closed form of its shear (Cattaneo and
+-- Mindlin).
 local function sheared(load, corrections)
   return contact{ model = usual, load = load, friction = mu, press = "frictionless", corrections = corrections }
     :move{ tangential = mu * load / 2 }
@@ -107,7 +110,7 @@ earns("slip between nodes: energy of a cycle, root mean square error", function(
   return (spread(off))
 end, 0.02, 5)
 
--- Pressures of the cylinder after every update, and the half width.
+-- Returns the pressures of the cylinder after every update, and the half width.
 local function pressures(corrections, refresh)
   local w = wear{ model = usual, corrections = corrections, refresh = refresh, alpha = 1, jump = 100, distance = 1320 }
   local list = {}
@@ -129,7 +132,7 @@ earns("followed stiffness: pressures 2.5 elements inside the edges, largest erro
     return select(2, spread(off))
   end, 1e-4, 3)
 
--- The choice is kept with a run, and a contact of a run's surfaces has its own.
+-- A run keeps the choice of corrections, and a contact on its surfaces has a choice of its own.
 local w = wear{ model = usual, corrections = "none", distance = 50 }
 w:run{ progress = false }
 local file = os.tmpname() .. ".archard"

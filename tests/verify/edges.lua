@@ -14,7 +14,7 @@ for _, size in ipairs{ 0.02, 0.01 } do
   below(worst, 0.035, ("unworn, the worst of 41 loads, %g um: half width off by elements"):format(1000 * size))
 end
 
--- Half widths over the distance.
+-- Returns the half widths over the distance.
 local function course(case, size)
   local w = wear{ alpha = case.alpha, stroke = case.stroke, jump = "auto", geometry = "frozen",
     model = { mesh = { size = size, zone = { cylinder = 1.2, plate = 1.2 + case.stroke } } } }

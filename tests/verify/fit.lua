@@ -6,7 +6,8 @@ local figures = dofile(here .. "/lib/figures.lua")
 local below, ok = figures.below, figures.ok
 local steel, soft = material{}, material{ E = 1000, nu = 0.45 }
 
--- Errors relative to Hertz' pressure and to the pressure on elements of a third of the size.
+-- Returns errors relative to Hertz' pressure and to the pressure on elements of a third of the
+-- size.
 local function errors(R, load, plate)
   local h = hertz{ radius = R, load = load, plate = plate }
   local c <close> = contact{ load = load, model = { radius = R, plate = plate } }

@@ -16,7 +16,7 @@ local function check(w, row, what)
   within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
 end
 
--- One run through all rows, with steps short compared with the first of them.
+-- One run passes through all rows, with steps that are short compared with the first of them.
 local w = wear{ alpha = 1, stroke = 0.11, jump = 5 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 1e-8 }

@@ -51,7 +51,7 @@ local function depths(run, body)
   return depth
 end
 
--- A run without friction with the reduced law as local factor: it slides 2 mm per cycle.
+-- Makes a run without friction with the reduced law as local factor, which slides 2 mm per cycle.
 local function reduced(bodies, c)
   local run
   run = wear{ model = bodies, load = load, slide = "z", stroke = 1, k = k, cycles = last, jump = jump,
@@ -65,7 +65,8 @@ local function reduced(bodies, c)
   return run:run{ progress = false }
 end
 
--- The slip annulus has few nodes here too: extrapolated with second order from two meshes.
+-- The slip annulus has few nodes here too, so the result is extrapolated with second order from two
+-- meshes.
 local c = 0.0675 -- between nodes of all meshes
 local function reduced_on(nodes)
   local size = c / (nodes + 0.5)

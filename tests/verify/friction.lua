@@ -19,7 +19,7 @@ local function circle(x, half_width) return math.sqrt(math.max(0, half_width ^ 2
 
 local function exact_shear(x, c) return mu * (circle(x, a) - circle(x, c)) end
 
--- Root mean square error over the contact's width, relative to mu p0.
+-- Returns the root mean square error over the contact's width, relative to mu p0.
 local function shear_error(contact, c)
   local shear, sum = contact:shear(), 0
   for i = 2, #shear.x - 1 do
@@ -83,7 +83,8 @@ local function energy_off(model, force, each, at, x)
   return (back.energy - there.energy) / wanted - 1
 end
 
--- Mean, root mean square and largest value over contacts whose edges move across two elements.
+-- Returns the mean, root mean square and largest value over contacts whose edges move across two
+-- elements.
 local function energy_errors(model, force, size)
   local sum, squares, most, count = 0, 0, 0, 12
   for i = 1, count do
@@ -95,9 +96,9 @@ end
 
 local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
 
--- The error does not depend on the way of pressing, the number of increments or the cycle. The area of the loop is
--- computed from the plate's displacement of the nodes without the slip between them, so it scatters like sums over
--- nodes.
+-- The error does not depend on how the bodies were pressed together, on the number of increments or
+-- on the cycle. The area of the loop is computed from the plate's displacement of the nodes without
+-- the slip between them, so it scatters like sums over nodes.
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ tangential = 30 }
   local cycle = c:move{ tangential = -30 }:move{ tangential = 30 }

@@ -27,11 +27,11 @@ within(total.volume.total, reference.volume.total, 0.01, "its volume, the work a
 
 compare(run{ increments = 200 }, reference, 1e-3, "200 against 100 increments a cycle")
 
--- A mesh twice as fine.
+-- Effect of a mesh twice as fine.
 local fine = run{ model = { mesh = { size = 0.01, height = 0.0125, rows = 6 } } }
 compare(reference, fine, 0.01, "20 um against 10 um")
 
--- CPE4I
+-- Effect of the element type CPE4I.
 compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I against CPE4")
 
 -- The first cycle in closed form with Hertz' pressure. At x = 0 the cylinder wears by k_c p_H r s.

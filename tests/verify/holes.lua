@@ -22,7 +22,7 @@ for _, row in ipairs{ { 0.05, 100, 8.60, 42.54, 6, 0.05 }, { 0.05, 1000, 24.87, 
     of .. "semi-angle, off by less than an element [degrees]")
   figures.ok(solved.normal_force > load, of .. "normal forces are more than the load")
 end
--- A cup over a pin is the same contact upside down.
+-- A cup over a pin is the contact of a pin in a bush upside down.
 local cup = contact{ load = 1000, model = { upper = body.ring{ inner = 10.025, outer = 20.025 },
   lower = body.disc{ radius = 9.975 }, mesh = { size = 0.1, height = 0.1, far = 1, zone = { cylinder = 14, plate = 14 } } } }
 within(cup.p_center, pin(0.05, 1000, 14, 0.1).p_center, 2e-3, "a cup over a pin: the same upside down")
@@ -49,7 +49,7 @@ for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   figures.ok(w.load_distance > 1.05 * P * w.distance, of .. "normal forces are more than the load")
 end
 
--- Also on the default mesh; the surfaces move and are condensed again during the run.
+-- The law holds on the default mesh too; the surfaces move and are condensed again during the run.
 for _, geometry in ipairs{ "moving", "frozen" } do
   local w = wear{ model = { upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20, name = "bush" } },
     k_cylinder = 0, k_plate = k, load = P, slide = "z", jump = "auto", distance = R * gap / (k * P), geometry = geometry }:run()

@@ -20,7 +20,8 @@ end
 
 local function largest(values) return math.max(table.unpack(values)) end
 
--- Largest relative error over a body's nodes deeper than a twentieth of the largest depth.
+-- Returns the largest relative error over a body's nodes deeper than a twentieth of the largest
+-- depth.
 local function depth_error(w, coarse, fine, body)
   local h, hc, hf, worst = w:profile(body).h, coarse:profile(body).h, fine:profile(body).h, 0
   local deepest = largest(hf)
@@ -32,8 +33,8 @@ local function depth_error(w, coarse, fine, body)
   return worst
 end
 
--- Mean error of the pressures divided by the mean pressure; the error of single nodes at the edge of the contact
--- depends on the mesh.
+-- Returns the mean error of the pressures divided by the mean pressure, as the error of single
+-- nodes at the edge of the contact depends on the mesh.
 local function pressure_error(w, coarse, fine)
   local p, pc, pf, sum, all = w:pressure("cylinder").p, coarse:pressure("cylinder").p, fine:pressure("cylinder").p, 0, 0
   for i, got in ipairs(p) do
@@ -42,7 +43,7 @@ local function pressure_error(w, coarse, fine)
   return sum / all
 end
 
--- Largest error over all updates of a run.
+-- Returns the largest error over all updates of a run.
 local function compare(fields, jump, tolerance)
   local coarse, fine = references(fields, jump)
   fields.scheme, fields.tolerance = "implicit", tolerance

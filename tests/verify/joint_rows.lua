@@ -79,7 +79,7 @@ within(1 + cross_shear(gait "iso"), 1.1063, 2e-3, "of the walk")
 -- --- deep wear of the cup: p = D cos t / (k s(t)) where cos t > c / u, D = k F / integral of cos^2 / s dA --
 local deep = run(springs, gait.rocking{ increments = 40 }, 1e-9, 0, 4e6, 60)
 local angle, R, many = math.rad(23), 14, 400
-local function sliding(t) -- of a cycle [mm]
+local function sliding(t)  -- sliding distance of a cycle [mm]
   local sum = 0
   for i = 1, many do
     local along = math.sin(angle) * math.sin(t) * math.cos(2 * math.pi * (i - 0.5) / many) + (math.cos(angle) - 1) * math.cos(t)

@@ -8,7 +8,7 @@ math.randomseed(23)
 
 local function between(low, high) return low * (high / low) ^ math.random() end
 
--- A pair whose flat scar has `wide` unworn half widths.
+-- Returns a pair whose flat scar has `wide` unworn half widths.
 local function random_run()
   local radius, load = between(1, 200), between(10, 500)
   local pair = { radius = radius, cylinder = { E = between(3e3, 4e5) }, plate = { E = between(3e3, 4e5) } }

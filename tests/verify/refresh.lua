@@ -4,7 +4,7 @@
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
 
--- The state after every update.
+-- Returns the state after every update.
 local function path(definition, refresh)
   local copy = {}
   for name, value in pairs(definition) do copy[name] = value end
@@ -18,8 +18,8 @@ local function path(definition, refresh)
   return states
 end
 
--- Largest differences: of the pressures, relative to the centre's, at any node and at nodes farther than 2.5 elements
--- inside the contact's edges; of the depths, relative.
+-- Returns the largest differences: of the pressures, relative to that at the centre, at any node
+-- and at nodes farther than 2.5 elements inside the contact's edges; and of the depths, relative.
 local function compare(definition, size)
   local exact, found = path(definition, 0), path(definition)
   local any, inside, depth = 0, 0, 0

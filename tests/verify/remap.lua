@@ -23,7 +23,8 @@ local function at(p, x)
   end
 end
 
--- Largest difference over the inner part of the contact, relative to the pressure at the centre.
+-- Returns the largest difference over the inner part of the contact, relative to the pressure at
+-- the centre.
 local function apart(contact, w, reach)
   local largest = 0
   for _, body in ipairs{ "cylinder", "plate" } do
@@ -35,7 +36,7 @@ local function apart(contact, w, reach)
   return largest / w.p_center
 end
 
--- The area lost from the outline of a body, and its smallest depth.
+-- Returns the area lost from the outline of a body, and its smallest depth.
 local function lost(w, body)
   local p, area, least, radius = w:profile(body), 0, math.huge, w.model.radius
   local function top(x) return body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end

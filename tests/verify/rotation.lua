@@ -47,7 +47,7 @@ below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0
 
 -- --- the cosine law -------------------------------------------------------------------------------
 
--- Largest deviation of the pressures over nine tenths of the contact.
+-- Returns the largest deviation of the pressures over nine tenths of the contact.
 local function deviation(w, at) return bush_law.deviation(w, R, gap, at) end
 local function swing(t) return 15 * math.sin(2 * math.pi * t) end
 local function run(m, angle, share, to_bush)

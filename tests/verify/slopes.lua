@@ -3,14 +3,14 @@
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
 
--- Area below the polygonal line through the points (x, y).
+-- Returns the area below the polyline through the points (x, y).
 local function under(x, y)
   local sum = 0
   for i = 2, #x do sum = sum + (x[i] - x[i - 1]) * (y[i] + y[i - 1]) / 2 end
   return sum
 end
 
--- The area lost from the outline of a body [mm2], by the polygon of its present nodes.
+-- Returns the area lost from the outline of a body [mm2], by the polygon of its present nodes.
 local function lost(w, body)
   local p, y, radius = w:profile(body), {}, w.model.radius
   for i, x in ipairs(p.x) do y[i] = body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end
@@ -47,7 +47,7 @@ end
 local soft_plate, soft_cylinder = cases[2][2], cases[3][2]
 ok(soft_plate.p_center < soft_cylinder.p_center, "a soft plate under a slope bears less in the middle than a soft cylinder")
 
--- Slip with its elastic part: the work is that of pairs of points.
+-- With slip that includes the elastic part, the work is that of pairs of points.
 for _, couple in ipairs{ { plate = { E = 2e3 } }, { plate = { E = 20e3 } }, { cylinder = { E = 2e3 } } } do
   for _, alpha in ipairs{ 0.25 } do
     couple.radius = 10

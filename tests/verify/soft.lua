@@ -23,7 +23,8 @@ local function model_of(pair, size, element)
     mesh = { size = size, height = 1.25 * size, far = 1, zone = { cylinder = 1, plate = 1.2 }, element = element } }
 end
 
--- r.m.s. and largest error of the centre pressure over half widths from 5 elements of 20 um on
+-- Returns r.m.s. and largest error of the centre pressure over half widths from 5 elements of 20 um
+-- on.
 local function centre_errors(pair, size)
   local m, scale, sum, worst, count = model_of(pair, size), modulus(pair), 0, 0, 0
   for load = 100, 1200, size < 0.02 and 220 or 55 do

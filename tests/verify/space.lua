@@ -68,13 +68,14 @@ for _, case in ipairs{ { 0, 0, 7.3231e-4 }, { 0.25, 8.5054e-4, 4.6460e-4 }, { 0.
   within(all:map("block"):at(0, 0), case[3], 0.005, name .. "middle of the flat")
 end
 
--- Bodies a thousand times as stiff: rigid ones by integration along the wear; of a flat alone the section of the groove in its
--- middle is V / s = 4/3 sqrt(2 R) h^(3/2).
+-- Bodies a thousand times as stiff are compared with rigid ones, by integration along the wear. If
+-- only the flat wears, the section of the groove in its middle is V / s = 4/3 sqrt(2 R) h^(3/2).
 local rigid = model{ geometry = "3-D", upper = body.ball{ radius = 10, E = 2e8 }, lower = body.block{ E = 2e8 }, mesh = { size = 0.0125 } }
 local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
 within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid, stroke 1: ball")
 within(both.depth.block, 2.9974e-4, 0.002, "groove")
--- The pressure of rigid bodies ends within a cell, which may be the next one with another BLAS: 0.0125 / 0.16505.
+-- The pressure of rigid bodies ends within a cell, which may be the neighbouring cell with another
+-- BLAS: 0.0125 / 0.16505.
 within(both.half_width, 0.16505, 0.076, "half width along, to a cell")
 within(both.half_width_z, 0.18231, 0.076, "half width across, to a cell")
 within(run(10, 1, 0, 1320, { model = rigid }):map("block"):at(0, 0), (0.75 * 1.32e-4 / math.sqrt(20)) ^ (2 / 3), 0.005,

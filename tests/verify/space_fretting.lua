@@ -13,7 +13,7 @@ local function contact_of(nu)
   return a, 3 * load / (2 * math.pi * a * a)
 end
 
--- Cells over the half width; 0: automatic.
+-- cells in the half width; 0: automatic
 local function fret(nu, share, cells, periods)
   local a, p0 = contact_of(nu)
   local steel = material{ E = 200e3, nu = nu }

@@ -16,7 +16,7 @@ local function even(from, to, points)
   return list
 end
 
--- A body for a contact with the ball with half widths a (the smaller) and b [mm].
+-- Returns a body for a contact with the ball with half widths a (the smaller) and b [mm].
 local function partner(E, a, b, approach)
   local kind = random()
   if kind < 0.2 then return body.block{ E = E, layers = { { thickness = a * between(0.3, 3), E = between(1e3, 1e6) } } } end

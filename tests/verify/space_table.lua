@@ -68,8 +68,9 @@ for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 
   within(d.p_center, 254.648, 0.012, "its centre pressure [MPa]")
 end
 
--- Waves D cos cos that repeat themselves, in full contact from p* = sqrt 2 pi E* D / l on: shares of contact of an independent
--- program, whose first cell is on a crest; beyond p* the pressure is its mean and a wave of the amplitude p*.
+-- Periodic waves D cos cos, in full contact from p* = sqrt 2 pi E* D / l on: shares of contact of
+-- an independent program, whose first cell is on a crest. Beyond p* the pressure is its mean plus a
+-- wave of the amplitude p*.
 local length, modulus = 0.1, 200e3 / (1 - 0.09) / 2
 local q, points = 2 * math.pi / length, even(0, length * 127 / 128, 128)
 local crests = map{ x = points, z = points, y = function(x, z) return 1e-4 * math.cos(q * x) * math.cos(q * z) end }

@@ -7,7 +7,7 @@
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
--- xx, yy and xy at x and `depth` for Hertz' pressure p0 over the width 2 a
+-- Returns xx, yy and xy at x and `depth` for Hertz' pressure p0 over the width 2 a.
 local function mcewen(x, depth, a, p0)
   local q = a * a - x * x + depth * depth
   local root = math.sqrt(q * q + 4 * x * x * depth * depth)

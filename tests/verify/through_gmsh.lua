@@ -7,8 +7,8 @@ local within, below = figures.within, figures.below
 
 local function wave(x) return 1e-4 * math.cos(2 * math.pi * x / 0.1) end
 
--- upper, lower: archard's own bodies; outside: the bodies for the mesh by Gmsh; fields: of both models; wear: of both
--- runs.
+-- upper, lower: archard's own bodies; outside: the bodies for the mesh by Gmsh; fields: fields of
+-- both models; wear: fields of both runs.
 local shapes = {
   { name = "punch", load = 200, upper = body.punch{ flat = 1, radius = 2, height = 10 },
     lower = body.block{ width = 20, height = 10 }, outside = {}, mesh = { size = 0.02 },
@@ -46,7 +46,7 @@ local function compare(s, of, v, w, share)
       within(v.volume[role], w.volume[role], share, of .. "volume of the " .. role .. " body [mm3]")
     end
   end
-  -- to the tolerance of implicit steps
+  -- equal to the tolerance of implicit steps
   within(v.volume.total, (s.wear.k or 1e-8) * v.load_distance, 1e-9, of .. "V = k integral normal force ds [mm3]")
 end
 

@@ -36,7 +36,7 @@ within(2 / math.pi * math.asin(math.sqrt(s0 + q0 * (s1 - s0) / (q0 - q1))), 2 / 
   "waves: share in contact")
 within(fine.p_center, 2 * math.sqrt(mean * star), 0.01, "waves: pressure at a crest, 48 elements each [MPa]")
 
--- Waves of a micrometre on a cylinder: the crest in the middle and the largest one beside it by themselves.
+-- Waves of a micrometre on a cylinder: the crest in the middle, and the largest crest beside it.
 for _, row in ipairs{ { 1e-3, 0.05 }, { 2e-3, 0.1 } } do
   local deep, long = table.unpack(row)
   local function crests(finer)

@@ -50,7 +50,8 @@ return function(folder)
 
   -- --- calls ---------------------------------------------------------------------------------------
 
-  -- Valid arguments of a call with one wrong field: the arguments before the table, and other fields of the table.
+  -- Returns valid arguments of a call with one wrong field: the arguments before the table, and the
+  -- other fields of the table.
   local before = {
     ["plot.pressure"] = { w }, ["plot.profile"] = { w }, ["plot.history"] = { w }, ["plot.mesh"] = { m },
     ["plot.stress"] = { objects.contact }, ["plot.shear"] = { objects.contact }, ["plot.slip"] = { objects.contact },
@@ -87,7 +88,7 @@ return function(folder)
     return type(module) == "table" and rawget(module, name) or nil
   end
 
-  -- The function of an entry, and the object of its method, if any.
+  -- Returns the function of an entry, and the object of its method, if any.
   local function callee(entry)
     local owner, name = entry.address:match("^(.*)%.(.*)$")
     if entry.kind == "method" and objects[owner] then

@@ -18,7 +18,7 @@ local function add(lines, name, value)
   end
 end
 
--- every: n, to check the continuation state in every n-th case only; nil: in all cases
+-- every: n checks the continuation state only in every n-th case; nil: in all cases
 local function content(s, every)
   local lines = {}
   for _, case in ipairs(s:cases()) do

@@ -27,13 +27,13 @@ return function(world)
     error(err)
   end
 
-  -- --- deeds --------------------------------------------------------------------------------------
+  -- --- actions --------------------------------------------------------------------------------
 
   local classes = {}
   for class in pairs(objects) do classes[#classes + 1] = class end
   table.sort(classes)
 
-  -- An object, mostly the one of the call.
+  -- Returns an object, mostly the one of the call.
   local function victim()
     if random(2) == 1 then return world.target end
     return objects[one_of(classes)]
@@ -102,7 +102,7 @@ return function(world)
     math.maxinteger, math.mininteger, 1e300, -1e-300 } -- no small steps or fine meshes, which only take long
   local texts = { "", "cylinder", "plate", "auto", "a\0b", ("x"):rep(300), "\27[31m", "%s%n", "100", "implicit" }
 
-  -- Return values of a callback.
+  -- Returns return values for a callback.
   local function answer(...)
     local choice = random(10)
     if choice <= 3 then return 1e-8 end
@@ -113,7 +113,7 @@ return function(world)
     return random()
   end
 
-  -- A function that sometimes first performs an action.
+  -- Returns a function that sometimes first performs an action.
   local function callback()
     local often = random(3)
     return function(...)

@@ -5,7 +5,7 @@ local pictures = { folder = os.tmpname() }
 os.remove(pictures.folder)
 os.execute("mkdir " .. pictures.folder)
 
--- The content of a file in the folder; nil if it does not exist.
+-- Returns the content of a file in the folder; nil if it does not exist.
 function pictures.read(name)
   local file = io.open(pictures.folder .. "/" .. name, "rb")
   if not file then return nil end
@@ -14,14 +14,14 @@ function pictures.read(name)
   return text
 end
 
--- The picture drawn by the function as characters; the function passes `file` on.
+-- Returns the picture that the function draws as characters; the function must pass `file` on.
 function pictures.picture_of(draw)
   os.remove(pictures.folder .. "/p.txt")
   draw(pictures.folder .. "/p.txt")
   return pictures.read("p.txt") or ""
 end
 
--- The same as a script for gnuplot.
+-- Returns the picture as a script for gnuplot.
 function pictures.script_of(draw)
   draw(pictures.folder .. "/s.gp")
   return pictures.read("s.gp") or ""
@@ -29,7 +29,7 @@ end
 
 pictures.line = { x = { 0, 1, 2, 3 }, y = { 0, 1, 4, 9 }, title = "squares" }
 
--- A replacement for a wear object, which refuses unknown names like the real one.
+-- Makes a replacement for a wear object, which refuses unknown names like the real one.
 function pictures.stand_in(fields)
   fields.pressure = function(_, body)
     return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, p = { 0, 300, body == "plate" and 500 or 400, 300, 0 } }

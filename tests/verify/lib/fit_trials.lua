@@ -21,7 +21,8 @@ local function base()
   return { jump = 50, stroke = 0.22, model = { mesh = { size = 0.04, height = 0.05 } } }
 end
 
--- Profiles as measured by an instrument: points between the nodes, shifted, tilted, displaced, noisy.
+-- Returns profiles as measured by an instrument: points between the nodes, shifted, tilted,
+-- displaced, noisy.
 local function measured(run, body)
   local shift, tilt, level = 0.004 * normal(), 1e-4 * normal(), 2e-4 * normal()
   local surface, x, h = run:profile(body), {}, {}
