@@ -49,7 +49,7 @@ for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   figures.ok(w.load_distance > 1.05 * P * w.distance, of .. "normal forces are more than the load")
 end
 
--- The law holds on the default mesh too; the surfaces move and are condensed again during the run.
+-- The law is checked on the default mesh too; the surfaces move and are condensed again during the run.
 for _, geometry in ipairs{ "moving", "frozen" } do
   local w = wear{ model = { upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20, name = "bush" } },
     k_cylinder = 0, k_plate = k, load = P, slide = "z", jump = "auto", distance = R * gap / (k * P), geometry = geometry }:run()
