@@ -143,8 +143,8 @@ typedef struct arc_halfspace_increment {
   int by_force[2];        /* along x and z: 1 prescribes the force, 0 the motion xi */
   double xi[2];           /* [mm] motion at the end of the increment */
   double force[2];        /* [N] force at the end, less than friction times the load */
-  const double *pressure; /* [window] pressure at the end, if it is known, as for equal materials;
-                             the approach is then kept. NULL: the pressure is solved for */
+  const double *pressure; /* [window] pressure at the end, if shear does not change it; the approach
+                             is then kept. NULL: the pressure is solved for */
   const arc_halfspace_friction *guess; /* state whose shear, motion and stick zone the solver starts
                                           from; NULL: the present state */
 } arc_halfspace_increment;

@@ -177,6 +177,68 @@ static void test_ellipse(void **state) {
   }
 }
 
+/* Share k of the contact's radius that sticks under a normal load alone, by Spence:
+ * ln((1 + k) / (1 - k)) / (2 k) = mu / beta K'(k). */
+static double spence(double mu_over_beta) {
+  double low = 1e-6, high = 1 - 1e-12;
+  for (int i = 0; i < 100; i++) {
+    const double k = (low + high) / 2;
+    double a = 1, b = k; /* K'(k) = pi / (2 agm(1, k)) */
+    for (int j = 0; j < 20; j++) {
+      const double mean = (a + b) / 2;
+      b = sqrt(a * b);
+      a = mean;
+    }
+    if (log((1 + k) / (1 - k)) / (2 * k) < mu_over_beta * pi / (2 * a))
+      low = k;
+    else
+      high = k;
+  }
+  return low;
+}
+
+/* Error of Spence's stick radius for bodies pressed together in steps of equal width, with the
+ * pressures of a contact without friction, as Spence assumes. */
+static double spence_error(arc_material hard, arc_material soft, double mu, int cells, int steps) {
+  arc_halfspace_def def = ball(10, 1, cells);
+  def.body[ARC_UPPER].material = hard;
+  def.body[ARC_LOWER].material = soft;
+  double yield[2], couple[2]; /* (1 - nu) / G and (1 - 2 nu) / G */
+  for (int b = 0; b < 2; b++) {
+    const arc_material m = def.body[b].material;
+    yield[b] = 2 * (1 + m.nu) * (1 - m.nu) / m.E;
+    couple[b] = 2 * (1 + m.nu) * (1 - 2 * m.nu) / m.E;
+  }
+  const double beta = fabs(couple[1] - couple[0]) / (2 * (yield[0] + yield[1]));
+  const double a = cbrt(3 * 10 * 10 * (yield[0] + yield[1]) / (2 * 4));
+  def.size_x = def.size_z = 2.3 * a / cells;
+  rubbing r = {.h = make_space(&def)};
+  check_ok(arc_halfspace_friction_begin(r.h, &r.s, why));
+  double *p = make_values((size_t)(cells * cells));
+  for (int i = 1; i <= steps; i++) {
+    r.to = (arc_halfspace_increment){
+        .friction = mu, .position.load = 10 * pow((double)i / steps, 3), .pressure = p};
+    double approach;
+    check_ok(arc_halfspace_solve(r.h, NULL, &r.to.position, NULL, p, &approach, NULL, why));
+    slide(&r);
+  }
+  const double error = sqrt(stick_area(&r) / pi) / a / spence(mu / beta) - 1;
+  print_message("# beta %.4f, mu %g, %d cells: sticks to %.4f of the radius (%+.2f %%)\n", beta, mu,
+                cells, spence(mu / beta) * (1 + error), 100 * error);
+  free(p);
+  end(&r);
+  return error;
+}
+
+/* Steel on PEEK, and a rigid ball on a body of nu = 0.2. */
+static void test_spence(void **state) {
+  (void)state;
+  const arc_material steel = elastic(200e3, 0.3), peek = elastic(3600, 0.4);
+  check_near(spence_error(steel, peek, 0.1, 65, 64), 0, 7e-3);
+  check_near(spence_error(elastic(1e12, 0.3), elastic(1000, 0.2), 0.3, 65, 64), 0, 7e-3);
+  check_near(spence_error(steel, peek, 0.1, 129, 96), 0, 3e-3);
+}
+
 /* --- symmetries ------------------------------------------------------------------------------- */
 
 /* A path of forces and motions, rotated by quarter turns or mirrored; different moduli of the
@@ -322,10 +384,10 @@ static void test_refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_parity),     cmocka_unit_test(test_rectangles),
-      cmocka_unit_test(test_mindlin),    cmocka_unit_test(test_ellipse),
-      cmocka_unit_test(test_symmetries), cmocka_unit_test(test_random_paths),
-      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_parity),       cmocka_unit_test(test_rectangles),
+      cmocka_unit_test(test_mindlin),      cmocka_unit_test(test_ellipse),
+      cmocka_unit_test(test_spence),       cmocka_unit_test(test_symmetries),
+      cmocka_unit_test(test_random_paths), cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

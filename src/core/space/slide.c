@@ -226,7 +226,7 @@ static int follow_motion(increment *s, int pass) {
 
 /* --- alternation ------------------------------------------------------------------------------ */
 
-/* Solves for the shear of like bodies, whose pressures do not depend on shear. */
+/* Solves for the shear at pressures that do not depend on it, such as those of like bodies. */
 static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 30 };
   int entering;
@@ -239,8 +239,8 @@ static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_er
   return status;
 }
 
-/* Solves for the pressures, unless they are given, and then for the shear. */
-static arc_status like_bodies(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+/* Solves for the pressures, unless they are given, and then for the shear, once. */
+static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   double change;
   arc_status status = ARC_OK;
   if (!s->to->pressure) {
@@ -265,7 +265,7 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
   enum { most_sweeps = 80 };
   static const double settled = 1e-6;
   int known = 0;
-  if (s->h->shear->couple[0] == NULL) return like_bodies(s, effort, error);
+  if (s->to->pressure || s->h->shear->couple[0] == NULL) return one_sweep(s, effort, error);
   for (int k = 0; k < most_sweeps; k++) {
     double change;
     int entering = 0;
