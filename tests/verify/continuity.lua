@@ -1,39 +1,8 @@
 -- Continuity: results vary smoothly over sweeps of the input, and inputs that differ by rounding give the same result.
--- A step is the change of a result between two points beyond the changes before and after. ARCHARD_POINTS: points of
--- each sweep (24).
 -- Long
-local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
-local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
-local most, noise = 2e-3, 1e-9
-
--- Returns the largest step of a list, relative to its largest value.
-local function largest_step(list)
-  local largest, step = 0, 0
-  for _, v in ipairs(list) do largest = math.max(largest, math.abs(v)) end
-  for i = 2, #list - 2 do
-    local before, here, after = list[i] - list[i - 1], list[i + 1] - list[i], list[i + 2] - list[i + 1]
-    step = math.max(step, math.min(math.abs(here - before), math.abs(here - after), math.abs(here - (before + after) / 2)))
-  end
-  return step / largest
-end
-
-figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is distinguished from a slope")
-
-local function sweep(name, from, to, results, solve)
-  local found = {}
-  for i = 0, points - 1 do
-    local r = solve(from + (to - from) * i / (points - 1))
-    for _, of in ipairs(results) do
-      found[of] = found[of] or {}
-      table.insert(found[of], r[of])
-    end
-  end
-  for _, of in ipairs(results) do figures.below(largest_step(found[of]), most, ("over %s: largest step of %s"):format(name, of)) end
-  local x = from + 0.37 * (to - from)
-  local a, b, off = solve(x), solve(x * (1 + 1e-15)), 0
-  for _, of in ipairs(results) do off = math.max(off, math.abs(b[of] / a[of] - 1)) end
-  figures.below(off, noise, ("over %s: an input of other rounding changes results by"):format(name))
-end
+local here = arg[0]:match("^(.*)/") or "."
+local figures = dofile(here .. "/lib/figures.lua")
+local sweep = dofile(here .. "/lib/sweep.lua")(2e-3, 1e-9)
 
 local function worn(definition)
   return function(x)
