@@ -150,12 +150,12 @@ static void test_grown(void **state) {
   }
 }
 
-/* Computes six random legs: error of the motion relative to the largest motion, and relative error
- * of the work. */
+/* Computes six random legs on 28 cells in the half width, the default of contacts with friction:
+ * error of the motion relative to the largest motion, and relative error of the work. */
 static void random_layers(double off[2], arc_halfspace_effort *effort) {
   enum { legs = 6 };
   layers j;
-  rubbing r = jaeger(41, 2.8 / 41, &j);
+  rubbing r = jaeger(79, 2.8 / 79, &j);
   double now[2] = {random_in(4, 16), 0}, work = 0, largest = 0;
   leg(&r, now[0], 0, 1);
   go(&j, now[0], 0);
@@ -182,24 +182,21 @@ static void random_layers(double off[2], arc_halfspace_effort *effort) {
 static void test_jaeger(void **state) {
   (void)state;
   const char *wish = getenv("SPACE_LAYERS");
-  const int paths = wish ? atoi(wish) : 6;
+  const int paths = wish ? atoi(wish) : 4;
   double motion = 0, work = 0, sum = 0, off[2];
-  int beyond = 0;
   arc_halfspace_effort all = {0};
   random_start(1897);
   for (int i = 0; i < paths; i++) {
     random_layers(off, &all);
     motion = fmax(motion, off[0]);
     work = fmax(work, off[1]);
-    beyond += off[1] > 0.015;
     sum += off[1] / paths;
   }
-  printf("# %d paths of load and force: motion off by %.2g, work by %.2g on average, %.2g at most, "
-         "%d beyond 1.5 %%; %d increments\n",
-         paths, motion, sum, work, beyond, all.increments);
-  check_below(motion, 1.2e-3);
-  check_below(sum, 0.005);
-  check_below(beyond, 1 + paths / 100.0);
+  printf("# %d paths of load and force: motion off by %.2g, work by %.2g on average, %.2g at most; "
+         "%d increments\n",
+         paths, motion, sum, work, all.increments);
+  check_below(motion, 1e-3);
+  check_below(work, 0.015);
   printf("# %d flipping, %d unfinished, %d unresolved\n", all.flipping, all.unfinished,
          all.unresolved);
   check_below(all.flipping + all.unfinished + all.unresolved, 1 + all.increments / 100.0);
