@@ -8,7 +8,9 @@ local of_all = '. Further fields, see help "body": E, nu, k or material, layers,
 return {
   -- --- material -------------------------------------------------------------------------------
   { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
-    text = "A linear elastic material. The defaults are the steel of the reference case." },
+    text = 'A linear elastic material, for example material{ E=114e3, nu=0.34, name="Ti-6Al-4V" }; there is '
+      .. "no library. Use it as model{ cylinder=material{...} }, in bodies and in layers. The defaults are "
+      .. "the steel of the paper's case." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
 
@@ -54,8 +56,9 @@ return {
     text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
       .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
-    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, with the surface x^2 / (2 radius) + z^2 '
-      .. "/ (2 radius_z); z is across the motion. Fields: radius, radius_z" .. of_all },
+    text = 'A ball, crowned roller or ellipsoid for model{ geometry="3-D" }, with the surface x^2 / (2 '
+      .. "radius) + z^2 / (2 radius_z); z is across the motion. Without radius_z it is a sphere. Fields: "
+      .. "radius, radius_z" .. of_all },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
     text = 'A block, fixed at its base (an upper block: at its top). With geometry="3-D" it is a half-space '
       .. "or, if a height is given, a layer on a rigid base. Fields: width, height" .. of_all },
@@ -68,7 +71,7 @@ return {
       .. "y(x), as lists x and y, or as a measured trace, body.profile(profile.read(path)). Fields: width, "
       .. "height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
-    text = 'A measured or computed topography for model{ geometry="3-D" }, as upper or lower body. The '
+    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body. The '
       .. "heights, positive out of the body, are on an even grid; give a map or the fields of map{ x=, z=, "
       .. "y= }. If radius (and radius_z) are given, the heights are added to a ball. Between the points "
       .. "they are interpolated by cubics. The contact must stay within the map, which is centred at x = z "
@@ -269,8 +272,9 @@ return {
       .. "distance of the run ends. Returns the record of the last update. If a step fails, the run is "
       .. "unchanged." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",
-    text = "Makes updates up to a distance (default: the distance of the definition). Ctrl-C stops after "
-      .. "the running step; another w:run() continues with the same results." },
+    text = "Runs to a distance (default: that of the definition), or stops exactly at a depth, volume, "
+      .. "pressure or width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the running "
+      .. "step; another w:run() continues with the same results." },
   { "wear.run{distance}", type = "number > 0", unit = "mm",
     text = "Travelled distance, counted from the start of the run, at which the run stops; default: the "
       .. "distance of the definition." },
@@ -324,8 +328,9 @@ return {
       .. "files are refused. A run that is killed is lost if it was not saved: w:run{ progress = function(w) if "
       .. "w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
-    text = "Reads a run written by w:save, or a case of a study by its number, and continues it with the same "
-      .. "results. Functions of the definition are not stored and must be given again: wear.open(path, { k = f })." },
+    text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
+      .. "continues it with the same results. Functions of the definition are not stored and must be given "
+      .. "again: wear.open(path, { k = f })." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "
@@ -415,7 +420,9 @@ return {
   { "wear.vector_depth", kind = "field", unit = "mm",
     text = "Largest length of the vector sum of the wear (Eq. 8) of each body; depth is the scalar sum (Eq. 6)." },
   { "wear.volume", kind = "field", unit = "mm3",
-    text = "Wear volumes of this run. The volume of initial scars (worn=) is not included; depths include them." },
+    text = "Wear volumes of this run, of the whole bodies: in 2-D over the field thickness of the model (1 "
+      .. "mm by default), in 3-D and for bodies of revolution of the whole scar. The volume of initial "
+      .. "scars (worn=) is not included; depths include them." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },
   { "wear.volume.plate", kind = "field", unit = "mm3", text = "Wear volume of the plate." },
   { "wear.volume.total", kind = "field", unit = "mm3", text = "Wear volume of both bodies, k L_N d." },

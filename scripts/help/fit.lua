@@ -3,13 +3,14 @@
 return {
   { "fit", kind = "function", class = "fitted",
     use = "f = fit{ unknown={ k=1e-8, alpha={ start=0.5 } }, data={...} }",
-    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, at once (some tens of "
-      .. "runs); k and alpha together need data of both bodies. Weighted nonlinear "
-      .. "least squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are differences of runs, "
-      .. "with steps chosen by their noise. Several kinds of data need their errors; for one kind without errors "
-      .. "they are estimated from the residuals. Standard errors, correlations and bands are linearised at the "
-      .. "result. Refused: too few data, implausible units, an unknown without effect. If it does not converge: "
-      .. "NOT_CONVERGED." },
+    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, at once "
+      .. "(some tens of runs); k and alpha together need data of both bodies. Weighted nonlinear least "
+      .. "squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are differences of runs, "
+      .. "with steps chosen by their noise. Several kinds of data need their errors; for one kind without "
+      .. "errors they are estimated from the residuals. Standard errors, correlations and bands are "
+      .. "linearised at the result. Refused: too few data, implausible units, an unknown without effect. A "
+      .. "fit that does not converge raises an error with the last values; better start values, bounds "
+      .. "(low, high) or fewer unknowns can help." },
   { "fit.best", type = "table { value=, chi2=, runs= }",
     text = "After Ctrl-C: the best values of the fit that was interrupted, by name." },
   { "fit{unknown}", type = "table of tables",
@@ -43,8 +44,9 @@ return {
       .. 'for all curves; "auto": by cross-validation. Standard errors assume the smoothness as given.' },
   { "fit{data.profile}", type = "profile or table { x=, h=, error= }", unit = "mm",
     text = "A measured surface: wear depth h at x; error is its standard error." },
-  { "fit{data.x}", type = "list of numbers", unit = "mm", text = "Positions from the centre, instead of profile." },
-  { "fit{data.h}", type = "list of numbers", unit = "mm", text = "Wear depths at these positions." },
+  { "fit{data.x}", type = "list of numbers", unit = "mm",
+    text = "Positions of the measured depths h, from the centre. Give x and h, or profile." },
+  { "fit{data.h}", type = "list of numbers", unit = "mm", text = "Measured wear depths at the positions data.x." },
   { "fit{data.body}", values = { "cylinder", "plate" }, text = "Body of the profile." },
   { "fit{data.section}", type = "table { z= } or { x= }", unit = "mm",
     text = "In 3-D: position of the measured section, along the motion at this z or across it at this x. Default: "

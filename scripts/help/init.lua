@@ -1,16 +1,16 @@
--- help(): what every object, field and method is. The entries are in help/engine.lua,
--- help/tools.lua, help/maps.lua, help/joint.lua, help/session.lua, help/study.lua, help/fit.lua and help/uncertainty.lua, topics in
--- help/topics.lua; this file finds them and shows them. Completion asks here for names that no table
--- holds, the manual page is written from here. Leans on archard.term and archard.names.
+-- help(): explains objects, fields and methods. The entries are in the files of this folder (engine, tools, maps, joint,
+-- session, study, fit, uncertainty), the topics in topics.lua. This file finds and shows them. Completion uses it for
+-- names that no table contains, and the manual page is written from it.
 --
--- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
--- definition table, "wear{loading.x}" one of a table in that table.
+-- Addresses: "wear" is an object, "wear.step" its method or field, "wear{jump}" a field of its definition table, and
+-- "wear{loading.x}" a field of a table in that table.
 
 local debug, next, print, rawget, select, string, table, type =
   debug, next, print, rawget, select, string, table, type
 
 local names = require "archard.names"
 local pager = require "archard.lib.pager"
+local search = require "archard.help.search"
 
 local help = {}
 
@@ -18,7 +18,7 @@ local entries     -- by address
 local ordered     -- as written
 local topics = {}  -- by name, and as written
 
--- Splits an address: the owner, the name within it, and whether that is in its definition table.
+-- Splits an address into the owner, the name within it, and true if the name is in the definition table of the owner.
 local function split(address)
   local owner, option = address:match("^(.-){(.*)}$")
   if owner then return owner, option, true end
@@ -41,7 +41,7 @@ local function add(list)
   end
 end
 
--- Read on first use: a script that never asks for help does not pay for it.
+-- Reads the entries on first use, so that scripts without help do not need time for them.
 local function load_entries()
   if entries then return end
   entries, ordered = {}, {}
@@ -61,9 +61,8 @@ end
 
 -- --- for completion and the manual ------------------------------------------------------------
 
--- The entry of an address, or nil. Fields: address, name, owner, kind, type, unit, default, values,
--- class (of what it holds or returns), takes (the object whose definition's fields it takes too),
--- use (how it is written), text.
+-- Returns the entry of an address, or nil. Fields: address, name, owner, kind, type, unit, default, values, class (of its
+-- value or result), takes (the object whose definition has further fields of it), use (an example of its use), text.
 function help.entry(address)
   load_entries()
   return entries[address]
@@ -101,14 +100,14 @@ function help.definition(address, path)
   return list
 end
 
--- Whether they are names that there can be, the path one or none.
+-- Returns true if the address, and the path unless it is nil, are strings.
 local function names_fit(address, path)
   return type(address) == "string" and (path == nil or type(path) == "string")
 end
 
--- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
--- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it; nil
--- where that is in a field that only a new object can have.
+-- Follows a path into tables whose fields are those of another definition, such as wear{ model={ ... } }, or plot{} in
+-- plot.pressure(w, { ... }). Returns an address and the rest of the path within it; nil for a field that cannot be
+-- changed in an existing object.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -127,8 +126,8 @@ local function follow(address, path)
   return at, rest
 end
 
--- All fields that can stand in that table, taken ones too, but for those that only a new object
--- can have.
+-- Returns all fields that a table may have, including those of another definition, without fields that cannot be changed
+-- in an existing object.
 function help.fields(address, path)
   if not names_fit(address, path) then return {} end
   load_entries()
@@ -163,7 +162,7 @@ local function find_in(methods, value, prefix)
   end
 end
 
--- A function that is a method of some class: the registry holds the metatables.
+-- Returns the address of a function that is a method of some class, from the metatables in the registry.
 local function find_method(value)
   for key, metatable in next, debug.getregistry() do
     if type(key) == "string" and type(metatable) == "table" then
@@ -177,7 +176,7 @@ local function find_method(value)
   end
 end
 
--- The address of a global of ours, a function in it, an object or a method; nil for other values.
+-- Returns the address of a global of archard, a function in it, an object or a method; nil for other values.
 function help.address_of(value)
   load_entries()
   if value == nil then return nil end
@@ -202,14 +201,14 @@ local function spoken(name)
   return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))
 end
 
--- "w.step" where w is a global object: "wear.step".
+-- Returns the entry "wear.step" for "w.step" if w is a global wear object.
 local function by_object(name)
   local object, member = name:match("^([%a_][%w_]*)%.(.+)$")
   local class = object and help.address_of(rawget(_G, object))
   return class and entries[class .. "." .. member]
 end
 
--- Whether the entry goes by this name; an option also by its place, mesh.size or model.mesh.size.
+-- Returns true if the entry has this name. An option may also have its path, such as mesh.size or model.mesh.size.
 local function is_called(entry, name)
   if entry.name == name then return true end
   if entry.kind ~= "option" then return false end
@@ -217,7 +216,8 @@ local function is_called(entry, name)
   return place == name or entry.owner .. "." .. place == name
 end
 
--- Every entry a name can mean: its full address first, else all that end in it.
+-- Returns every entry that a name can mean: the entry with this address, else all entries with this name, options of
+-- methods last.
 function help.find(name)
   if type(name) ~= "string" then return {} end
   load_entries()
@@ -225,21 +225,22 @@ function help.find(name)
   name = spoken(name)
   local exact = entries[name] or by_object(name)
   if exact then return { exact } end
-  local found = { topic }
+  local found, of_methods = { topic }, {}
   for _, entry in ipairs(ordered) do
-    if is_called(entry, name) then found[#found + 1] = entry end
+    local list = entry.kind == "option" and entry.owner:find(".", 1, true) and of_methods or found
+    if is_called(entry, name) then list[#list + 1] = entry end
   end
-  return found
+  return table.move(of_methods, 1, #of_methods, #found + 1, found)
 end
 
--- The examples as entries; none where they are not installed.
+-- Returns the examples as entries; an empty list if they are not installed.
 local function example_entries()
   local fine, list = pcall(require "archard.lib.examples_folder".entries)
   return fine and list or {}
 end
 
--- Topics, entries and examples in which all words of the text stand, or that explain what the text is
--- another word for; and how many of them are surely meant.
+-- Returns the topics, entries and examples that contain all words of the text or explain its synonym, and how many of
+-- them answer it.
 function help.matches(text)
   if type(text) ~= "string" then return {}, 0 end
   load_entries()
@@ -247,15 +248,14 @@ function help.matches(text)
   table.move(ordered, 1, #ordered, #list + 1, list)
   local examples = example_entries()
   table.move(examples, 1, #examples, #list + 1, list)
-  return require "archard.help.search"(list, text)
+  return search.find(list, text)
 end
 
 -- --- showing -----------------------------------------------------------------------------------
 
 local show = require "archard.help.show"
 
--- The known name nearest to `name`, or to its last part, if one is near enough to be a slip of the
--- keys.
+-- Returns the known name nearest to `name`, or to its last part, if it is similar enough for a typing error.
 local function nearest(name)
   local known = {}
   for _, entry in ipairs(ordered) do
@@ -265,7 +265,20 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
--- The entries of a name; else those that a search finds; else the name that it may be a misspelling of.
+local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
+  ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
+
+-- Returns the best entries for the single words of a phrase, or nil if there are none.
+local function explain_words(phrase)
+  local texts, words = {}, search.words(phrase)
+  for _, word in ipairs(#words > 1 and words or {}) do
+    local found, sure = help.matches(word)
+    if not fillers[word] and sure > 0 then texts[#texts + 1] = show.found(found, word, math.min(sure, 4)) end
+  end
+  return texts[1] and ("no help for %q; help for its words:\n\n%s"):format(phrase, table.concat(texts, "\n\n"))
+end
+
+-- Returns the entries of a name; else those that a search finds; else those of its words; else a similar name.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end
@@ -278,11 +291,13 @@ local function explain_name(name)
   found, sure = help.matches(name)
   if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
   local near = nearest(spoken(name))
+  local words = not near and explain_words(name)
+  if words then return words end
   local search = #found > 0 and ("help.search %q finds parts of words"):format(name) or "help() lists the objects and topics"
   return ("no help for %q%s; %s"):format(name, near and (", did you mean %q?"):format(near) or "", search)
 end
 
--- The text help(value) prints.
+-- Returns the text that help(value) prints.
 function help.text(...)
   load_entries()
   if select("#", ...) == 0 then return show.overview() end

@@ -23,7 +23,7 @@ return {
     text = "2: gaps to second order in the head's displacement over the radius. This adds 0.6 % to the pressure of a "
       .. "polyethylene liner with a clearance of 0.1 mm." },
   { "joint{mesh}", type = "table { size= }", unit = "degree", default = "{ size=2 }",
-    text = "Cell size in longitude and latitude: 2 for metal, 4 for polyethylene." },
+    text = "Size of the cells in longitude and latitude: 2 degrees for metal, 4 degrees for polyethylene." },
   { "joint.contact", kind = "method", use = "j:contact{ load=3000, direction={ 0, 0, 1 } }", result = "contact of a joint",
     text = "One contact of the unworn joint: p_max, p_center, area, half_angle (of a spherical cap of this "
       .. "area), approach { x, y, z }, normal_force (the integral of p, larger than the load), rim_margin "
@@ -33,8 +33,9 @@ return {
   { "joint.wear", kind = "method", use = 'j:wear{ loading=gait "iso", k=3e-11, alpha=0.5, cycles=1e6 }',
     text = "A wear run of a joint. w:run{ cycles= } computes it; results are w.depth.head, w.volume.cup, "
       .. 'w.depth_partition, w.p_peak, w.history, w.cycle and w.distance. Maps over theta and phi: w:map "cup", '
-      .. '"head", "cross shear", "creep" or "pressure" (at the largest load, or w:map("pressure", { instant= })); w:flat "cup" is a map{} in azimuthal equal-area projection '
-      .. 'about the load, as drawn by plot.map(w, "cup"). w:penetration(): displacement of the head in mm. '
+      .. '"head", "cross shear", "creep" or "pressure" (at the largest load, or w:map("pressure", '
+      .. '{ instant= })); w:flat "cup" is a map{} in azimuthal equal-area projection about the load, as drawn by '
+      .. 'plot.map(w, "cup"). w:penetration(): displacement of the head in mm. '
       .. "w:save(path) stores the run. Studies, samples, w:sensitivity{}, fits and sessions work as with other runs: "
       .. 'vary={ clearance= }, unknown={ k=, alpha= }, data={ { of="volume_cup", cycle=, value= }, { map=w:map '
       .. '"cup", body="cup", cycle= } }.' },
@@ -67,14 +68,15 @@ return {
     text = "Reads a joint run written by w:save(path) and continues it with the same results. The functions "
       .. "k, alpha and creep must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
-    text = "Rotations and load of a joint over one cycle. \"iso\" has the ranges of the standard's walking "
-      .. 'cycle with approximate curves in between; "prosim" is a simplified walking cycle of simulators. '
-      .. "To define a cycle give flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= "
-      .. "}, each a function of t in [0, 1], a number, or a list over t (period=100: t in percent); "
-      .. 'increments without load do not wear. Order of the rotations ("xyz"), increments (20), also of '
-      .. 'named gaits: gait("iso", { increments=40 }). A gait must be closed. .track [mm] and .work [N mm] '
-      .. "are those of one cycle with a head of 28 mm; .instants has fifteen numbers for each increment: "
-      .. "rotation by rows, rotation vector, load." },
+    text = "Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "
+      .. '"iso", cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate '
+      .. 'curves in between; "prosim" is a simplified walking cycle of simulators. To define a cycle give '
+      .. "flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of "
+      .. "t in [0, 1], a number, or a list over t (period=100: t in percent); increments without load do "
+      .. 'not wear. Order of the rotations ("xyz"), increments (20), also of named gaits: gait("iso", { '
+      .. "increments=40 }). A gait must be closed. .track [mm] and .work [N mm] are those of one cycle with "
+      .. "a head of 28 mm; .instants has fifteen numbers for each increment: rotation by rows, rotation "
+      .. "vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },
   { "gait.flexion", kind = "function", use = "gait.flexion{ angle=21.5, load=2000 }", result = "gait",

@@ -49,8 +49,8 @@ return {
   { "map.profile", kind = "method", use = "t:profile{ z=0 }  t:profile{ x=0 }",
     text = "Section along x at one z, or along z at one x: { x=, y= }, where x is the position along the section. "
       .. "plot{ line } draws it, profile(line) converts it to a profile." },
-  { "map.profile{x}", type = "number", unit = "mm", text = "Position of a section across the motion." },
-  { "map.profile{z}", type = "number", unit = "mm", text = "Position of a section along the motion." },
+  { "map.profile{x}", type = "number", unit = "mm", text = "Position x of a section across the motion." },
+  { "map.profile{z}", type = "number", unit = "mm", text = "Position z of a section along the motion." },
   { "map.level", kind = "method", class = "map", use = 't:level()  t:level("sphere", { -0.3, 0.3, -0.2, 0.2 })',
     text = "Subtracts the best plane or sphere, by least squares of vertical distances; points in { x0, x1, z0, z1 "
       .. "}, such as a scar, are excluded. radius is that of the sphere." },

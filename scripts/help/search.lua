@@ -1,13 +1,21 @@
--- The entries, topics and examples in which all words of a text stand, the nearest first.
+-- Searches the help entries, topics and examples for texts that contain all words of a phrase.
 
 local synonyms = require "archard.help.synonyms"
 
--- Whether all words stand in the text, whole or as parts of others.
-local function holds(words, text, whole)
-  text = text:lower()
+local search = {}
+
+-- Lower case; hyphens and underscores count as blanks, so that "cross-shear" finds cross_shear.
+function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
+
+local meanings = {} -- the synonyms by their plain text
+for name, addresses in pairs(synonyms) do meanings[search.plain(name)] = addresses end
+
+-- Returns true if all words are in the text, either as whole words or also as parts of words.
+local function contains(words, text, whole)
+  text = search.plain(text)
   for _, word in ipairs(words) do
     local at, last = text:find(word, 1, true)
-    while whole and at and (text:find("^[%w_]", last + 1) or at > 1 and text:find("^[%w_]", at - 1)) do
+    while whole and at and (text:find("^%w", last + 1) or at > 1 and text:find("^%w", at - 1)) do
       at, last = text:find(word, last + 1, true)
     end
     if not at then return false end
@@ -15,33 +23,42 @@ local function holds(words, text, whole)
   return true
 end
 
--- 1: its own name, 2: a topic or an example, 3: names, 4: texts, 5 to 7: the same for parts of words; nil: not at all.
+-- Returns the rank of an entry: 1 if its name is the phrase, 2 for topics and examples, 3 if its address contains the
+-- words, 4 if its text does; 5 to 7 likewise for parts of words; nil if it does not contain them.
 local function rank(words, joined, entry)
-  if entry.name:lower() == joined then return 1 end
+  if search.plain(entry.name) == joined then return 1 end
   local text = table.concat({ entry.address, entry.use or "", entry.unit or "", entry.text }, " ")
   for _, whole in ipairs{ true, false } do
     local behind = whole and 0 or 3
-    local named = holds(words, entry.address, whole)
-    if (entry.kind == "topic" or entry.kind == "example") and (named or holds(words, entry.text, whole)) then
+    local named = contains(words, entry.address, whole)
+    if (entry.kind == "topic" or entry.kind == "example") and (named or contains(words, entry.text, whole)) then
       return 2 + behind
     end
     if named then return 3 + behind end
-    if holds(words, text, whole) then return 4 + behind end
+    if contains(words, text, whole) then return 4 + behind end
   end
 end
 
--- The places of a word's synonyms in the list, by address.
+-- Returns the positions of the entries that a synonym lists, by address.
 local function by_synonym(joined)
-  local places = {}
-  for place, address in ipairs(synonyms[joined] or synonyms[joined:gsub("s$", "")] or {}) do places[address] = place end
-  return places
+  local positions = {}
+  for position, address in ipairs(meanings[joined] or meanings[joined:gsub("s$", "")] or {}) do
+    positions[address] = position
+  end
+  return positions
 end
 
--- search(entries, text) -> list of entries; how many of them are surely meant: those of a synonym, else
--- those with the whole words.
-return function(entries, text)
-  local words, found = {}, {}
-  for word in text:lower():gmatch("[^%s]+") do words[#words + 1] = word end
+-- search.words(text) -> the words of a phrase in plain form
+function search.words(text)
+  local words = {}
+  for word in search.plain(text):gmatch("%S+") do words[#words + 1] = word end
+  return words
+end
+
+-- search.find(entries, text) -> a list of entries, the best first, and how many of them answer the phrase: those of a
+-- synonym, else those that contain the whole words
+function search.find(entries, text)
+  local words, found = search.words(text), {}
   if not words[1] then return found, 0 end
   local joined = table.concat(words, " ")
   local meant, sure = by_synonym(joined), 0
@@ -55,3 +72,5 @@ return function(entries, text)
   for i, each in ipairs(found) do found[i] = each.entry end
   return found, sure
 end
+
+return search

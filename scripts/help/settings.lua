@@ -1,9 +1,9 @@
--- Help entries of what can be set and recorded, made from the engine's own lists (archard.settings)
--- and joined with the written ones: a new setting or column of the history explains itself.
+-- Makes help entries of settings and of columns of the history from the engine's lists (archard.settings), and joins them
+-- with the written entries, so that a new setting or column has an entry without a change here.
 
 local settings = require "archard.settings"
 
--- "a number > 0" -> "number > 0"
+-- Converts "a number > 0" to "number > 0".
 local function bare(text) return (text:gsub("^an? ", "")) end
 
 local function option_of(class, setting)
@@ -14,7 +14,7 @@ local function option_of(class, setting)
     text = setting.text }
 end
 
--- The two lists of a quantity that is given over the distance.
+-- Returns entries for the two lists of a quantity over the distance.
 local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {
@@ -64,7 +64,7 @@ local function history()
   return { "wear.history", kind = "field", keys = keys, text = table.concat(lines, "\n") }
 end
 
--- Columns as fields of a class, but for those that are settings of it.
+-- Returns columns as fields of a class, except columns that are settings of the class.
 local function columns_of(class)
   local list, set = {}, {}
   for _, setting in ipairs(settings[class] or {}) do set[setting.name] = setting.name ~= "distance" end
@@ -77,7 +77,7 @@ local function columns_of(class)
   return list
 end
 
--- Options written by hand that lie inside another one: "wear{loading.x}" in "wear{loading}".
+-- Returns the written options inside another one, such as "wear{loading.x}" in "wear{loading}".
 local function inside(written, option)
   local start = option:sub(1, -2) .. "."
   local list = {}
@@ -90,8 +90,8 @@ end
 local made = { wear = columns_of "wear", state = columns_of "state" }
 table.insert(made.wear, 1, history())
 
--- What belongs behind the entry of a class: its options, each with what is written inside it, and
--- its fields.
+-- Returns the entries that follow the entry of a class: its options, each with the written options inside it, and its
+-- fields.
 local function behind(class, written)
   local list = {}
   for _, option in ipairs(settings[class] and options_of(class) or {}) do
@@ -103,7 +103,7 @@ local function behind(class, written)
   return list
 end
 
--- join(written) -> all entries; what is written by hand goes before what is made.
+-- join(written) -> all entries; a written entry replaces a made one.
 return function(written)
   local known, joined, placed = {}, {}, {}
   for _, entry in ipairs(written) do known[entry[1]] = true end

@@ -1,5 +1,6 @@
--- Turns help entries into text fitted to the terminal. Leans on archard.term.
+-- Formats help entries as text that fits the terminal.
 
+local search = require "archard.help.search"
 local term = require "archard.term"
 
 local show = {}
@@ -12,7 +13,7 @@ local function heading(text)
   return term.colour() and "\27[1m" .. text .. "\27[0m" or text
 end
 
--- Paragraphs (separated by empty lines) filled to the width; lines that begin with two spaces stay.
+-- Wraps paragraphs, which are separated by empty lines, to the width. Lines that begin with two spaces are not changed.
 local function fill(text, width, margin)
   local lines = {}
   local line = ""
@@ -35,7 +36,7 @@ local function fill(text, width, margin)
   return (table.concat(lines, "\n"):gsub("\n+$", ""))
 end
 
--- "one of ..., default ..., unit" of an entry, as far as they are known.
+-- Returns values, unit and default of an entry as text, as far as they are known.
 function show.facts(entry)
   local facts = {}
   if entry.type then
@@ -48,15 +49,38 @@ function show.facts(entry)
   return table.concat(facts, ", ")
 end
 
--- Ends after so many letters at most.
-function show.first_sentence(text, most)
-  local flat = text:gsub("%s+", " ")
-  local sentence = flat:match("^(.-[.])%s%u") or flat
-  if #sentence <= (most or math.huge) then return sentence end
-  return sentence:sub(1, most):match("^(.*)%s") .. " ..."
+-- Shortens a text to at most `most` characters, at the end of a word.
+local function shortened(text, most)
+  if #text <= (most or math.huge) then return text end
+  return text:sub(1, most):match("^(.*)%s") .. " ..."
 end
 
--- A table of entries: name, then the facts and the first sentence.
+function show.first_sentence(text, most)
+  local flat = text:gsub("%s+", " ")
+  return shortened(flat:match("^(.-[.])%s%u") or flat, most)
+end
+
+-- Returns the number of words that a sentence contains; a word also counts with an ending, as in "wears" for "wear".
+local function count_words(words, sentence)
+  local count = 0
+  sentence = " " .. search.plain(sentence)
+  for _, word in ipairs(words) do
+    if sentence:find("%W" .. word:gsub("%p", "%%%0")) then count = count + 1 end
+  end
+  return count
+end
+
+-- Returns the sentence of a text with most words of the phrase, the first of equal ones.
+local function best_sentence(text, words, most)
+  local best, sentence = 0, nil
+  for each in (text:gsub("%s+", " ") .. " "):gsub("([.]) (%u)", "%1\n%2"):gmatch("[^\n]+") do
+    local count = count_words(words, each)
+    if count > best then best, sentence = count, each end
+  end
+  return sentence and shortened(sentence:match("^(.-)%s*$"), most) or show.first_sentence(text, most)
+end
+
+-- Returns a table of entries: name, facts and first sentence of each.
 local function listing(title, entries, width)
   if #entries == 0 then return nil end
   width = width or page_width()
@@ -76,13 +100,13 @@ end
 
 show.listing = listing
 
--- What a search has found, by address, at most so many.
+-- Returns the list of the first `most` entries found for a phrase, each with the sentence that is most like the phrase.
 function show.found(found, text, most)
-  local list = {}
+  local list, words = {}, search.words(text)
   for i = 1, math.min(#found, most or #found) do
     local entry = found[i]
     local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
-    list[i] = { name = title, text = show.first_sentence(entry.text, 150) }
+    list[i] = { name = title, text = best_sentence(entry.text, words, 200) }
   end
   local left = #found - #list
   return listing(("%d about %s"):format(#list, text), list)
@@ -99,7 +123,7 @@ local function of_kind(entries, wanted)
   return list
 end
 
--- The whole text of one entry; `help` gives what belongs to it.
+-- Returns the whole text of one entry, with its fields and functions from `help`.
 function show.entry(help, entry)
   local width = page_width()
   local parts = { heading(entry.use or entry.address) }
@@ -150,8 +174,8 @@ Session      who()  session.save("s.archard")  session.open("s.archard")
 Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"
              "steps"  "limits"  "glossary"  "troubleshooting"
 
-help(wear) explains an object, help(w.step) a method, help "jump" a name;
-help.search "stability" searches all texts.
+help(wear) explains an object, help(w.step) a method, help "jump" a name,
+help "fretting map" any words; help.search "stability" searches all texts.
 Tab completes names, also the fields inside wear{ }. The last value is in _ .
 Ctrl-C stops a run after its step, Ctrl-D leaves.]]
 

@@ -44,13 +44,15 @@ return {
     text = "The file for all cases." },
   { "study.fretting_map", kind = "function", class = "fretting_map",
     use = "f = study.fretting_map{ load={ 50, 100 }, motion={ 1e-3, 3e-3, 1e-2 } }",
-    text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, partial slip or "
-      .. "gross slip), and at each load the amplitudes of the transitions, from periodic cycles between two forces. "
-      .. "Partial slip begins when slip covers a share `annulus` of the width, as any force causes some slip at the "
-      .. "edges of a smooth contact; for 0.1 this is 19 % of the sliding force (Cattaneo, Mindlin). Errors "
-      .. "for a cylinder: 0.5 % (unlike bodies 3 %), 8 % at a fineness of 0.2; of gross slip 0.5 %. In "
-      .. "3-D the rim's width is a share of the radius, 27 % of the sliding force for 0.1; for a ball 1.5 % and 0.2 %. "
-      .. "Accepts the fields of contact{} too (worn=, friction=, model=)." },
+    text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, "
+      .. "partial slip or gross slip), and at each load the amplitudes of the transitions, from periodic "
+      .. "cycles between two forces. Partial slip begins when slip covers a share `annulus` of the width, "
+      .. "as any force causes some slip at the edges of a smooth contact; for 0.1 this is 19 % of the "
+      .. "sliding force (Cattaneo, Mindlin). The transition to partial slip has an error of 0.5 % for a "
+      .. "cylinder (unlike bodies 3 %; 8 % at a fineness of 0.2) and 1.5 % for a ball; the transition to "
+      .. "gross slip has 0.5 % and 0.2 %. In 3-D the rim's width is a share of the radius; partial slip "
+      .. "then begins at 27 % of the sliding force for 0.1. Accepts the fields of contact{} too (worn=, "
+      .. "friction=, model=)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
     text = "Amplitudes of the plate's motion, half its strokes, increasing." },
@@ -59,12 +61,13 @@ return {
     text = "Share of the contact's width that slips, on both sides together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
-    text = "Searches for the settings that cases need. Element size: the unworn pressure agrees with Hertz' "
-      .. "at that size and at half of it, with at least eight elements across the contact. Jump: the "
-      .. "largest one below the stability limit for which the surfaces stay smooth and symmetric. "
-      .. "Increments: the fewest that give the same profiles. Accepts the fields of study{} and those "
-      .. "below, or a study and a table of them; cases are distributed to workers. For study.paper() it "
-      .. "prints the paper's Table 1 beside its own." },
+    text = "Mesh and step convergence study: searches for the element size, the jump and the increments at "
+      .. "which results no longer change. Element size: the unworn pressure agrees with Hertz' at that size "
+      .. "and at half of it, with at least eight elements across the contact. Jump: the largest one below "
+      .. "the stability limit for which the surfaces stay smooth and symmetric. Increments: the fewest that "
+      .. "give the same profiles. Accepts the fields of study{} and those below, or a study and a table of "
+      .. "them; cases are distributed to workers. For study.paper() it prints the paper's Table 1 beside "
+      .. "its own." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} in common to all cases, see study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
   { "study.converge{cases}", type = "list of tables", text = "A list of cases instead of vary, see study{cases}." },
@@ -178,7 +181,7 @@ return {
   { "convergence", kind = "object", use = "c = study.converge{...}",
     text = "Result of study.converge; print shows it." },
   { "convergence.mesh", kind = "field",
-    text = "The element size that was found, and a list of the trials." },
+    text = "Result of study.converge{}: the element size that was found, and a list of the trials." },
   { "convergence.cases", kind = "field",
     text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged "
       .. "(number of updates), increments, roughness, asymmetry, smooth (if the tolerance was increased), "
@@ -259,7 +262,7 @@ return {
   { "case.results", kind = "field", text = 'Results of a task other than "wear", such as "converge".' },
   { "case.study", kind = "field", class = "study", text = "The study of the case." },
   { "case.history", kind = "field", text = "Columns of the history by name, see wear.history." },
-  { "case.last", kind = "field", text = "The last record of the history, by name." },
+  { "case.last", kind = "field", text = "The last record of the history: a table with the names of the columns as keys." },
   { "case.surfaces", kind = "field",
     text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }." },
   { "case.model", kind = "field", text = "Definition of the model." },

@@ -6,7 +6,8 @@ for i, column in ipairs(require "archard.settings".columns) do columns[i] = colu
 return {
   -- --- csv ------------------------------------------------------------------------------------
   { "csv", kind = "object", use = 'csv.read("measured.csv")',
-    text = "Reads tables of numbers from text files: measured loadings, profiles, coefficients." },
+    text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
+      .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
     text = "Reads columns under a line of names, separated by commas, semicolons or tabs; empty lines and lines that "
       .. "begin with # are skipped. Returns the columns as lists by name, so that loading = csv.read(path) and worn "
@@ -157,8 +158,8 @@ return {
     text = "Style of the curves, or of one curve. Default: lines, with marks in windows and files if they have 4 to "
       .. "30 points." },
   { "plot{colour}", type = "string or boolean",
-    text = 'For a curve: "#rrggbb" or the name of a colour. For the plot: "grey" or false draws greys in '
-      .. "files and no colours in the terminal." },
+    text = 'For the whole plot: "grey" or false draws greys in files and no colours in the terminal. For a '
+      .. 'curve: "#rrggbb" or the name of a colour.' },
   { "plot{series}", type = "whole number >= 1",
     text = "For a curve: number of its colour and mark, 1 to 8; default: the next one." },
   { "plot{dash}", type = "whole number >= 1",
@@ -185,8 +186,9 @@ return {
     text = "Default options: term, size (in the terminal and in windows), file_size (in pixels), colour, key." },
   { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
-    text = "Style of figures in files. paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, "
-      .. "png of 600 dpi; journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in "
+    text = 'Style of figures for papers and slides, also in greyscale: plot.style{ "paper", colour="grey" '
+      .. "}. paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; "
+      .. "journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in "
       .. "pixels, the default. Returns the present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
     text = 'Width of the figure: that of a column ("single"), of the page ("double"), or a number.' },
@@ -286,9 +288,9 @@ return {
   { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Radius of the head; for "
     .. "a run the radius of its joint is used." },
   { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
-    text = "Draws a map seen obliquely from the front, coloured by its values, with lines along every fifth "
-      .. "of 50 rows. Lengths along x and heights have the same scale, heights times the exaggeration in "
-      .. "the title; lengths along z are halved." },
+    text = "Draws a map seen obliquely from the front as 50 coloured rows, with a line along every fifth row. "
+      .. "Heights have the scale of x, multiplied by the exaggeration, which the title shows; lengths along "
+      .. "z are drawn at half scale." },
   { "plot.surface{exaggeration}", type = "number > 0",
     text = "Factor on the heights; default: heights of about a fifth of the longer side." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
@@ -363,7 +365,7 @@ return {
     text = "A series of states of a run for ParaView: a .vtu (of maps a .vti) for each body and state, and their "
       .. "list by distance in w.pvd. Writes the present state and returns a function for the next ones: w:run{ "
       .. "progress= } calls it after each `every` updates and at the end; it can be called without arguments too." },
-  { "export.pvd{every}", type = "number", default = "1", text = "Updates between two states." },
+  { "export.pvd{every}", type = "number", default = "1", text = "Number of updates from one written state to the next; 1: every update is written." },
   { "export.inp", kind = "function", use = "export.inp(obj, path)",
     text = "Input deck of a contact, a run (as worn) or a model (at its default load) for Abaqus and CalculiX: both "
       .. "bodies, supports, contact pair, load and output requests. CalculiX runs it with ccx path (without ending). "

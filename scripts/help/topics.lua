@@ -4,19 +4,22 @@
 return {
   { "units", [[
 Lengths are in mm, forces in N, pressures and moduli in MPa (N/mm2), wear coefficients in mm2/N, volumes in mm3, angles in
-degrees. A load is the force over the thickness of the bodies, 1 mm by default (model{ thickness= }); on bodies of revolution and in three
-dimensions it is the total force.
+degrees. In 2-D a load acts on the whole thickness of the bodies, 1 mm by default (model{ thickness= }); on bodies of revolution and in
+three dimensions it is the total force.
 
-The travelled distance d [mm] counts both strokes: d = cycles * strokes * stroke, with two strokes per cycle, or one at a stroke
-of 2 radius. Depths are in mm; tables and plots in um have this unit in their labels.
+The travelled distance d [mm] counts both strokes of a cycle (to and fro): d = cycles * strokes * stroke, with two strokes per
+cycle. For a stroke of 2 radius a cycle has one stroke, as the plate passes in one direction only. Depths are in mm; tables and plots in um have this unit in
+their labels.
 
-k = 1e-8 mm2/N means 1e-8 mm3 of wear per N and mm of sliding, of both bodies together. To convert from mm3/(N m), divide by
-1000: 1e-5 mm3/(N m) = 1e-8 mm2/N.
+k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. To convert from mm3/(N m), divide by
+1000: 1e-5 mm3/(N m) = 1e-8 mm2/N. A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
+if the cylinder does not wear.
 
 Columns of run files have units in their names (half_width_mm); the view `units` lists them.]] },
 
   { "glossary", [[
-Terms, with the symbol of the paper in brackets.
+Terms, with the symbol of the paper in brackets. Equation numbers in the help are those of the paper: Mattei and Di Puccio,
+"Influence of the wear partition factor on wear evolution modelling of sliding surfaces".
 
   alpha          [alpha] wear partition factor k_c / (k_c + k_p): the upper
                  body's share of the wear; 0 to 1
@@ -67,7 +70,7 @@ The contact has a fixed position, so wear{} needs slide = "z" and one of these:
                    disc may wear too and remains flat: its depth is the mean
                    over the track, whose width is that of the contact
   spin = 1         rotation about the axis: slip is r / spin times the stroke;
-                   with spin = 1 distances are angles
+                   with spin = 1 a distance of 1 mm is 1 rad
   model.axis > 0   a ring: all its points slide the same distance; with spin
                    the distance grows with r
 
@@ -134,7 +137,7 @@ examples/gmsh_pair.geo is an example for Gmsh:
 
   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
-One update of the geometry represents many cycles. Their number:
+Cycle jump: one update of the geometry represents many cycles. Their number:
 
   jump = "auto"        default: explicit steps, with an error estimate
   scheme = "implicit"  long steps, controlled by tolerance (default 1e-3)
@@ -151,7 +154,7 @@ update, w:run() all; Ctrl-C stops after the running step, and w:run() continues.
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
-Not simulated: plastic flow, debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
+Not simulated: plastic flow (yielding), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (Dang Van). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
 value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not
@@ -169,6 +172,10 @@ Rough profiles, ripples, sawtooth pressures: the jump is above the stability lim
 Zone too narrow: omit the model in contact{}, or increase the mesh.zone named in the message. Runs enlarge it automatically.
 
 Too coarse for the contact: fewer than four elements per half width. Give a smaller mesh.size, or omit it; see help "meshes".
+
+A contact, step or fit that did not converge raises an error with the problem that was being solved. Contacts: check the units and the
+shape of worn surfaces. Steps: use shorter ones, or jump = "auto". Fits: give better start values, bounds, or fewer unknowns. Whether mesh and
+steps are fine enough: study.converge{}, or compare with mesh.fineness = 2.
 
 Slow runs: time(function() w:step() end) measures a step. Use larger elements, fewer increments, longer steps. Studies use all
 processors by default.

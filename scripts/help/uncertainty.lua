@@ -84,11 +84,12 @@ return {
   { "failure.course", kind = "field",
     text = "A list of { n=, probability= } for half of the samples and for all, to check convergence." },
   { "uncertainty", kind = "object", use = "u = s:uncertainty{...}",
-    text = "Statistics by the name of the result: u.depth_cylinder.mean[i] at the distance u.distance[i]. Each has "
-      .. "mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, high= }), rank (Spearman's "
-      .. "correlation with every field at the last distance), convergence (the same for increasing numbers n of "
-      .. "samples) and, with indices, first and total: by field { value=, error= }, the share of the variance caused "
-      .. "by the field alone, and with its interactions. print shows it." },
+    text = "Statistics of a sampled study, s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 } }, "
+      .. "n=256 }:run(), by the name of the result: u.depth_cylinder.mean[i] at the distance u.distance[i]. "
+      .. "Each has mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, high= }), rank "
+      .. "(Spearman's correlation with every field at the last distance), convergence (the same for "
+      .. "increasing numbers n of samples) and, with indices, first and total: by field { value=, error= }, "
+      .. "the share of the variance caused by the field alone, and with its interactions. print shows it." },
   { "uncertainty.distance", kind = "field", unit = "mm", text = "Distances of the statistics." },
   { "uncertainty.of", kind = "field", text = "The results, by name." },
   { "uncertainty.fields", kind = "field", text = "The uncertain fields, by name." },

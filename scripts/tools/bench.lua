@@ -158,8 +158,8 @@ local function sizes()
   plot(curves)
 end
 
--- Runs small cases, as in studies of thousands of cases: elapsed time, with as many workers as
--- processors.
+-- Measures the elapsed time of many small cases, as in studies of thousands of cases, with one
+-- worker per processor.
 local function studies()
   local term, workers = require "archard.term", require "archard.process".processors()
   local file, loads = os.tmpname(), {}
