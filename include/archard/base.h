@@ -68,8 +68,8 @@ arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use
 /* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Also
  * errors of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
-/* Reads a whole file and appends a zero byte; *text [*length] is released by free(). ARC_IO,
- * ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
+/* Reads a whole file and appends a zero byte; *text [*length] is released by free(). Errors:
+ * ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
 arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
 
 /* Copies text to shown [size] for display and truncates it to fit. Control characters and invalid

@@ -55,14 +55,14 @@ arc_model *arc_shape_model(const arc_shape *shape);
 
 /* Wears one body by `depth` [surface] at the candidate nodes [mm]. The nodes move along their
  * current normals (Eq. 8 of the paper), the scalar sums of the depths are stored too, and the nodes
- * of the wear box are moved along smoothly. ARC_GEOMETRY (an element of the wear box would
+ * of the wear box are moved along smoothly. Errors: ARC_GEOMETRY (an element of the wear box would
  * collapse; with frozen geometry a depth above 1e6 mm) or ARC_MEMORY/ARC_NUMERIC: the shape is
  * unchanged. */
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], like a plate under a stroke over its whole
  * width: the surface keeps its shape; with moving geometry, layers in the wear box become thinner.
- * ARC_MEMORY, ARC_NUMERIC: the shape is unchanged. */
+ * Errors: ARC_MEMORY, ARC_NUMERIC: the shape is unchanged. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error);
 
 /* Interpolates the worn surfaces of `from` to the unworn surfaces `to` on another model of the same
@@ -74,7 +74,7 @@ arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *erro
 /* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, depth
  * [surface], with 0 beyond its ends. The splines of arc_shape_remap are used. If the points
  * cover a whole scar (unworn at both ends, within the nodes), the area of the polyline through them
- * is kept. Points at nodes keep their depths. ARC_MEMORY. */
+ * is kept. Points at nodes keep their depths. Errors: ARC_MEMORY. */
 arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
                             double *depth, arc_error *error);
 
@@ -312,7 +312,7 @@ void arc_field_destroy(arc_field **field);
 /* Returns the pressures as arrays, body by body: x, in 3-D z, and p [sites, 1], in the frame of the
  * upper body; sites of maps have z fastest. With friction in 3-D, arrays of the upper body follow:
  * shear along x and z and its magnitude, q, qz, shear [MPa]; slip of the lower surface relative to
- * the upper one, s, sz, slip [mm]. All are in one block, released by free(). ARC_MEMORY. */
+ * the upper one, s, sz, slip [mm]. All are in one block, released by free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
 /* Returns the model of a contact (borrowed). */

@@ -53,7 +53,7 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
 /* Returns the content of this Gmsh file as text, released by free(), or NULL on failure.
- * ARC_MEMORY. */
+ * Errors: ARC_MEMORY. */
 arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
                                arc_error *error);
 

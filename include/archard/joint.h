@@ -100,8 +100,8 @@ double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 /* A joint with the worn maps of both bodies. Opaque; not for two threads at once. */
 typedef struct arc_joint arc_joint;
 
-/* Creates an unworn joint. ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance), ARC_MEMORY;
- * *made is NULL on failure. */
+/* Creates an unworn joint. Errors: ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance),
+ * ARC_MEMORY; *made is NULL on failure. */
 arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_error *error);
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
@@ -131,8 +131,8 @@ typedef struct arc_joint_contact {
 } arc_joint_contact;
 
 /* Solves one contact under a load [N] in the frame of the cup, with the head at rotation R (row by
- * row; NULL: not rotated). ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the contact
- * extends around the head), ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
+ * row; NULL: not rotated). Errors: ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the
+ * contact extends around the head), ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
 arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const double load[3],
                            const arc_callbacks *callbacks, arc_joint_contact *contact,
                            arc_error *error);

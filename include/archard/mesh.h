@@ -40,10 +40,11 @@ extern const char *const arc_space_names[];
  * arc_model_fit replaces by a number. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
   NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
-         "Width of the elements at the contact. \"auto\": the half width of the unworn contact / " \
-         "(5.4 fineness), which is 0.020 mm in the paper's case. The half width includes the "     \
-         "effect of layers and is computed for the load of the contact or wear run that builds "   \
-         "the model (100 N for model{} alone). Balls have half this size. At rounded edges and "   \
+         "Element size at the contact: model = { mesh = { size = 0.01 } } makes elements 10 um "   \
+         "wide, which grow outside. \"auto\": the half width of the unworn contact / (5.4 "        \
+         "fineness), which is 0.020 mm in the paper's case. The half width includes the effect "   \
+         "of layers and is computed for the load of the contact or wear run that builds the "      \
+         "model (100 N for model{} alone). Balls have half this size. At rounded edges and "       \
          "kinks, the width over which the pressure rises replaces the half width. For rough "      \
          "profiles the size is at most an eighth of the wave length, but waves that change the "   \
          "pressure by less than a thousandth do not count. In wear runs with partial slip it is "  \

@@ -131,8 +131,8 @@ arc_hertz_def arc_hertz_default(void);
 /* Solves Hertz' contact. ARC_ARGUMENT: a value out of its range. */
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error);
 
-/* Solves Hertz' line contact in plane strain. ARC_ARGUMENT unless load [N], radius and thickness
- * [mm] > 0. */
+/* Solves Hertz' line contact in plane strain. Errors: ARC_ARGUMENT unless load [N], radius and
+ * thickness [mm] > 0. */
 arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
@@ -149,7 +149,8 @@ typedef struct arc_model arc_model;
  * Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY.
  * On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
-/* Checks a definition for arc_model_build. ARC_ARGUMENT (field, expected, actual), ARC_GEOMETRY. */
+/* Checks a definition for arc_model_build. Errors: ARC_ARGUMENT (field, expected, actual),
+ * ARC_GEOMETRY. */
 arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
 /* Builds a model like arc_model_build, with callbacks that report its progress and can stop it
@@ -167,7 +168,7 @@ arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_ca
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
-/* Checks a definition and two meshes for arc_model_build_given. ARC_ARGUMENT. */
+/* Checks a definition and two meshes for arc_model_build_given. Errors: ARC_ARGUMENT. */
 arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                                  arc_error *error);
 /* Returns true if the model was built from meshes without a wear box. */

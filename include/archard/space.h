@@ -104,7 +104,8 @@ arc_status arc_halfspace_solve(arc_halfspace *h, const double *const depth[ARC_B
                                const arc_halfspace_options *options, double *pressure,
                                double *approach, arc_halfspace_report *report, arc_error *error);
 
-/* Computes the gaps of a solution [mm] on the window, which are about 0 in contact. ARC_MEMORY. */
+/* Computes the gaps of a solution [mm] on the window, which are about 0 in contact. Errors:
+ * ARC_MEMORY. */
 arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *position, const double *pressure,
                               double approach, double *gap, arc_error *error);
@@ -162,7 +163,7 @@ typedef struct arc_halfspace_effort {
                        changed them */
 } arc_halfspace_effort;
 
-/* Allocates a state in which all values are zero. ARC_MEMORY. */
+/* Allocates a state in which all values are zero. Errors: ARC_MEMORY. */
 arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_friction *state,
                                         arc_error *error);
 arc_status arc_halfspace_friction_copy(const arc_halfspace *h, const arc_halfspace_friction *from,
@@ -274,8 +275,8 @@ void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, doubl
 /* --- initial depths -------------------------------------------------------------------------- */
 
 /* Creates an unworn shape on a model in 3-D, with the initial cells of a run of this definition and
- * a window of at least |x| <= half_x, |z| <= half_z [mm]. ARC_ARGUMENT, ARC_MEMORY; *shape is NULL
- * on failure. */
+ * a window of at least |x| <= half_x, |z| <= half_z [mm]. Errors: ARC_ARGUMENT, ARC_MEMORY; *shape
+ * is NULL on failure. */
 arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, double half_x,
                                   double half_z, arc_shape **shape, arc_error *error);
 /* Returns the number of sites of a body and their positions [mm], arrays owned by the shape. Sites
@@ -291,7 +292,7 @@ arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double 
 
 /* Computes the stresses [MPa] at y <= 0 [mm] below the sites of the window, from pressures and
  * Poisson's ratio nu: [6][window] of xx, yy, zz, xy, yz, xz, tension positive. For homogeneous
- * half-spaces. ARC_MEMORY. */
+ * half-spaces. Errors: ARC_MEMORY. */
 arc_status arc_halfspace_stress(const arc_halfspace *h, const double *pressure, double nu, double y,
                                 double *stress, arc_error *error);
 
@@ -310,8 +311,8 @@ typedef struct arc_hertz_ellipse {
   double approach;                 /* [mm] approach */
 } arc_hertz_ellipse;
 
-/* Solves Hertz' elliptic contact. ARC_ARGUMENT unless radius_x, radius_z [mm], E_star [MPa] and
- * load [N] > 0. */
+/* Solves Hertz' elliptic contact. Errors: ARC_ARGUMENT unless radius_x, radius_z [mm], E_star [MPa]
+ * and load [N] > 0. */
 arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star, double load,
                                 arc_hertz_ellipse *hertz, arc_error *error);
 

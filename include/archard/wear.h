@@ -50,9 +50,7 @@ extern "C" {
   X(LAW_THRESHOLD, "threshold", ARC_LAW_JUMPS, "1 where p > law_pressure, 0 elsewhere",            \
     p > d->law_pressure, 1)                                                                        \
   X(LAW_ENERGY, "energy", ARC_LAW_OF_SHEAR,                                                        \
-    "q / p, so that wear is k times the friction energy "                                          \
-    "q ds",                                                                                        \
-    1, 1)
+    "q / p, so that wear is k times the friction energy q ds and k is in mm3/(N mm)", 1, 1)
 
 #define ARC_LAW_TEXT(name, word, properties, text, ...) " \"" word "\": " text "."
 
@@ -113,22 +111,25 @@ typedef struct arc_loading {
       scheme, scheme, ARC_EXPLICIT, 0,                                                             \
       "Pressures that an update uses: \"explicit\", those at its start; \"implicit\", those at "   \
       "its end, which allows longer steps.")                                                       \
-  QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
-           "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). 1 mm3/(N m) "    \
-           "is 1e-3 mm2/N. k can also be a function of the state (help \"state\"), or a table "    \
-           "that is interpolated linearly over the distance; two values at one distance are a "    \
-           "jump, where an update ends. Both are integrated over each update. A function is "      \
-           "evaluated 1.6 times a cycle or 3236 times a run, whichever is less, so shorter "       \
-           "peaks may be missed.")                                                                 \
+  QUANTITY(                                                                                        \
+      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
+      "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). To convert "          \
+      "from mm3/(N m), multiply by 1e-3. A coefficient measured on one body is k_cylinder "        \
+      "or k_plate, not k, which alpha divides (by default half for each body). k can also "        \
+      "be a function of the state (help \"state\"), or a table that is interpolated linearly "     \
+      "over the distance; two values at one distance are a jump, where an update ends. "           \
+      "Both are integrated over each update. A function is evaluated 1.6 times a cycle, at "       \
+      "most 3236 times a run; shorter peaks may be missed.")                                       \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder.")             \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
-        "Wear coefficient of the cylinder alone, k_c = alpha k. Give k_cylinder and k_plate "      \
+        "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
+        "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \
         "instead of k and alpha, or a k to each body: model = { cylinder = { k = ... }, plate = "  \
         "{ k = ... } }.")                                                                          \
   OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
-        "Wear coefficient of the plate alone, k_p = (1 - alpha) k.")                               \
+        "Wear coefficient of the plate alone, k_p = (1 - alpha) k; give k_cylinder too.")          \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
          "Normal load L_N. For a load that varies during a cycle use loading; load is then the "   \
          "load at which pressures and widths are reported.")                                       \
@@ -158,11 +159,13 @@ typedef struct arc_loading {
       "eighth of the contact's half width in one increment; a loading is divided between its "     \
       "points likewise.")                                                                          \
   NUMBER(refresh, "", 0.05, FROM(0), 0,                                                            \
-         "Limit at which the stiffness of worn bodies is recomputed (with moving geometry): "      \
-         "once a node has moved inwards by this share of the height of its element or by a "       \
-         "fifth of this share of the remaining layer, or along the surface by a hundredth of "     \
-         "this share of the width of its element. Between two computations the stiffness is "      \
-         "corrected to first order (not with layers). 0: it is recomputed at every update.")       \
+         "Limit at which the stiffness of worn bodies is recomputed (with moving geometry). "      \
+         "Smaller is more accurate and slower; the default suffices for most runs. The "           \
+         "stiffness is recomputed once a node has moved inwards by this share of the height of "   \
+         "its element or by a fifth of this share of the remaining layer, or along the surface "   \
+         "by a hundredth of this share of the width of its element. Between two computations "     \
+         "the stiffness is corrected to first order (not with layers). 0: it is recomputed at "    \
+         "every update.")                                                                          \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
          "short waves (edges of contact, shear from node to node, slip between nodes, stiffness "  \
@@ -175,14 +178,15 @@ typedef struct arc_loading {
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
          "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
          "is then k L_N d to rounding. \"total\": the motion plus the elastic displacements of "   \
-         "the touching points. In both cases the volumes of the bodies have the ratio k_c / k_p.") \
+         "the touching points, which matter if the stroke is short. In both cases the volumes "    \
+         "of the bodies have the ratio k_c / k_p.")                                                \
   QUANTITY(                                                                                        \
       friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                         \
-      "Coefficient of friction between the bodies; 0: no friction. With friction, wear and "       \
-      "energy use the local slip: both strokes are solved with stick and slip, from "              \
-      "freshly pressed bodies on, until the cycle is periodic; the last cycle is used. The "       \
-      "coefficient can be a function or a table, as k can. With jump = \"auto\" and implicit "     \
-      "updates the change within an update is integrated; updates of a fixed number of "           \
+      "Coefficient of friction between the bodies: a number, a function of the state or a table "  \
+      "over the distance; 0: no friction. With friction, wear and energy use the local slip: "     \
+      "both strokes are solved with stick and slip, from freshly pressed bodies on, until the "    \
+      "cycle is periodic; the last cycle is used. With jump = \"auto\" and implicit updates a "    \
+      "change of the coefficient within an update is integrated; updates of a fixed number of "    \
       "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\".")        \
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
@@ -359,7 +363,7 @@ typedef enum arc_column_rule {
   X(volume_plate, "mm3", FROM(0), ALWAYS, "wear volume of the plate")                              \
   X(load_distance, "N mm", FROM(0), LATER, "load (in holes: normal force) times sliding distance") \
   X(depth_partition, "", FROM(0), LATER, "depth partition factor alpha-tilde; NaN if unworn")      \
-  X(error, "", FROM(0), LATER, "estimated error of an adaptive step / tolerance")                  \
+  X(error, "", FROM(0), LATER, "estimated error of a step / tolerance (1: just accepted)")         \
   X(solutions, "", FROM(0), ALWAYS, "contact solutions so far")                                    \
   X(box_rows, "", FROM(0), LATER, "number of element rows in the wear box")                        \
   X(elements, "", FROM(0), LATER, "number of elements in both meshes")                             \
@@ -411,7 +415,7 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             arc_error *error);
 
 /* Returns the arrays that restore the run together with its history; *state [*count] is one block,
- * released by free(). ARC_MEMORY. */
+ * released by free(). Errors: ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
 /* Restores a run like arc_wear_restore from these arrays, which are checked. Also errors of

@@ -37,9 +37,9 @@ arc_status arc_gnuplot_open(const arc_gnuplot_def *def, arc_gnuplot **session, a
 /* Ends gnuplot and frees the session; *session may be NULL. Open windows remain. */
 void arc_gnuplot_close(arc_gnuplot **session);
 
-/* Starts gnuplot unless it is running. An error does not change the session. ARC_MISSING: gnuplot
- * is not installed, or older than ARC_GNUPLOT_OLDEST. ARC_IO: it gave no answer in time, or ended
- * at once. ARC_STOPPED. */
+/* Starts gnuplot unless it is running. An error does not change the session. Errors: ARC_MISSING if
+ * gnuplot is not installed, or older than ARC_GNUPLOT_OLDEST, ARC_IO if it gave no answer in time
+ * or ended at once, ARC_STOPPED. */
 arc_status arc_gnuplot_start(arc_gnuplot *session, arc_error *error);
 
 /* Return the version and the terminals of the running gnuplot, 0 and "" before the first start. The

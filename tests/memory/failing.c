@@ -35,8 +35,7 @@ static kind armed;
 static long asked, first;
 static __thread int inside;
 
-/* --- call sites
- * -------------------------------------------------------------------------------- */
+/* --- call sites ------------------------------------------------------------------------------- */
 
 typedef struct place {
   uint64_t callers; /* hash of the callers' addresses; 0: no call yet */

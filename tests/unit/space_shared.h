@@ -70,8 +70,7 @@ UNUSED static void free_solved(solved *s) {
   arc_halfspace_destroy(&s->h);
 }
 
-/* --- histories
- * ------------------------------------------------------------------------------------ */
+/* --- histories -------------------------------------------------------------------------------- */
 
 /* A reciprocating stroke with cycles so short that wear can be treated as continuous in the
  * distance. */

@@ -7,8 +7,7 @@
 #include "core/friction/friction.h"
 #include "core/plane/solution.h"
 
-/* --- a loading history
- * ------------------------------------------------------------------------- */
+/* --- a loading history ------------------------------------------------------------------------ */
 
 typedef struct history {
   arc_shape *shape;
@@ -23,7 +22,7 @@ static double scar(double x) {
   return fmax(0, 4e-3 * (1 - x * x / 0.09));
 }
 
-/* Wears one body by a smooth scar, or not at all, and the other body by half as much. */
+/* Wears the plate by a smooth scar times `share`, and the cylinder by half as much. */
 static void wear_down(history *h, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_profile profile = arc_shape_profile(h->shape, (arc_body)b);
@@ -62,8 +61,7 @@ static void go(history *h, const friction_step *step) {
   check_ok(arc_friction_solve(&h->problem, &h->compliance, &h->workspace, step, &h->state, why));
 }
 
-/* --- conditions of an increment
- * ---------------------------------------------------------------- */
+/* --- conditions of an increment --------------------------------------------------------------- */
 
 /* Recomputes the gaps from the matrices and the shape only. */
 static void check_gaps(const history *h) {

@@ -19,8 +19,7 @@ static void forget(arc_mesh *mesh[ARC_BODIES]) {
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&mesh[b]);
 }
 
-/* --- valid files
- * ------------------------------------------------------------------------------- */
+/* --- valid files ------------------------------------------------------------------------------ */
 
 /* Both files contain the parabola x^2 / 20 on four edges above a flat: the same pair. */
 static void test_both_versions(void **state) {
@@ -125,8 +124,7 @@ static void test_one_body(void **state) {
   arc_model_release(&model);
 }
 
-/* --- meshes as texts
- * --------------------------------------------------------------------------- */
+/* --- meshes as texts -------------------------------------------------------------------------- */
 
 static char *text_of(arc_mesh *const mesh[ARC_BODIES]) {
   const arc_mesh *both[ARC_BODIES] = {mesh[0], mesh[1]};
@@ -233,8 +231,7 @@ static void test_moving_refused(void **state) {
   arc_model_release(&model);
 }
 
-/* --- broken files
- * ------------------------------------------------------------------------------ */
+/* --- broken files ----------------------------------------------------------------------------- */
 
 static const struct broken {
   const char *name, *part; /* part of the message */
@@ -314,8 +311,7 @@ static void test_no_file(void **state) {
   check_refused(arc_mesh_read_msh("/tmp", mesh, why), ARC_IO, "cannot read /tmp");
 }
 
-/* --- random changes
- * ---------------------------------------------------------------------------- */
+/* --- random changes --------------------------------------------------------------------------- */
 
 static size_t read_text(const char *path, char *text, size_t room) {
   FILE *file = fopen(path, "rb");

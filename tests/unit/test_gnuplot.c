@@ -5,8 +5,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
-/* --- a faulty gnuplot
- * -------------------------------------------------------------------------- */
+/* --- a faulty gnuplot ------------------------------------------------------------------------- */
 
 static void assert_start(const char *program, arc_status status, const char *words) {
   arc_gnuplot *session = open_session(program);

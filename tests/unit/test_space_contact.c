@@ -5,8 +5,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* --- half-spaces
- * ------------------------------------------------------------------------------------ */
+/* --- half-spaces ------------------------------------------------------------------------------ */
 
 /* Hertz contact of a ball: a 0.0880442, p0 615.942, approach 7.75179e-4. */
 static void test_ball(void **state) {
@@ -114,8 +113,7 @@ static void test_punch(void **state) {
   }
 }
 
-/* --- layers, periodic surfaces
- * ------------------------------------------------------------------------ */
+/* --- layers, periodic surfaces ---------------------------------------------------------------- */
 
 /* A rigid ball on a layer bonded to a rigid base: p0, a and approach of an independent program. */
 static void test_layers(void **state) {
@@ -216,8 +214,7 @@ static void test_full_contact(void **state) {
   free_solved(&s);
 }
 
-/* --- random pairs
- * ----------------------------------------------------------------------------------- */
+/* --- random pairs ----------------------------------------------------------------------------- */
 
 static double rough_recess(void *context, double x, double z) {
   const double *w = context;

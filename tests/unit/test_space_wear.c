@@ -36,8 +36,7 @@ static void check_history(const history *w, const history_def *d) {
   }
 }
 
-/* --- tables
- * ----------------------------------------------------------------------------------------- */
+/* --- tables ----------------------------------------------------------------------------------- */
 
 typedef struct row {
   double alpha, stroke, upper, lower, share; /* depths and their relative tolerance */
@@ -120,8 +119,7 @@ static void test_cap(void **state) {
   free_history(&w);
 }
 
-/* --- steps
- * ------------------------------------------------------------------------------------------ */
+/* --- steps ------------------------------------------------------------------------------------ */
 
 /* Equal steps from the unworn ball, including a single step of 3000 mm. */
 static void test_any_step(void **state) {
@@ -185,8 +183,7 @@ static void test_eigenvalue(void **state) {
   free_history(&w);
 }
 
-/* --- exchange, grooves, fractions
- * --------------------------------------------------------------------- */
+/* --- exchange, grooves, fractions ------------------------------------------------------------- */
 
 /* A stage with the ball above at x = -2 .. 3 cells, or the same ball below, moving in the opposite
  * direction. */
@@ -294,8 +291,7 @@ static void test_factors(void **state) {
   arc_halfspace_destroy(&h);
 }
 
-/* --- workers, growth, refusals
- * ------------------------------------------------------------------------- */
+/* --- workers, growth, refusals ---------------------------------------------------------------- */
 
 static void test_workers(void **state) {
   (void)state;
@@ -408,8 +404,7 @@ static void test_random_histories(void **state) {
                 (double)applications / (double)stages, guarded);
 }
 
-/* --- below the surface
- * ---------------------------------------------------------------------------------- */
+/* --- below the surface ------------------------------------------------------------------------ */
 
 /* Hertz: largest von Mises stress 0.620 p0 at depth 0.48 a; at the surface -(1 + 2 nu) / 2 p0 at
  * the centre. */

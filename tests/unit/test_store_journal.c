@@ -60,8 +60,7 @@ static void put_name(FILE *to, const char *names) {
   put_magic(to);
 }
 
-/* --- journals of archard
- * ----------------------------------------------------------------------- */
+/* --- journals of archard ---------------------------------------------------------------------- */
 
 /* Makes a file without its last page and the journal that contains this page. */
 static void cut_in_mid_change(const char *name) {
@@ -93,8 +92,7 @@ static void test_put_right(void **state) {
   free(good);
 }
 
-/* --- journals of other programs
- * ---------------------------------------------------------------- */
+/* --- journals of other programs --------------------------------------------------------------- */
 
 static void lay_file(const char *name) {
   write_bytes(in_folder(name), "precious", 8);

@@ -166,8 +166,7 @@ static void test_texts(void **state) {
   assert_int_equal(number_of("texts", "SELECT count(*) FROM texts"), 3);
 }
 
-/* --- untrusted files
- * --------------------------------------------------------------------------- */
+/* --- untrusted files -------------------------------------------------------------------------- */
 
 static void set_mesh(const char *name, const char *value) {
   sqlite3 *db;

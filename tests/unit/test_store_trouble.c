@@ -152,8 +152,7 @@ static void test_replace(void **state) {
   free(letter);
 }
 
-/* --- full disks and killed programs
- * ------------------------------------------------------------ */
+/* --- full disks and killed programs ----------------------------------------------------------- */
 
 static void add_many(arc_store *store, int from, int to, arc_error *error, arc_status *status) {
   *status = arc_store_begin(store, error);

@@ -415,8 +415,7 @@ static void test_tangled_tree(void **state) {
   assert_damaged("tangled", "");
 }
 
-/* --- files that are no run files
- * --------------------------------------------------------------- */
+/* --- files that are no run files -------------------------------------------------------------- */
 
 static void test_devices(void **state) {
   (void)state;

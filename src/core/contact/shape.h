@@ -102,8 +102,8 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
 /* Largest wear [mm] of a frozen geometry; beyond it gaps lose the digits of displacements. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that the surface may wear by depth [n], not including the common part. ARC_GEOMETRY
- * (wear_box.c). */
+/* Checks that the surface may wear by depth [n], not including the common part. Errors:
+ * ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
 /* Computes the vertical lowering of the surface at fixed x per depth of wear along its normal, 1 /
@@ -153,7 +153,7 @@ static inline int shape_is_corrected(const arc_shape *shape) {
 /* Prepares an update that wears the surface of one body. If the surface will move too far for its
  * compliance, computes the compliance with `depth` [n] added, that of the middle of the update,
  * which the end of the update keeps. If such a surface is not valid, the compliance is unchanged.
- * ARC_MEMORY, ARC_NUMERIC. */
+ * Errors: ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
                                 arc_error *error);
 

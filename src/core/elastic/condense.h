@@ -7,7 +7,7 @@
 
 /* Computes the compliance, in the chart's directions, with the wear-box nodes at box_at [2 *
  * box_count] in the chart (in the order of box_node). After an even wear `even` [mm] the layers in
- * the box are higher by this length. ARC_NUMERIC, ARC_MEMORY. */
+ * the box are higher by this length. Errors: ARC_NUMERIC, ARC_MEMORY. */
 arc_status arc_body_condense(const elastic_body *body, const double *box_at, double even,
                              compliance *result, arc_error *error);
 

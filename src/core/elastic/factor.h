@@ -23,7 +23,7 @@ arc_status arc_factor_create(int n, int last, const sparse_entries *entries, fac
                              arc_error *error);
 void arc_factor_destroy(factor **f);
 
-/* Computes the Schur complement of the last unknowns: schur [last x last]. ARC_MEMORY. */
+/* Computes the Schur complement of the last unknowns: schur [last x last]. Errors: ARC_MEMORY. */
 arc_status arc_factor_schur(const factor *f, double *schur, arc_error *error);
 
 /* Computes b := A^-1 b, where A is the matrix of all but the last unknowns, b [n - last]. Two

@@ -5,7 +5,7 @@
 #include "core/elastic/body.h"
 
 /* Determines the layers below each surface node of an imported mesh whose body has layers; does
- * nothing for other meshes. ARC_MEMORY. */
+ * nothing for other meshes. Errors: ARC_MEMORY. */
 arc_status arc_body_find_strata(elastic_body *body, arc_error *error);
 /* For a body with materials: sets *own to the body with layers, whose thicknesses are those below
  * the middle of its surface. */

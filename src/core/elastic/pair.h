@@ -7,11 +7,11 @@
 /* Dundurs' second constant beta of a pair, the elastic mismatch. */
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 
-/* Checks that two valid bodies form a valid pair. ARC_ARGUMENT. */
+/* Checks that two valid bodies form a valid pair. Errors: ARC_ARGUMENT. */
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 
 /* Checks that two bodies with imported meshes, whose extent is that of the meshes, form a valid
- * pair. ARC_ARGUMENT. */
+ * pair. Errors: ARC_ARGUMENT. */
 arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error);
 
 #endif

@@ -13,7 +13,7 @@ static inline unsigned arc_msh_bit(arc_body body, msh_set set) {
 /* Returns "upper" or "lower". */
 const char *arc_msh_role(arc_body body);
 
-/* Assigns the groups of the file; all six are required. ARC_FORMAT, ARC_MEMORY. */
+/* Assigns the groups of the file; all six are required. Errors: ARC_FORMAT, ARC_MEMORY. */
 arc_status arc_msh_sort_groups(msh_file *file, arc_error *error);
 /* Returns the entity of an element, or NULL for an element without a group. */
 const msh_entity *arc_msh_entity_of(const msh_file *file, const msh_element *element);

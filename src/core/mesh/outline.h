@@ -5,7 +5,7 @@
 #include "archard/mesh.h"
 
 /* Chains the edges that belong to only one element into the boundary polygon. Of the two polygons
- * of a ring, the one with the surface is used. ARC_MEMORY or ARC_GEOMETRY. */
+ * of a ring, the one with the surface is used. Errors: ARC_MEMORY or ARC_GEOMETRY. */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

@@ -18,7 +18,8 @@ typedef struct mesh_builder {
 } mesh_builder;
 
 /* Adds the elements of the half body s >= 0: first the wear box, column by column, then the rest.
- * Hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
+ * Hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. Errors:
+ * ARC_MEMORY. */
 arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
 
 #endif

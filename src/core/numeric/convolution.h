@@ -25,7 +25,7 @@ typedef enum lag_parity {
 int arc_transform_length(int n);
 
 /* Makes a convolution without periodic images, on a box at least twice as large as the window.
- * ARC_MEMORY. */
+ * Errors: ARC_MEMORY. */
 arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_fn kernel,
                                   const void *context, convolution **made, arc_error *error);
 /* Makes a convolution from a symbol, the transform of an even kernel on a box of box_rows x

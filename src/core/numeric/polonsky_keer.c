@@ -8,8 +8,8 @@
 
 enum { most_steps = 20000 };
 
-/* Computes a direction on the set without load: the negative residual, and a share of the last
- * direction. */
+/* Computes the next search direction, which does not change the loads: the negative residual plus
+ * a multiple of the last direction, on the cells in contact. */
 static void turn(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;

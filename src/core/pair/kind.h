@@ -6,7 +6,7 @@
 
 #include "core/pair/cycle.h"
 
-/* Functions for runs that outgrow their sites. Functions marked with a * may be NULL. */
+/* Functions for runs that outgrow their sites. Optional ones may be NULL. */
 typedef struct arc_growth {
   /* Returns true if a run must grow before the next step, with the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
@@ -20,8 +20,8 @@ typedef struct arc_growth {
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* * Recreates a new run on sites fine enough for its cycles. *finer is NULL if the sites are fine
-   * enough, or if the user set their size. */
+  /* Optional: recreates a new run on sites fine enough for its cycles. *finer is NULL if the sites
+   * are fine enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
   /* Report growth, a mesh that the user requested, and a step that failed although the run could
    * grow. */
@@ -31,13 +31,13 @@ typedef struct arc_growth {
                        arc_error *error);
 } arc_growth;
 
-/* Functions of a kind. Functions marked with a * may be NULL. */
+/* Functions of a kind. Optional ones may be NULL. */
 typedef struct arc_kind {
   const char *name;
 
   /* --- models --------------------------------------------------------------------------------- */
 
-  /* Checks a definition for `build`. ARC_ARGUMENT, ARC_GEOMETRY. */
+  /* Checks a definition for `build`. Errors: ARC_ARGUMENT, ARC_GEOMETRY. */
   arc_status (*check_model)(const arc_model_def *def, arc_error *error);
   /* Builds a model with one reference, whose first member is the handle (pair/model.h). */
   arc_status (*build)(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **model,
@@ -52,19 +52,20 @@ typedef struct arc_kind {
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
-  /* * Sets defaults of a run. NULL: the defaults of the settings apply. */
+  /* Optional: sets defaults of a run. NULL: the defaults of the settings apply. */
   void (*usual)(arc_wear_def *def);
 
-  /* Checks combinations of settings. ARC_ARGUMENT. */
+  /* Checks combinations of settings. Errors: ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
   wear_manner (*manner)(const arc_wear_def *def, const arc_model_def *model);
-  /* * Returns the number of increments in a full cycle without a loading. NULL: 100 for "auto". */
+  /* Optional: returns the number of increments in a full cycle without a loading. NULL: 100 for
+   * "auto". */
   int (*increments)(const arc_wear_def *def, const arc_model_def *model);
-  /* * Returns the number of increments of a loading, at least one between two points. parts [count]
-   * (or NULL) receives the number of increments that end at each point. */
+  /* Optional: returns the number of increments of a loading, at least one between two points. parts
+   * [count] (or NULL) receives the number of increments that end at each point. */
   double (*parts)(const arc_wear_def *def, const arc_model_def *model, const arc_loading *loading,
                   double *parts);
-  /* * Returns the longest accurate increment [mm] under a load [N]. */
+  /* Optional: returns the longest accurate increment [mm] under a load [N]. */
   double (*reach)(const arc_model_def *model, double load);
 
   /* --- runs ----------------------------------------------------------------------------------- */
@@ -73,12 +74,13 @@ typedef struct arc_kind {
    * must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w); /* * memory needed with surfaces and tangents */
-  /* * Checks that the zones contain the contact over the whole motion. ARC_ZONE. */
+  size_t (*bytes)(const arc_wear *w); /* Optional: memory needed with surfaces and tangents */
+  /* Optional: checks that the zones contain the contact over the whole motion. Errors: ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* * Gives warnings about the definition; with `unworn` also about sites that are too coarse. */
+  /* Optional: gives warnings about the definition; with `unworn` also about sites that are too
+   * coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* * Warns if the sites were too coarse for the last update. Returns 1 if so. */
+  /* Optional: warns if the sites were too coarse for the last update. Returns 1 if so. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
@@ -86,7 +88,7 @@ typedef struct arc_kind {
   /* Creates initial surfaces: unworn ones, or a copy of `from` of the same model. */
   arc_status (*surfaces)(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                          arc_shape **shape, arc_error *error);
-  /* * Creates unworn surfaces for single contacts, see arc_shape_create. */
+  /* Optional: creates unworn surfaces for single contacts, see arc_shape_create. */
   arc_status (*unworn)(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                        arc_error *error);
   arc_status (*copy)(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -97,14 +99,14 @@ typedef struct arc_kind {
   /* Returns the profile along x through the middle. */
   arc_profile (*profile)(const arc_shape *shape, arc_body body);
   double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] largest depth */
-  /* * Converts depths [n] at the largest coefficient of the layers to depths at their own
+  /* Optional: converts depths [n] at the largest coefficient of the layers to depths at their own
    * coefficients. */
   void (*through_layers)(const arc_shape *shape, double *depth);
   /* Adds the volumes of depths, and the depths of tracks, before the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
-  /* * Prepares a shape for an update with these depths in its middle, where quantities that depend
-   * on the depths must be accurate. */
+  /* Optional: prepares a shape for an update with these depths in its middle, where quantities that
+   * depend on the depths must be accurate. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
   /* Wears a shape and adds the volumes. Layers limit the depths. On failure the shape must be
@@ -121,10 +123,11 @@ typedef struct arc_kind {
   /* Computes the wear of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
-  /* * Returns the sawtooth measure of pressures between neighbouring sites, relative to their mean
+  /* Optional: returns the sawtooth measure of pressures between neighbouring sites, relative to
+   * their mean
    * [-], on the surfaces of the last record. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
-  /* * Computes the fretting loop of a cycle. */
+  /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      arc_loop **loop, arc_error *error);
   wear_tangent *(*tangent)(const arc_wear *w); /* NULL: out of memory */
@@ -150,21 +153,22 @@ typedef struct arc_kind {
   /* Returns the depth [mm] of wear that has the same effect on the contact as its elastic
    * displacement. */
   double (*natural_depth)(const arc_wear *w);
-  /* * Return integrals of k over the distance [mm3/N]. The first removes `depth` [mm] from a lower
-   * body that wears evenly. The second is that after which the wear of layers, even layers or also
-   * those under `scars`, changes the contact by as much as an update may. NULL: there are no such
-   * limits. */
+  /* Optional: return integrals of k over the distance [mm3/N]. The first removes `depth` [mm] from
+   * a lower body that wears evenly. The second is that after which the wear of layers, even layers
+   * or also those under `scars`, changes the contact by as much as an update may. NULL: there are
+   * no such limits. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
-  /* * Returns the wear coefficient of the exposed layer at the deepest point of a body, relative to
-   * the largest coefficient of the body. NULL: 1. */
+  /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,
+   * relative to the largest coefficient of the body. NULL: 1. */
   double (*open_share)(const arc_wear *w, arc_body body);
 
   const arc_growth *growth; /* NULL: the number of sites is constant */
 
   /* --- one contact ---------------------------------------------------------------------------- */
 
-  /* * All or none of these exist: see arc_contact_solve, arc_contact_move, arc_contact_surfaces. */
+  /* Optional, all or none of these four: see arc_contact_solve, arc_contact_move,
+   * arc_contact_surfaces. */
   arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
                       const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
   arc_status (*move)(const arc_contact *from, const arc_motion_def *motion,
@@ -176,7 +180,7 @@ typedef struct arc_kind {
 
   /* --- results */
 
-  /* * */
+  /* Optional: creates the contact of the present state. */
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
   /* Returns arrays of the present surfaces for arc_wear_surfaces, body by body. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
@@ -187,7 +191,7 @@ typedef struct arc_kind {
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
                      size_t count, arc_shape **shape, arc_error *error);
   double (*roughness)(const arc_wear *w, arc_body body);
-  /* * Checks surfaces and contact. ARC_NUMERIC. */
+  /* Optional: checks surfaces and contact. Errors: ARC_NUMERIC. */
   arc_status (*validate)(const arc_wear *w, arc_error *error);
 } arc_kind;
 

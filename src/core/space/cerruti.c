@@ -135,8 +135,9 @@ arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **fou
   pthread_mutex_lock(&h->lock);
   if (!h->shear) {
     space_shear_kernels *k = calloc(1, sizeof *k);
-    status = k ? fill(&h->def, k, error)
-               : arc_fail(error, ARC_MEMORY, "out of memory for the kernels of shear");
+    status =
+        k ? fill(&h->def, k, error)
+          : arc_fail(error, ARC_MEMORY, "out of memory for the influence coefficients of shear");
     if (status != ARC_OK) arc_cerruti_destroy(&k);
     h->shear = k;
   }

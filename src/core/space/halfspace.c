@@ -107,7 +107,7 @@ static arc_status make_periodic(arc_halfspace *h, arc_error *error) {
   const double step_x = 2 * acos(-1) / (d->nx * d->size_x),
                step_z = 2 * acos(-1) / (d->nz * d->size_z);
   double *symbol = malloc((size_t)half_x * (size_t)half_z * sizeof *symbol);
-  if (!symbol) return arc_fail(error, ARC_MEMORY, "out of memory for the kernel");
+  if (!symbol) return arc_fail(error, ARC_MEMORY, "out of memory for the influence coefficients");
   for (int i = 0; i < half_x; i++)
     for (int j = 0; j < half_z; j++)
       symbol[i * half_z + j] = i + j > 0 ? arc_space_symbol(d, hypot(i * step_x, j * step_z)) : 0;

@@ -211,5 +211,7 @@ arc_status arc_space_add_layers(const arc_halfspace_def *d, double *kernel, arc_
           rest_of_cell(d, &r, i * d->size_x, j * d->size_z);
   free(r.symbol.value);
   free(r.radial.value);
-  return done ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for the kernel of layers");
+  return done ? ARC_OK
+              : arc_fail(error, ARC_MEMORY,
+                         "out of memory for the influence coefficients of layers");
 }

@@ -19,7 +19,7 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Advances by one increment to a share of the leg. */
+/* Advances in one increment to the point at a share (0 to 1) of the leg. */
 static arc_status advance(const leg *g, double share, const arc_halfspace_friction *guess,
                           arc_halfspace_friction *state, arc_error *error) {
   arc_halfspace_increment to = g->def->to;

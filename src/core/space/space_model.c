@@ -92,10 +92,10 @@ static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
     most = fmax(most, fmax(fabs(of_x), fabs(of_z)));
   }
   if (x > 0 && z > 0 && fmax(x, z) < conformal * most)
-    return arc_fail(
-        error, ARC_GEOMETRY,
-        "field 'upper': with geometry = \"3-D\" expected radii that differ by a tenth or more, got "
-        "less: a ball in its socket is a joint{}");
+    return arc_fail(error, ARC_GEOMETRY,
+                    "field 'upper': with geometry = \"3-D\" expected radii that differ by at least "
+                    "a tenth of the "
+                    "larger one; for a ball in a socket of nearly the same radius use joint{}");
   if (x > 0 && z > 0) return ARC_OK;
   return arc_fail(error, ARC_GEOMETRY,
                   "field 'upper': with geometry = \"3-D\" expected surfaces between which the gap "

@@ -53,7 +53,8 @@ static double on_course(const course *c, int column, double wear) {
   return now + rise * wear + bend * wear * (wear - c->to);
 }
 
-/* Predicts pressures and widths of an intermediate state; with an end state also the depths. */
+/* Predicts pressures and widths of an intermediate state, and the depths too if the plan has an
+ * end state. */
 static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
                           arc_wear_record *state) {
   const course c = course_of(w, plan);

@@ -11,7 +11,7 @@ typedef struct wear_plan {
   double times;  /* factor on the wear of the window: cycles, or share of an increment */
   double end;    /* distance at the end of the step [mm] */
   double most;   /* largest integral of k over the distance, which ends the step [mm3/N] */
-  int first;     /* increment of a generic history */
+  int first;     /* index of the increment, in a history without repetition */
   int explicit;  /* 1: explicit step of an implicit run */
   int staged;    /* 1: explicit step in stages, with an error estimate */
   const arc_wear_record *end_state; /* state at the end of an earlier attempt; NULL: none */

@@ -90,7 +90,7 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
 }
 
 /* Appends the settings of a list to the table on top of the stack. The settings of a group follow
- * the group, unless the group is a class. */
+ * the group, unless they are those of a class, which lists them itself. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {
