@@ -109,7 +109,7 @@ return {
   { "mesh.element", kind = "field",
     text = 'Type of the elements: "CPE4" or "CPE4I" in plane strain, "CPS4" in plane stress, "CAX4" in bodies of '
       .. "revolution." },
-  { "mesh.rows", kind = "field", text = "Number of element rows in the wear box." },
+  { "mesh.rows", kind = "field", text = "Number of element rows in the wear box, the regular elements below the surface." },
   { "mesh.body", kind = "field", text = 'Body of the mesh, "cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",

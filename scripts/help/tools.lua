@@ -25,7 +25,7 @@ return {
       .. "decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights, instead of h." },
-  { "profile{y}", type = "list", unit = "mm", text = "Heights, by the name used in sections of maps." },
+  { "profile{y}", type = "list", unit = "mm", text = "Heights. Sections of maps have this field too." },
   { "profile{h}", type = "list", unit = "mm", text = "Depths, instead of z." },
   { "profile{level}", values = { "line", "circle" },
     text = "Subtracts the best line or circle, by least squares of heights; see p:level." },

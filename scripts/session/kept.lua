@@ -62,7 +62,7 @@ local function made_contact(parts)
   return made
 end
 
--- A contact of a joint is one call.
+-- Returns the fields with which a contact of a joint is solved again; it has no earlier steps.
 local function joint_contact_parts(contact)
   return { model = contact.model, given = { load = contact.load, direction = contact.direction } }
 end

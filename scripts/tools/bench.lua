@@ -203,7 +203,7 @@ local function sensitivities()
     w:run{ progress = false }
     local found
     local seconds = timed(function() found = w:sensitivity() end)
-    line(("sensitivities to k, alpha, load, jump %s, %d runs"):format(jump, found.runs), string.format("%.2f", seconds), "s")
+    line(("sensitivities to k, alpha and load with jump %s (%d runs)"):format(jump, found.runs), string.format("%.2f", seconds), "s")
   end
 end
 

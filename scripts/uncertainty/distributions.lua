@@ -43,9 +43,10 @@ local function read(kind, order, fields, given)
   local named = {}
   for key, value in pairs(given) do
     local name = order[key] or key
-    if type(name) ~= "string" or named[name] ~= nil then
-      check.fail(kind, ("expected two numbers, %s and %s, or fields by name; got %s twice or "
-        .. "a value at index %s"):format(order[1], order[2], order[1], tostring(key)))
+    local twice = named[name] ~= nil and ("%s twice"):format(name)
+    if twice or type(name) ~= "string" then
+      check.fail(kind, ("expected two numbers, %s and %s, or fields by name; got %s"):format(order[1], order[2],
+        twice or ("a value at index %s"):format(tostring(key))))
     end
     named[name] = value
   end

@@ -33,7 +33,7 @@ local function has_one(text, list)
   return false
 end
 
--- The parts of a field's path, and texts that messages contain instead of the field.
+-- Returns the texts of which a message must contain one: the parts of the field's path, or texts that replace it.
 local function names_of(field)
   local list = { "unknown field", "panel ", "curve ", "cannot read", "holds a " }
   for part in field:gmatch "[^.]+" do list[#list + 1] = part end

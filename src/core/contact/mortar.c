@@ -61,7 +61,8 @@ static void add_overlap(double left, double right, double a, double b, double at
   }
 }
 
-/* Adds one of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
+/* Adds to `row` the integrals over [a, b], one of the two segments beside a candidate node, where
+ * its shape function psi is linear from at_a to at_b. */
 static void add_segment(const contact_problem *p, const double *plate, double a, double b,
                         double at_a, double at_b, int first, double *row) {
   for (int l = plate_segment(p, plate, a); l < p->np - 1 && at(p, plate, l) + p->x < b; l++) {

@@ -67,7 +67,7 @@ static void fit_size(arc_model_def *def, const contact_estimate *e) {
       fmin(fmin(contact_size(def, e), size_of_waves(e)) / mesh->fineness, largest_size(def));
 }
 
-/* Limits the height of rows so that two fit into soft layers that hardly change their volume, as a
+/* Limits the height of rows so that two fit into soft, nearly incompressible layers, as a
  * single row locks where it is squeezed out sideways. Rows do not become too flat: much thinner
  * layers are as stiff as their foundation. */
 static double height_in_layers(const arc_model_def *def, double height) {

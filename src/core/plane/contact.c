@@ -131,7 +131,7 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
                     def->friction);
   if (def->load_angle != 0 && !arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'load_angle': expected 0 but in a hole, got %g degrees",
+                    "field 'load_angle': expected 0 (other angles only in a hole), got %g degrees",
                     def->load_angle);
   arc_status status = check_revolved(shape->handle.model, def, error);
   if (status == ARC_OK) status = arc_shape_clone(shape, &c->handle.shape, error);

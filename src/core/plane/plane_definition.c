@@ -152,7 +152,8 @@ static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, 
   const int hole = arc_model_is_hole(model);
   if (d->load_angle != 0 && !hole)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'load_angle': expected 0 but in a hole, got %g degrees", d->load_angle);
+                    "field 'load_angle': expected 0 (other angles only in a hole), got %g degrees",
+                    d->load_angle);
   if (hole && arc_wear_has_friction(d))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'friction': expected 0 in a hole, where shear carries load too");

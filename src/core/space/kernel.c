@@ -140,7 +140,8 @@ static const double gauss_at[GAUSS / 2] = {0.1834346424956498, 0.525532409916329
 static const double gauss_weight[GAUSS / 2] = {0.3626837833783620, 0.3137066458778873,
                                                0.2223810344533745, 0.1012285362903763};
 
-/* Integral of symbol times J0(q radius) from q = a to b. */
+/* Returns the integral of the Fourier symbol of the kernel times J0(q radius) over q from a to b.
+ */
 static double panel(const rest *r, double radius, double a, double b) {
   const double middle = (a + b) / 2, half = (b - a) / 2;
   double sum = 0;

@@ -29,7 +29,7 @@ static arc_status check(const arc_contact_def *def, arc_error *error) {
   if (status != ARC_OK) return status;
   if (def->load_angle != 0)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'load_angle': expected 0 but in a hole, got %g degrees",
+                    "field 'load_angle': expected 0 (other angles only in a hole), got %g degrees",
                     def->load_angle);
   return ARC_OK;
 }

@@ -159,7 +159,7 @@ static double range_of(int b, const double k[COMPONENTS]) {
 static int ends_jump(const integration *s, double share, double from, const double k[COMPONENTS]) {
   const arc_wear_def *d = &s->w->def;
   if (share < margin * 10 || share > 1 - margin * 10) return 0;
-  if (share - from <= 3 * shortest) { /* jump of a function */
+  if (share - from <= 3 * shortest) { /* discontinuity of a function */
     for (int b = 0; b < COMPONENTS; b++)
       if (fabs(k[b] - s->k[b]) > large * fmax(range_of(b, k), range_of(b, s->k))) return 1;
     return 0;
