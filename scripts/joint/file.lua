@@ -164,8 +164,8 @@ function file.open(path, functions)
   check_path("joint.open", path)
   return check.as("joint.open", read, path, functions)
 end
+
 -- (path, functions, id) -> the run if case `id` of the study is a run of a joint, else nil
--- the engine.
 function file.open_case(path, functions, id)
   local from <close> = store.open(path, "read")
   return results_of(from, id) and file.wear(from, id, functions)
