@@ -100,8 +100,9 @@ static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], 
       path, gap > 0 ? "are apart" : "overlap", fabs(gap), x, limit, -gap);
 }
 
-/* Fits the parabola gap = c + b x + x^2 / 2 R over both surfaces, by least squares about its
- * middle. */
+/* Fits the parabola gap = c + b x + x^2 / 2 R to the gap between both surfaces, by least squares.
+ * R follows from the second Legendre polynomial about the middle, which is orthogonal to c + b x.
+ */
 static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   static const double flattest = 1e6;
   const double from = fmax(surface_at(upper, 0)[0], surface_at(lower, 0)[0]);
@@ -110,8 +111,7 @@ static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   enum { samples = 201 };
   double weight = 0, sum = 0;
   int above = 0, below = 0;
-  for (int k = 0; k < samples;
-       k++) { /* the second Legendre polynomial is orthogonal to the linear part */
+  for (int k = 0; k < samples; k++) {
     const double t = 2.0 * k / (samples - 1) - 1, x = (from + to) / 2 + t * (to - from) / 2;
     const double gap = height_at(upper, x, &above) - height_at(lower, x, &below);
     const double legendre = t * t - (samples + 1.0) / (3.0 * (samples - 1));

@@ -182,7 +182,7 @@ static arc_status check_shapes(const msh_body *b) {
 /* --- coincident nodes ------------------------------------------------------------------------- */
 
 typedef struct grid_cell {
-  double x, y; /* integer coordinates of a cell, and a node in it */
+  double x, y; /* integer coordinates of the cell that contains `node` */
   int node;
 } grid_cell;
 
@@ -209,8 +209,8 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Limit of the distance, as a share of the extent: nodes closer than half of it are in one cell of
- * at least one of four grids. */
+/* Refuses nodes at nearly equal positions. Two nodes that are closer than half the spacing of a
+ * grid are in one cell of at least one of four shifted grids. */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;
   const double spacing = 1e-9 * extent(m);

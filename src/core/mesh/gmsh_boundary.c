@@ -129,8 +129,8 @@ static arc_status refuse_line(const msh_body *b, const msh_element *e, const cha
 
 /* --- the candidate surface -------------------------------------------------------------------- */
 
-/* Outlines are counter-clockwise, so they pass the upper body's surface to the right and the lower
- * body's to the left. */
+/* Refuses an overhanging line of the contact surface. Outlines are counter-clockwise: x must
+ * increase along the surface of the upper body and decrease along that of the lower body. */
 static arc_status check_direction(const msh_body *b, const msh_element *e, int from, int to) {
   const double *p = position(b, from), *q = position(b, to);
   const int upper = b->mesh->body == ARC_CYLINDER;

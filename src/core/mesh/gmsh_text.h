@@ -29,7 +29,7 @@ int arc_msh_whole(msh_text *text, long long *value);
 arc_status arc_msh_fail(const msh_text *text, arc_error *error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Copies the printable beginning of a text for a message. */
+/* Printable beginning of a text, for a message. */
 typedef struct msh_shown {
   char text[32];
 } msh_shown;

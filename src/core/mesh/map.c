@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns the number of root cells along the half surface: few on solid arcs, so that the triangles
- * at their centre are not acute. */
+/* Returns the level of the root cells, which are 2^level units wide. Solid arcs have few, wide root
+ * cells, so that the triangles at the centre of the arc are not acute. */
 static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   const double wide = arc_body_map_closed(m) ? 5 : 2.5;
   const double largest = m->core ? m->half_s / wide : fmin(def->far, m->half_s / 2);
@@ -27,7 +27,8 @@ static double plain_depth(const body_map *m, double d) {
   return d >= m->units_d ? m->depth : stretch(d, m->near_d, m->units_d, m->depth);
 }
 
-/* Returns the row nearest to a depth [mm]; deep rows are those of coarse cells. */
+/* Returns the row nearest to a depth [mm] and below row `above`. Deep below the surface only rows
+ * at the ends of coarse cells are used. */
 static double row_at(const body_map *m, double depth, double above) {
   double least = 0, most = m->units_d;
   for (int k = 0; k < 60; k++) {
@@ -41,7 +42,7 @@ static double row_at(const body_map *m, double depth, double above) {
   return fmax(above + 1, round(j / coarse) * coarse);
 }
 
-/* Adds rows of elements at every interface. */
+/* Moves a row of nodes to every interface between layers. */
 static void lay_layers(body_map *m) {
   m->layers = arc_body_layers(m->solid);
   for (int l = 0; l < m->layers; l++) {
@@ -70,8 +71,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
   m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
   m.lines = (int)fmax(1, round(deep / (unit * def->height)));
-  const double beside =
-      m.half_s - near_s; /* limit of the compression of coarse columns that end here */
+  /* Columns beside the contact may be compressed to half their width at most. */
+  const double beside = m.half_s - near_s;
   if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
   m.units_s = m.columns * unit * def->size;
   m.units_d = m.lines * unit * def->height;

@@ -37,7 +37,8 @@ static arc_status split(quadtree *tree, int at) {
   return ARC_OK;
 }
 
-/* Unit cells outside the middle of each edge, two per edge because its halves may differ. */
+/* Returns the level of the finest leaf beside an edge of a cell, from the two unit cells outside
+ * the middle of the edge, one at either half. */
 static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) {
   const int w = 1 << c->level, half = w / 2;
   int finest = c->level;

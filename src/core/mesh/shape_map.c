@@ -5,11 +5,11 @@
 
 static const char *const fields[] = {"radius", "radius_z", "y", "x", "z", NULL};
 
-enum { LEAST = 4 /* numbers of points along the axes */ };
+enum { LEAST = 4 /* smallest number of points along an axis */ };
 
 static arc_status check_axis(const char *path, const char *name, const arc_series *s,
                              arc_error *error) {
-  static const double uneven = 1e-4; /* tolerance, as a share of a step */
+  static const double uneven = 1e-4; /* tolerance of the steps, relative to their mean */
   const double *v = s->value;
   if (s->count < LEAST)
     return arc_fail(error, ARC_ARGUMENT, "field '%s%s': expected at least %d points, got %d", path,
@@ -71,9 +71,10 @@ static int weigh(const arc_series *axis, double at, double weight[4]) {
   weight[2] = t * (1 + t * (4 - 3 * t)) / 2;
   weight[3] = t * t * (t - 1) / 2;
   if (t >= 0 && t <= 1) return i - 1;
-  /* In the first and last interval the parabola through the three points at that end is used. */
+  /* In the first and last interval the parabola through the three points at that end is used; s is
+   * the position relative to the middle one of these points. */
   const int k = t < 0 ? 0 : 1;
-  const double s = t - k; /* relative to the middle one of them */
+  const double s = t - k;
   weight[0] = weight[1] = weight[2] = weight[3] = 0;
   weight[k] = s * (s - 1) / 2;
   weight[k + 1] = 1 - s * s;

@@ -11,8 +11,8 @@ static void resolve(arc_body_def *b, double radius) {
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns half of the surface that may have fine elements: the flat, and the same share of the
- * edges as of a cylinder. */
+/* Returns the limits of the fine elements: the flat, and of its edges the same share of the radius
+ * as for a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",

@@ -46,13 +46,14 @@ static form form_of(const arc_series *y) {
   return f;
 }
 
-/* Counts changes between peaks and valleys that are higher than a tenth of the total range. */
+/* Returns the mean length of the waves, counted as changes between peaks and valleys that are
+ * higher than a tenth of `height`, the total range. */
 static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
   int turns = 0, sense = 0;
-  double from = 0, to = 0,
-         at = 0; /* values at the last two extrema, and the extreme point since then */
+  /* Positions of the first and the last extremum, and of the extreme point since then. */
+  double from = 0, to = 0, at = 0;
   double last = 0;
   for (int i = 0; i < y->count; i++) {
     const double x = y->distance[i], r = y->value[i] - form_at(f, x), step = r - last;

@@ -4,8 +4,7 @@
 
 #include "archard/body.h"
 
-/* Computes form and waves of a profile; for other bodies the wavelength is INFINITY and the height
- * zero. */
+/* Form and waves of a profile. For other bodies the wavelength is INFINITY and the height zero. */
 typedef struct body_waves {
   double form;   /* radius of the best-fit parabola [mm]: negative if hollow, INFINITY if flat */
   double length; /* wavelength [mm], INFINITY: no waves */

@@ -69,14 +69,14 @@ static void read_shear(arc_contact *c) {
   }
 }
 
-/* Force along x on the cylinder [N/mm]. */
+/* Returns the force along x on the cylinder [N/mm]. */
 static double driving_force(const arc_contact *c) {
   double sum = 0;
   for (int i = 0; i < c->count[ARC_CYLINDER]; i++) sum += c->force[ARC_CYLINDER][i];
   return sum;
 }
 
-/* Sum of the normal forces [N/mm]. */
+/* Returns the sum of the normal forces [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
   for (int k = 0; k < c->problem.count; k++) sum += c->problem.f[k];
@@ -215,7 +215,7 @@ static arc_status explain_zones(const arc_contact *c, arc_error *error) {
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* Load [N]; 0 if one of the bodies is worn. */
+/* Returns the load [N], or 0 if one of the bodies is worn. */
 static double unworn_load(const arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_shape_depth(c->handle.shape, (arc_body)b) > 0) return 0;
