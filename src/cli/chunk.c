@@ -17,8 +17,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* True if the stack from `level` on has a Lua function other than the chunk, so that a traceback is
- * useful. */
+/* Returns true if the stack from `level` on has a Lua function other than the chunk, so that a
+ * traceback is useful. */
 static int has_callers(lua_State *L, int level) {
   lua_Debug frame;
   for (; lua_getstack(L, level, &frame); level++) {

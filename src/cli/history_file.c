@@ -88,7 +88,7 @@ static int is_header(const char *line) {
   return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
 }
 
-/* True if a line is a header, apart from backslashes before it. */
+/* Returns true if a line is a header, apart from backslashes before it. */
 static int looks_like_header(const char *line) {
   return is_header(line + strspn(line, "\\"));
 }

@@ -114,8 +114,8 @@ static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   set_cell(to, mark ? mark : braille, pattern ? 3 : 0, colour);
 }
 
-/* True if the cell is part of the frame and has a mark of a curve. A mark covers the frame; a line
- * does not. */
+/* Returns true if the cell is part of the frame and has a mark of a curve. A mark covers the frame;
+ * a line does not. */
 static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
   int found = 0;
   if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;

@@ -60,7 +60,7 @@ static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axi
 
 /* --- linear axes ------------------------------------------------------------------------------ */
 
-/* True if two consecutive points of a curve are at this height. */
+/* Returns true if two consecutive points of a curve are at this height. */
 static int runs_along(const arc_plot_panel *panel, double height, double span) {
   for (size_t i = 0; i < panel->curve_count; i++) {
     const arc_plot_curve *curve = &panel->curves[i];
@@ -93,7 +93,8 @@ static int same_end(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
-/* True if the y axes of two panels have the same label and settings, and an automatic end. */
+/* Returns true if the y axes of two panels have the same label and settings, and an automatic
+ * end. */
 static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
   const arc_plot_axis *p = &a->y, *q = &b->y;
   if (a->field || b->field || a->equal || b->equal || p->places || q->places) return 0;

@@ -13,7 +13,7 @@ static corner corner_of(const arc_plot_field *field, size_t polygon, int which) 
   return (corner){field->x[i], field->y[i], field->value[i]};
 }
 
-/* True if the bounding box of a polygon overlaps the box, whose ends may be reversed. */
+/* Returns true if the bounding box of a polygon overlaps the box, whose ends may be reversed. */
 static int touches(const arc_plot_field *field, size_t polygon, const arc_plot_box *box) {
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
   for (int k = 0; k < 4; k++) {

@@ -82,7 +82,8 @@ static arc_status check_axis(const arc_plot_axis *axis, const char *name, size_t
   return ARC_OK;
 }
 
-/* True if a value is in the range of an axis, of which one or both ends may be automatic. */
+/* Returns true if a value is in the range of an axis, of which one or both ends may be
+ * automatic. */
 static int inside(const arc_plot_axis *axis, double value) {
   double low = fmin(axis->min, axis->max), high = fmax(axis->min, axis->max);
   if (axis->log && !(value > 0)) return 0;

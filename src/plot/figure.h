@@ -127,7 +127,8 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
  * default. */
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
-/* True if all panels share one key; index of a title in this key; height of the key [rows]. */
+/* Returns true if all panels share one key; index of a title in this key; height of the key
+ * [rows]. */
 int arc_look_one_key(const arc_writer *w);
 size_t arc_look_title(const arc_writer *w, const char *title);
 double arc_look_key_rows(const arc_writer *w);

@@ -143,7 +143,7 @@ void arc_look_collect(arc_writer *w) {
     }
 }
 
-/* True if a curve has an entry in the key. Of many curves on a colour scale, a picture in
+/* Returns true if a curve has an entry in the key. Of many curves on a colour scale, a picture in
  * characters lists the first, the last and some between them. */
 static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
   const arc_plot_curve *curve = &panel->curves[position];
@@ -213,8 +213,8 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* True if a filled curve is closed, as the outline of a band is. Otherwise its area extends down to
- * zero. */
+/* Returns true if a filled curve is closed, as the outline of a band is. Otherwise its area extends
+ * down to zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {

@@ -86,9 +86,9 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* True if ranges are extended to the aspect ratio of the frame, so that frames align. This applies
- * to panels with equal scales, in characters (twice as high as wide) or beside other panels. A
- * field would have empty margins and is not extended in pixels. */
+/* Returns true if ranges are extended to the aspect ratio of the frame, so that frames align. This
+ * applies to panels with equal scales, in characters (twice as high as wide) or beside other
+ * panels. A field would have empty margins and is not extended in pixels. */
 static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
   return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
 }

@@ -31,7 +31,7 @@ static int begins(FILE *stream, const char *first) {
   return fread(bytes, 1, count, stream) == count && memcmp(bytes, first, count) == 0;
 }
 
-/* True if the file ends with these bytes, apart from line breaks after them. */
+/* Returns true if the file ends with these bytes, apart from line breaks after them. */
 static int ends(FILE *stream, const char *last) {
   char bytes[32];
   size_t count = strlen(last);

@@ -68,7 +68,7 @@ static ssize_t give(int descriptor, const char *bytes, size_t count) {
   return sent;
 }
 
-/* True if the last line of the answer is complete and begins with the mark. */
+/* Returns true if the last line of the answer is complete and begins with the mark. */
 static int finished(const arc_text *answer, const char *mark) {
   if (answer->length == 0 || answer->data[answer->length - 1] != '\n') return 0;
   size_t start = answer->length - 1;

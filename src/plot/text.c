@@ -92,8 +92,8 @@ static const char *spelled(long code) {
   return "?";
 }
 
-/* True for control characters (C0, DEL, C1), which a terminal could execute, and for characters
- * that end a line or change the direction of text (Unicode property Bidi_Control). */
+/* Returns true for control characters (C0, DEL, C1), which a terminal could execute, and for
+ * characters that end a line or change the direction of text (Unicode property Bidi_Control). */
 static int is_control(long code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
          code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);

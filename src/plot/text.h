@@ -22,7 +22,7 @@ void arc_text_quoted(arc_text *text, const char *words, int ascii);
 /* Appends a quoted absolute path with its bytes unchanged, because file names may not be UTF-8. */
 void arc_text_path(arc_text *text, const char *path);
 
-/* True if a text has subscripts, superscripts or powers of ten. */
+/* Returns true if a text has subscripts, superscripts or powers of ten. */
 int arc_text_marked(const char *words);
 
 /* Appends a text in which names such as \alpha are replaced by Greek letters. */

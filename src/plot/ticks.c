@@ -82,7 +82,7 @@ static arc_ticks with_step(double low, double high, double step) {
   return ticks;
 }
 
-/* True if the span is unknown or zero; then gnuplot chooses the ticks. */
+/* Returns true if the span is unknown or zero; then gnuplot chooses the ticks. */
 static int is_free(double span) {
   return !isfinite(span) || span == 0;
 }

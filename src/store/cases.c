@@ -231,7 +231,8 @@ static arc_status read_array(const arc_store *store, query *q, arc_value *value,
   return ARC_OK;
 }
 
-/* True if a name is a path such as "model.mesh.size": printable ASCII without empty parts. */
+/* Returns true if a name is a path such as "model.mesh.size": printable ASCII without empty
+ * parts. */
 static int is_path(const char *name) {
   const size_t length = strlen(name);
   for (size_t i = 0; i < length; i++)

@@ -62,7 +62,7 @@ static void put_values(FILE *to) {
   for (size_t c = 0; c < COUNT(history); c++) fputs(", ?", to);
 }
 
-/* True for columns of the history that are shown as settings: k, alpha and jump. */
+/* Returns true for columns of the history that are shown as settings: k, alpha and jump. */
 static int is_setting(const char *name) {
   const arc_setting *s = arc_setting_find(arc_wear_settings, name);
   return s && s->kind != ARC_OTHER && strcmp(name, "distance") != 0 && strcmp(name, "update") != 0;

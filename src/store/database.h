@@ -26,7 +26,7 @@ arc_status arc_database_run(database *db, const char *sql, arc_error *error);
 
 /* Returns the number of rows changed by the last statement. */
 int arc_database_changes(const database *db);
-/* True if a transaction is open. */
+/* Returns true if a transaction is open. */
 int arc_database_in_transaction(const database *db);
 
 arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error);

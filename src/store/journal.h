@@ -2,11 +2,11 @@
 #ifndef STORE_JOURNAL_H
 #define STORE_JOURNAL_H
 
-/* True if SQLite may open this journal. The journal must be missing, or a regular file without the
- * name of another file, which SQLite would delete. */
+/* Returns true if SQLite may open this journal. The journal must be missing, or a regular file
+ * without the name of another file, which SQLite would delete. */
 int arc_journal_is_sound(const char *journal);
 
-/* True if the file has a journal. The path must not contain links. */
+/* Returns true if the file has a journal. The path must not contain links. */
 int arc_journal_stands(const char *path);
 
 #endif

@@ -16,7 +16,7 @@ static long long big_endian(const unsigned char *bytes) {
   return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
 }
 
-/* True if the file is truncated and has no journal that could restore it. */
+/* Returns true if the file is truncated and has no journal that could restore it. */
 static int is_cut_off(const char *path, const unsigned char *header) {
   const int journalled = arc_journal_stands(path);
   struct stat file;

@@ -37,7 +37,7 @@ arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_
   return status;
 }
 
-/* True if the checksum of the text in this column matches the name of the text. */
+/* Returns true if the checksum of the text in this column matches the name of the text. */
 static int is_sound(query *q, int column, const char *name) {
   char expected[ARC_TEXT_NAME];
   find_name(arc_query_text(q, column), expected);

@@ -177,7 +177,7 @@ static void test_ellipse(void **state) {
   }
 }
 
-/* Share k of the contact's radius that sticks under a normal load alone, by Spence:
+/* Returns the share k of the contact's radius that sticks under a normal load alone, by Spence:
  * ln((1 + k) / (1 - k)) / (2 k) = mu / beta K'(k). */
 static double spence(double mu_over_beta) {
   double low = 1e-6, high = 1 - 1e-12;

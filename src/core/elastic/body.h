@@ -65,8 +65,8 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* Positions s and z [mm] in the chart of an unworn surface node, and of the bottom of the wear box
- * below it. */
+/* Returns the positions s and z [mm] in the chart of an unworn surface node, and of the bottom of
+ * the wear box below it. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
 }

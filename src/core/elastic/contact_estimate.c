@@ -21,8 +21,8 @@ static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Number of half widths per wave with which layers yield as much as under a contact. It is exact to
- * the digit if layers are so thin that they act like independent springs. */
+/* Returns the number of half widths per wave with which layers yield as much as under a contact. It
+ * is exact to the digit if layers are so thin that they act like independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }

@@ -4,7 +4,7 @@
 
 #include "archard/model.h"
 
-/* Dundurs' second constant beta of a pair, the elastic mismatch. */
+/* Returns Dundurs' second constant beta of a pair, the elastic mismatch. */
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 
 /* Checks that two valid bodies form a valid pair. Errors: ARC_ARGUMENT. */

@@ -42,8 +42,8 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* True if a node is in the deck. Decks of revolution have radii instead of x, and contain only the
- * side right of the axis. */
+/* Returns true if a node is in the deck. Decks of revolution have radii instead of x, and contain
+ * only the side right of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }
@@ -54,7 +54,7 @@ static int element_is_written(const arc_mesh *m, const int *corner) {
   return 1;
 }
 
-/* First column of the wear box that is in the deck. */
+/* Returns the first column of the wear box that is in the deck. */
 static int first_column(const arc_mesh *m) {
   int column = 0;
   while (!is_written(m, m->surface_node[column])) column++;
@@ -151,7 +151,7 @@ static const arc_mesh *mesh_of(const deck *d, int body) {
   return arc_model_mesh(d->model, (arc_body)body);
 }
 
-/* Number of the node for the plate's rigid base, which follows all other nodes. */
+/* Returns the number of the node for the plate's rigid base, which follows all other nodes. */
 static int base_node(const deck *d) {
   return 2 * d->nodes + 1;
 }
@@ -217,8 +217,8 @@ static void write_base(const deck *d) {
             m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
 }
 
-/* Penalty stiffness for which the bodies overlap by only a small part of the gap at the contact's
- * edge, for any element size. */
+/* Returns the penalty stiffness for which the bodies overlap by only a small part of the gap at the
+ * contact's edge, for any element size. */
 static double penalty(const deck *d) {
   return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }

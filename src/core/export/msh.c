@@ -28,7 +28,7 @@ typedef struct msh_output {
 
 /* --- the surfaces ----------------------------------------------------------------------------- */
 
-/* Material of element e. The layers of archard's meshes count as materials. */
+/* Returns the material of element e. The layers of archard's meshes count as materials. */
 static int material_of(const arc_mesh *m, int e) {
   if (m->material) return m->material[e];
   return m->layer && m->layer[e] < arc_body_layers(&m->solid) ? m->layer[e] : -1;

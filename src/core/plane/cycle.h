@@ -73,9 +73,10 @@ void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to
 /* Computes the wear of a window. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error);
-/* Total sliding distance of a window [mm]. */
+/* Returns the total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
-/* Ratio of the wear rate on a slope to that on a level surface under the same pressure. */
+/* Returns the ratio of the wear rate on a slope to that on a level surface under the same
+ * pressure. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
 /* Solves only the point window->first, to check that the contact lies inside the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
@@ -97,10 +98,11 @@ void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_poin
                     const double *work, double *on, wear_rate *rate);
 
 /* --- mirror.c --------------------------------------------------------------------------------- */
-/* True if the contact in the second half of a window is the mirror image of that in the first
- * half. */
+/* Returns true if the contact in the second half of a window is the mirror image of that in the
+ * first half. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
-/* True if local factors make the wear of a window asymmetric although its contact is symmetric. */
+/* Returns true if local factors make the wear of a window asymmetric although its contact is
+ * symmetric. */
 int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
 /* Computes the mirror image of point `at`, the last solved point. `law` contains the point's wear
  * rate without local factors. */
@@ -156,22 +158,24 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 /* Checks the settings for bodies of revolution. Error: ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
-/* Half width of a flat scar of a given volume [mm3] on a cylinder of this radius, or on a ball. */
+/* Returns the half width of a flat scar of a given volume [mm3] on a cylinder of this radius, or on
+ * a ball. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
-/* Slip at surface node i over the slip at the reference radius: 1 unless the bodies spin. */
+/* Returns the slip at surface node i over the slip at the reference radius: 1 unless the bodies
+ * spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
 /* --- measures.c ------------------------------------------------------------------------------- */
-/* True for alpha = 0 and a stroke over the whole plate, where the contact never changes. */
+/* Returns true for alpha = 0 and a stroke over the whole plate, where the contact never changes. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
 double arc_plane_roughness(const arc_wear *w, arc_body body);
-/* Largest depth of the plate [mm]. For a track it is the mean depth over the width of the contact.
- * The record must contain volume and half width. */
+/* Returns the largest depth of the plate [mm]. For a track it is the mean depth over the width of
+ * the contact. The record must contain volume and half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* Area of the evenly worn surface per thickness: the plate's width [mm]; for a track 1 mm wide
- * [mm2]. */
+/* Returns the area of the evenly worn surface per thickness: the plate's width [mm]; for a track 1
+ * mm wide [mm2]. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
@@ -198,15 +202,15 @@ arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
 /* --- remesh.c --------------------------------------------------------------------------------- */
-/* True if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear box
- * (ARC_GEOMETRY) and a larger mesh can help. */
+/* Returns true if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear
+ * box (ARC_GEOMETRY) and a larger mesh can help. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* Number of rows of a wear box that contains the evenly worn layers; 0 if the present box contains
- * them. */
+/* Returns the number of rows of a wear box that contains the evenly worn layers; 0 if the present
+ * box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
-/* True if the zones of the run fit on bodies of this radius. */
+/* Returns true if the zones of the run fit on bodies of this radius. */
 int arc_wear_can_grow(const arc_wear *w);
 
 /* Copies the run to larger meshes. Errors: as for arc_model_build, or `why` if the meshes cannot
@@ -237,8 +241,8 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
 /* Recreates a new run on meshes that resolve the slip zones. *finer is NULL if the present meshes
  * resolve them, if the user chose the sizes, or without friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
-/* Largest element size [mm] that resolves the slip zones of the last update; INFINITY without slip
- * zones. */
+/* Returns the largest element size [mm] that resolves the slip zones of the last update; INFINITY
+ * without slip zones. */
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
@@ -249,7 +253,7 @@ double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, dou
 /* Converts the depths of all nodes of both surfaces, cylinder first (see
  * arc_wear_through_layers). */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
-/* Wear coefficient of node i after `depth` more wear, over the largest coefficient. */
+/* Returns the wear coefficient of node i after `depth` more wear, over the largest coefficient. */
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 
 #endif

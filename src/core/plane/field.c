@@ -38,7 +38,8 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Shear over pressure at the last node in contact, positive along +x on the cylinder. */
+/* Returns the shear over pressure at the last node in contact, positive along +x on the
+ * cylinder. */
 static double shear_at(const arc_contact *c, int right) {
   const int last = c->problem.set[right ? c->problem.active - 1 : 0];
   return c->state.t[c->problem.lo + last] / c->problem.f[last];
@@ -94,8 +95,8 @@ static void fill_ratios(const elastic_body *body, arc_field *field) {
     }
 }
 
-/* Stress normal to the section at node n, with Poisson's ratio `nu`, from the stresses in the
- * section and the hoop strain. On the axis this stress equals the radial stress. */
+/* Returns the stress normal to the section at node n, with Poisson's ratio `nu`, from the stresses
+ * in the section and the hoop strain. On the axis this stress equals the radial stress. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];

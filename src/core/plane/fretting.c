@@ -145,7 +145,7 @@ static void add_end(fretting *r, int at, double share) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* True if all nodes in contact slip; *most is the largest slip [mm]. */
+/* Returns true if all nodes in contact slip; *most is the largest slip [mm]. */
 static int slips_everywhere(const friction_state *s, double *most) {
   int touching = 0, stuck = 0;
   *most = 0;
@@ -223,7 +223,7 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* True if the forces equal those at the start of the cycle. */
+/* Returns true if the forces equal those at the start of the cycle. */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;

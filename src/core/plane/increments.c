@@ -9,7 +9,8 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
-/* Accurate length of an increment, as arc_wear_reach, for repeated calls with several loads. */
+/* Returns the accurate length of an increment, as arc_wear_reach, for repeated calls with several
+ * loads. */
 static double reach_of(contact_pair *pair, double load) {
   static const double share = 0.125; /* centre pressures within 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
@@ -20,17 +21,17 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* Sliding distance from point i - 1 to point i [mm], of the plate and of the contact, which follows
- * the load. */
+/* Returns the sliding distance from point i - 1 to point i [mm], of the plate and of the contact,
+ * which follows the load. */
 static double sliding_of(const arc_loading *from, const arc_model_def *model, int i) {
   const double sliding = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (!from->load_angle) return sliding;
   return sliding + fabs(arc_model_arc_length(model, from->load_angle[i] - from->load_angle[i - 1]));
 }
 
-/* Smallest load that determines the length of increments. Without this limit a load that falls to
- * zero would need infinitely many, as the contact becomes arbitrarily narrow. All loads below 1 %
- * of the mean together cause less than 1 % of the wear. */
+/* Returns the smallest load that determines the length of increments. Without this limit a load
+ * that falls to zero would need infinitely many, as the contact becomes arbitrarily narrow. All
+ * loads below 1 % of the mean together cause less than 1 % of the wear. */
 static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;
@@ -48,7 +49,7 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
   return sliding_of(from, pair->def, i) / reach_of(pair, fmax(load, least));
 }
 
-/* Number of increments that the contact needs, or the number that the user chose. */
+/* Returns the number of increments that the contact needs, or the number that the user chose. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
   enum { of_load = 100 }; /* for a contact at rest under a varying load */
@@ -68,7 +69,7 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* Length of the longest increment over the accurate length. */
+/* Returns the length of the longest increment over the accurate length. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));

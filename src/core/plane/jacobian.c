@@ -229,7 +229,8 @@ static int same_set(const contact_problem *a, const contact_problem *b) {
          memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
 }
 
-/* True if the point belongs to the present group: nearby position, same load, same active set. */
+/* Returns true if the point belongs to the present group: nearby position, same load, same active
+ * set. */
 static int belongs(const wear_tangent *j, const wear_block *block, int at,
                    const contact_problem *p) {
   const jacobian_group *g = j->group;
@@ -239,8 +240,8 @@ static int belongs(const wear_tangent *j, const wear_block *block, int at,
          same_set(p, g->head);
 }
 
-/* True if the point is nearer to the centre of its group than the head, or equally near and farther
- * from x = 0. */
+/* Returns true if the point is nearer to the centre of its group than the head, or equally near and
+ * farther from x = 0. */
 static int is_better_head(const wear_tangent *j, const wear_block *block, int at) {
   static const double even = 1e-9;
   const int head = j->group->at;

@@ -63,8 +63,8 @@ static void fold_list(int n, double *list) {
   if (n % 2) list[n / 2] *= 2;
 }
 
-/* Index of the mirror image of unknown i. The unknowns are the nodes of both bodies, cylinder
- * first. */
+/* Returns the index of the mirror image of unknown i. The unknowns are the nodes of both bodies,
+ * cylinder first. */
 static int image(const arc_wear *w, int i) {
   return i < w->nc ? w->nc - 1 - i : w->nc + (w->np - 1 - (i - w->nc));
 }

@@ -80,8 +80,8 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Distance [mm] of motion within which nodes keep their partners. It is about the elastic
- * displacement of sticking points, and half the value for wear cycles. */
+/* Returns the distance [mm] of motion within which nodes keep their partners. It is about the
+ * elastic displacement of sticking points, and half the value for wear cycles. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);

@@ -15,7 +15,7 @@ static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* Required contraction per iteration with a reused Jacobian. */
 static const double contraction = 0.4;
 
-/* Length of the path of a block [mm]. */
+/* Returns the length of the path of a block [mm]. */
 static double length_of(const wear_block *block) {
   double low = block->x[0], high = low;
   for (int i = 1; i < block->count; i++) {
@@ -25,8 +25,8 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Width of a group of plate positions that share a Jacobian: two elements, but at most a part of
- * the path. (With one group for a path of one element the method did not converge.) */
+/* Returns the width of a group of plate positions that share a Jacobian: two elements, but at most
+ * a part of the path. (With one group for a path of one element the method did not converge.) */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -56,8 +56,8 @@ static arc_status create_resting(newton *s) {
                           : ARC_MEMORY;
 }
 
-/* True if the depths remain symmetric to the bit; with friction they are symmetric only within
- * rounding errors. */
+/* Returns true if the depths remain symmetric to the bit; with friction they are symmetric only
+ * within rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
@@ -97,7 +97,7 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
-/* Worn area of one body for a rate [mm2]. */
+/* Returns the worn area of one body for a rate [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
   for (int i = 0; i < s->at->window.shape->side[b].n; i++)
@@ -105,7 +105,7 @@ static double area_on(const newton *s, arc_body b, const double *rate) {
   return sum;
 }
 
-/* Worn area of both bodies per cycle [mm2]. */
+/* Returns the worn area of both bodies per cycle [mm2]. */
 static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
@@ -297,7 +297,7 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Relative change of the forces of a problem due to errors of depths. */
+/* Returns the relative change of the forces of a problem due to errors of depths. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -308,9 +308,9 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Largest relative change of the forces of three problems, at the ends and in the middle of the
- * path, in their last solutions. A run in closed form has no path, and its pressures do not depend
- * on depths. */
+/* Returns the largest relative change of the forces of three problems, at the ends and in the
+ * middle of the path, in their last solutions. A run in closed form has no path, and its pressures
+ * do not depend on depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
@@ -335,8 +335,9 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/* Normal force integrated over the sliding distance [N/mm mm]. It follows from the depths if they
- * determine it, since the last step is not solved again; otherwise from the last evaluation. */
+/* Returns the normal force integrated over the sliding distance [N/mm mm]. It follows from the
+ * depths if they determine it, since the last step is not solved again; otherwise from the last
+ * evaluation. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;

@@ -42,7 +42,7 @@ arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
 double arc_newton_error(wear_stage *stage, double h, double *defect);
 
 /* --- for rest_stage.c ------------------------------------------------------------------------- */
-/* Wear coefficient of node i at the present z, over the largest coefficient. */
+/* Returns the wear coefficient of node i at the present z, over the largest coefficient. */
 double arc_newton_share(const newton *s, int i);
 /* Computes k times the wear of a cycle at the present z, with or without the Jacobian. */
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
@@ -50,12 +50,12 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
  * second returns the tolerance of the residual [mm]. */
 double arc_newton_residual(newton *s, double h, const double *rate);
 double arc_newton_allowed(const newton *s);
-/* True if a shorter step would not help. */
+/* Returns true if a shorter step would not help. */
 int arc_newton_is_hopeless(const newton *s, arc_status status);
 
 /* --- rest_stage.c ----------------------------------------------------------------------------- */
-/* True if all points of the window have the same contact under the same load, without friction and
- * elastic slip. */
+/* Returns true if all points of the window have the same contact under the same load, without
+ * friction and elastic slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
 /* Converts changes of the gaps [active] of a solved problem to changes of its forces. Returns the

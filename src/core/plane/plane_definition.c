@@ -7,8 +7,8 @@
 /* Largest number of increments of a cycle, and of a history without repetition. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
-/* True if the stroke covers the whole plate, which then wears evenly. False for holes, where even
- * wear would change the clearance, and for surfaces that are not flat. */
+/* Returns true if the stroke covers the whole plate, which then wears evenly. False for holes,
+ * where even wear would change the clearance, and for surfaces that are not flat. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
     return 0;
@@ -20,7 +20,7 @@ double arc_wear_def_stroke(const arc_wear_def *def) {
   return def->track > 0 ? acos(-1) * def->track : def->stroke;
 }
 
-/* Number of increments of a stroke. */
+/* Returns the number of increments of a stroke. */
 static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
   return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
 }

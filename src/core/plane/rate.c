@@ -92,8 +92,8 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* True if the contact at a point equals that at the previous point: NSP, or sliding along z, under
- * a constant load. */
+/* Returns true if the contact at a point equals that at the previous point: NSP, or sliding along
+ * z, under a constant load. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
@@ -196,7 +196,7 @@ static void spread_work(const arc_wear *w, wear_rate *rate) {
   rate->even /= path_of(w)->block->sliding;
 }
 
-/* Weight of point `at` in the integral over the window [mm]. */
+/* Returns the weight of point `at` in the integral over the window [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = path_of(w)->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -217,8 +217,8 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Normal force on the cylinder at a point [N/mm]. With a spin it is weighted by the local slip over
- * the reported slip. */
+/* Returns the normal force on the cylinder at a point [N/mm]. With a spin it is weighted by the
+ * local slip over the reported slip. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;

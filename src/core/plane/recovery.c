@@ -153,7 +153,7 @@ static edge_law law_between(const recovery *r, int a, int b) {
   return (edge_law){modulus, around, (1 - 2 * nu) / (1 - nu)};
 }
 
-/* Mean hoop strain between two nodes. */
+/* Returns the mean hoop strain between two nodes. */
 static double strain_around(const recovery *r, int a, int b) {
   const double radius = r->body->chart.revolved.axis + (r->xy[2 * a] + r->xy[2 * b]) / 2;
   return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;

@@ -18,7 +18,7 @@ static const double rich = 4;
 
 /* --- sizes that have been outgrown */
 
-/* Half width of the worn part of a body [mm]. */
+/* Returns the half width of the worn part of a body [mm]. */
 static double worn_half(const arc_wear *w, arc_body b) {
   static const double edge = 0.01; /* share of the largest depth */
   const shape_side *side = &w->shape->side[b];
@@ -29,8 +29,8 @@ static double worn_half(const arc_wear *w, arc_body b) {
   return half;
 }
 
-/* True if the contact has grown gradually into its zone. If the required zone or wear box increases
- * suddenly, the step is too long, and a larger mesh would hide this. */
+/* Returns true if the contact has grown gradually into its zone. If the required zone or wear box
+ * increases suddenly, the step is too long, and a larger mesh would hide this. */
 static int has_grown_into_zone(const arc_wear *w) {
   static const double share = 0.4; /* share of the zone */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
@@ -49,7 +49,7 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* True if the shape-changing wear of a body is deeper than a share of its wear box. */
+/* Returns true if the shape-changing wear of a body is deeper than a share of its wear box. */
 static int is_deep(const arc_wear *w, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];

@@ -40,7 +40,7 @@ static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   for (int i = 0; i < s->n; i++) s->opening[i] = down[i] * arc_newton_share(s, i);
 }
 
-/* Element of B D B' for two candidates; D is a diagonal matrix by plate node. */
+/* Returns the element of B D B' for two candidates; D is a diagonal matrix by plate node. */
 static double through_plate(const contact_problem *p, int r, int c, const double *d) {
   const int first = p->first[r] > p->first[c] ? p->first[r] : p->first[c];
   const int last = (p->first[r] < p->first[c] ? p->first[r] : p->first[c]) + p->width;

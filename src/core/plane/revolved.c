@@ -66,7 +66,7 @@ double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double
                : cbrt(1.5 * radius * volume / model->thickness);
 }
 
-/* Mean radius [mm] of the area between node i and a neighbour, times this area. */
+/* Returns the mean radius [mm] of the area between node i and a neighbour, times this area. */
 static double moment_beside(const revolution *r, double x, double other) {
   const double a = fabs(r->axis + x), b = fabs(r->axis + other), whole = b * b - a * a;
   if (whole == 0) return 0;

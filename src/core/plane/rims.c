@@ -61,8 +61,9 @@ double arc_wear_rim_size(const arc_wear *w) {
   return fmax(0, now->half_width - now->stick_width / 2) / in_rim;
 }
 
-/* Element size [mm] with enough elements in the slip zones of a block's cycle. A node sticks or
- * slips as a whole; the size is chosen such that the stick zone ends halfway between two nodes. */
+/* Returns the element size [mm] with enough elements in the slip zones of a block's cycle. A node
+ * sticks or slips as a whole; the size is chosen such that the stick zone ends halfway between two
+ * nodes. */
 static double size_for(arc_wear *w, const wear_block *block, double mu) {
   static const double rounding = 1e-9;
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;

@@ -16,12 +16,12 @@ static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
 }
 
-/* True if the node and the next node stick. */
+/* Returns true if the node and the next node stick. */
 static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
-/* Reserve of friction at a node in the direction of the plate's motion [MPa]. */
+/* Returns the reserve of friction at a node in the direction of the plate's motion [MPa]. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->workspace.reserve[k] / c->problem.wc[c->problem.lo + k];
@@ -31,25 +31,25 @@ static double x_of(const arc_contact *c, int set) {
   return c->x[ARC_CYLINDER][c->problem.lo + c->problem.set[set]];
 }
 
-/* Friction limit mu p at a node [MPa]. */
+/* Returns the friction limit mu p at a node [MPa]. */
 static double bound(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->handle.def.friction * c->problem.f[k] / c->problem.wc[c->problem.lo + k];
 }
 
-/* Square of a stress over the distance from the opposite edge [mm]. */
+/* Returns the square of a stress over the distance from the opposite edge [mm]. */
 static double squared(const stick_zone *z, int set, double other, stress_at *stress) {
   const double r = stress(z->c, set);
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* Distance [mm] from the last sticking node, on the right or left, to the point where a stress
- * vanishes. mu p - |q| falls with the square root of the distance from the edge, as the pressure of
- * a contact does. For Hertz' loads its square over the distance from the opposite edge is linear.
- * The line is fitted to nodes away from the edge, where means over elements are as accurate as
- * point values; with a single node the edge is halfway to the next node. A node represents a mean
- * and sticks slightly longer than the surface point there, so that the edge may lie up to h / 4
- * before the node. */
+/* Returns the distance [mm] from the last sticking node, on the right or left, to the point where a
+ * stress vanishes. mu p - |q| falls with the square root of the distance from the edge, as the
+ * pressure of a contact does. For Hertz' loads its square over the distance from the opposite edge
+ * is linear. The line is fitted to nodes away from the edge, where means over elements are as
+ * accurate as point values; with a single node the edge is halfway to the next node. A node
+ * represents a mean and sticks slightly longer than the surface point there, so that the edge may
+ * lie up to h / 4 before the node. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;
@@ -68,8 +68,8 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* Edge of a stick zone that extends to the last node in contact: the contact's edge, moved inwards
- * by the reserve that the motion has used. */
+/* Returns the edge of a stick zone that extends to the last node in contact: the contact's edge,
+ * moved inwards by the reserve that the motion has used. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);

@@ -9,7 +9,7 @@
 /* Tolerance for rounding, relative to the largest number involved. */
 static const double rounding = 1e-9;
 
-/* Component along the load of the force that presses on a node [N/mm]. */
+/* Returns the component along the load of the force that presses on a node [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
   const chart *on = &c->handle.shape->side[body].body->chart;
   if (on->polar) {
@@ -51,7 +51,7 @@ static arc_status check_pressing(const arc_contact *c, arc_error *error) {
                   sum[0], sum[1]);
 }
 
-/* Gap after deformation at a candidate: gap - approach + A f [mm]. */
+/* Returns the gap after deformation at a candidate: gap - approach + A f [mm]. */
 static double gap_left(const contact_problem *p, int candidate) {
   double g = p->gap[candidate] - p->approach * p->down[candidate];
   for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];

@@ -73,7 +73,7 @@ static int has_layers(const arc_model_def *d) {
   return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
 }
 
-/* E* of the unworn contact [MPa]. */
+/* Returns E* of the unworn contact [MPa]. */
 static double felt_modulus(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
@@ -93,8 +93,8 @@ double arc_plane_natural_depth(const arc_wear *w) {
   return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
 }
 
-/* Mean pressure [MPa] that causes even wear: the load over the area of the plate or track. For
- * Archard's law the even depth is this pressure times the integral of k. */
+/* Returns the mean pressure [MPa] that causes even wear: the load over the area of the plate or
+ * track. For Archard's law the even depth is this pressure times the integral of k. */
 static double even_pressure(const arc_wear *w) {
   const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
   return w->def.load / (arc_plane_even_width(w) * across);
@@ -129,8 +129,9 @@ static int open_layer(const shape_side *side, int i) {
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Compliance of 1 mm of the exposed layer minus that of 1 mm of the body below all layers [1/MPa].
- * Returns the largest value over all worn nodes; before any wear, over all nodes. */
+/* Returns the compliance of 1 mm of the exposed layer minus that of 1 mm of the body below all
+ * layers [1/MPa]. Returns the largest value over all worn nodes; before any wear, over all
+ * nodes. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;
@@ -142,8 +143,8 @@ static double softness(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Limit by the stiffness of layers. An update uses the stiffness at its start, which changes as
- * layers become thinner; the mean error is half of this change. */
+/* Returns the limit by the stiffness of layers. An update uses the stiffness at its start, which
+ * changes as layers become thinner; the mean error is half of this change. */
 static double scar_layer_k_integral(const arc_wear *w) {
   static const double felt = 0.01; /* accepted change in an update, as a share of the pressure */
   const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
@@ -153,8 +154,8 @@ static double scar_layer_k_integral(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Wear coefficient of the exposed layers over the largest coefficient of the body: the maximum over
- * all worn nodes; before any wear, over all nodes. */
+/* Returns the wear coefficient of the exposed layers over the largest coefficient of the body: the
+ * maximum over all worn nodes; before any wear, over all nodes. */
 static double open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   double most = 0;
@@ -164,8 +165,8 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Wear coefficient at the deepest node. Before any wear the middle node represents all nodes. Even
- * wear of a body is only in its record. */
+/* Returns the wear coefficient at the deepest node. Before any wear the middle node represents all
+ * nodes. Even wear of a body is only in its record. */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
@@ -176,9 +177,9 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
   return arc_wear_layer_share(w->shape, body, deepest, fmax(0, depth - side->h[deepest]));
 }
 
-/* Limit by the compliance of a scar. As the scar deepens by dh, the elastic displacement u = p b /
- * E (b: half width) changes by about u dh / b, and depths h by a share of p dh / (E h). The
- * compliance of the middle makes this error one of second order. */
+/* Returns the limit by the compliance of a scar. As the scar deepens by dh, the elastic
+ * displacement u = p b / E (b: half width) changes by about u dh / b, and depths h by a share of p
+ * dh / (E h). The compliance of the middle makes this error one of second order. */
 static double scar_k_integral(const arc_wear *w) {
   static const double late = 5, deeper = 0.1; /* factor of the tolerance; share of the half width */
   const arc_wear_record *now = arc_wear_last(w);

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* Sliding distance of the whole run, or of its blocks of loading [mm]. */
+/* Returns the sliding distance of the whole run, or of its blocks of loading [mm]. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -24,8 +24,8 @@ static double largest_k(const arc_wear_def *def) {
  * cases of the paper (2.5) need only one mesh. */
 static const double outgrown_at = 6;
 
-/* Half width of the widest contact, between Hertz' contact and a flat scar of the whole worn volume
- * on the cylinder. */
+/* Returns the half width of the widest contact, between Hertz' contact and a flat scar of the whole
+ * worn volume on the cylinder. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);

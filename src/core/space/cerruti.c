@@ -86,7 +86,7 @@ static double lag_along(const void *context, int row, int column) {
   return compliance(c->def, c->which, row * c->def->size_x, column * c->def->size_z);
 }
 
-/* Gap at a lag due to unit shear on a cell, along x (which = 0) or along z. */
+/* Returns the gap at a lag due to unit shear on a cell, along x (which = 0) or along z. */
 static double lag_couple(const void *context, int row, int column) {
   const lag_context *c = context;
   const arc_halfspace_def *d = c->def;

@@ -7,11 +7,11 @@
 /* Integrals of x^2 / r^3, x z / r^3 and z^2 / r^3 [mm] over a rectangle of half sides a x b whose
  * centre is at (x, z); r is the distance of its points from the origin. */
 void arc_cerruti_integrals(double x, double z, double a, double b, double integral[3]);
-/* Integral of x / r^2 [mm] over such a rectangle (see arc_cerruti_integrals). */
+/* Returns the integral of x / r^2 [mm] over such a rectangle (see arc_cerruti_integrals). */
 double arc_cerruti_couple(double x, double z, double a, double b);
 
-/* Factor of the coupling between shear and gap [1/MPa]: the upper body's factor minus the lower
- * body's. It is 0 for bodies with the same elastic behaviour ("like bodies"). */
+/* Returns the factor of the coupling between shear and gap [1/MPa]: the upper body's factor minus
+ * the lower body's. It is 0 for bodies with the same elastic behaviour ("like bodies"). */
 double arc_cerruti_unlike(const arc_halfspace_def *def);
 
 /* Computes the kernels on first use. Errors: ARC_ARGUMENT for layers, bases or periodic windows,

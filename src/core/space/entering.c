@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* Approach for known pressures and gaps (without approach): the mean gap over the contact, weighted
- * by pressure. For separated bodies it is the approach of first contact. */
+/* Returns the approach for known pressures and gaps (without approach): the mean gap over the
+ * contact, weighted by pressure. For separated bodies it is the approach of first contact. */
 static double approach_of(int n, const double *pressure, const double *gap) {
   double sum = 0, product = 0, least = INFINITY;
   for (int k = 0; k < n; k++) {

@@ -17,7 +17,7 @@ static double at(const field *f, int i, int j) {
   return f->power == 2 ? v * v : v;
 }
 
-/* Largest value in row i (along = 0) or in column i. */
+/* Returns the largest value in row i (along = 0) or in column i. */
 static double largest_of(const field *f, int along, int i) {
   double most = 0;
   for (int j = 0, n = along ? f->rows : f->columns; j < n; j++)
@@ -25,8 +25,9 @@ static double largest_of(const field *f, int along, int i) {
   return most;
 }
 
-/* Position, in lines (rows or columns), at which the largest value of a line falls below the level.
- * It is interpolated if the next line is not 0, otherwise extrapolated with the slope inside. */
+/* Returns the position, in lines (rows or columns), at which the largest value of a line falls
+ * below the level. It is interpolated if the next line is not 0, otherwise extrapolated with the
+ * slope inside. */
 static double edge(const field *f, int along, int from, int step) {
   const double inside = largest_of(f, along, from), before = largest_of(f, along, from - step),
                outside = largest_of(f, along, from + step);
@@ -50,7 +51,7 @@ static void find_extent(const field *f, int along, double size, double *half, do
   *center = ((from + to) / 2 - (n - 1) / 2.0) * size;
 }
 
-/* Value at the middle of the field, averaged over the middle cells. */
+/* Returns the value at the middle of the field, averaged over the middle cells. */
 static double middle(const field *f) {
   const int i = (f->rows - 1) / 2, j = (f->columns - 1) / 2, k = f->rows / 2, l = f->columns / 2;
   const double *v = f->value;

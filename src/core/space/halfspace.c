@@ -313,8 +313,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Half extent of the scar along an axis of radius r, from the elastic contact and from a spherical
- * cap of the worn volume. */
+/* Returns the half extent of the scar along an axis of radius r, from the elastic contact and from
+ * a spherical cap of the worn volume. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

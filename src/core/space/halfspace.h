@@ -47,23 +47,23 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
 
-/* Displacement at the origin due to unit pressure on a rectangle of half sides a x b whose centre
- * is at (x, z), multiplied by the pair's E* (Love's solution). */
+/* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b
+ * whose centre is at (x, z), multiplied by the pair's E* (Love's solution). */
 double arc_space_love(double x, double z, double a, double b);
 /* u ln(v + r) with r^2 = u^2 + v^2, the term from which the integrals over rectangles are
  * composed. */
 double arc_space_term(double u, double v);
 
-/* Compliance of the pair to a pressure wave of wave number q [1/mm]: displacement per pressure
- * [mm/MPa]. */
+/* Returns the compliance of the pair to a pressure wave of wave number q [1/mm]: displacement per
+ * pressure [mm/MPa]. */
 double arc_space_symbol(const arc_halfspace_def *def, double q);
-/* 1 / E* of the topmost materials of the two bodies. */
+/* Returns 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
 /* Adds to the kernel [nx][nz] the contribution of layers and bases, that is the difference from
  * half-spaces of the topmost materials. */
 arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, arc_error *error);
-/* Thickness of the thinnest top layer, or the depth of a body without layers; 0 for homogeneous
- * half-spaces. */
+/* Returns the thickness of the thinnest top layer, or the depth of a body without layers; 0 for
+ * homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
 /* Hertz' contact for relative radii along and across the motion [mm] and a load [N]. The modulus is

@@ -56,8 +56,8 @@ double arc_space_surface_compliance(const arc_halfspace_def *def) {
          1 / arc_material_E_star(top_of(&def->body[1]));
 }
 
-/* Thickness of the top layer, or the depth of a body without layers; 0 for a homogeneous
- * half-space. */
+/* Returns the thickness of the top layer, or the depth of a body without layers; 0 for a
+ * homogeneous half-space. */
 static double top_thickness(const arc_halfspace_body *b) {
   return layers_of(b) > 0 ? b->layer[0].thickness : b->depth;
 }
@@ -178,8 +178,8 @@ static double rest_at(const rest *r, double x, double z) {
   return spline_at(&r->radial, asinh(hypot(x, z) / r->t));
 }
 
-/* Integral over a cell at (x, z): by Gauss' rule near the origin (within six cells or six
- * thicknesses of the layer), elsewhere by the value at the middle. */
+/* Returns the integral over a cell at (x, z): by Gauss' rule near the origin (within six cells or
+ * six thicknesses of the layer), elsewhere by the value at the middle. */
 static double rest_of_cell(const arc_halfspace_def *d, const rest *r, double x, double z) {
   const double area = d->size_x * d->size_z, size = fmax(d->size_x, d->size_z);
   double sum = 0;

@@ -43,7 +43,7 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 1e-2,
                     little = 1e-3;
 
-/* Sum of the changes of shear over the cells, as a force [N]. */
+/* Returns the sum of the changes of shear over the cells, as a force [N]. */
 static double shear_change(const leg *g, const arc_halfspace_friction *once,
                            const arc_halfspace_friction *twice) {
   double sum = 0;
@@ -61,7 +61,7 @@ static void find_scales(leg *g, const arc_halfspace_friction *begin,
   g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
 }
 
-/* True if the solution of a part in two halves differs little from the solution in one
+/* Returns true if the solution of a part in two halves differs little from the solution in one
  * increment. */
 static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {

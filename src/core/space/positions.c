@@ -20,7 +20,7 @@ static int is_even(const double *value, int rows, int columns) {
   return 1;
 }
 
-/* True if columns equal their mirror images exactly. */
+/* Returns true if columns equal their mirror images exactly. */
 static int is_even_across(const double *value, int rows, int columns) {
   for (int i = 0; value && i < rows; i++)
     for (int j = 0; j < columns / 2; j++)

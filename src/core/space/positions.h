@@ -37,8 +37,8 @@ void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* Computes this sum for one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
-/* True if the worn shape of each body equals its mirror image exactly (to the bit), in x or, if
- * `across` is 1, in z. */
+/* Returns true if the worn shape of each body equals its mirror image exactly (to the bit), in x
+ * or, if `across` is 1, in z. */
 int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across);
 
 /* Returns the box that covers the whole window. */

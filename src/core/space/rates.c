@@ -94,7 +94,7 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
   return status;
 }
 
-/* True if the values of opposite positions are exact mirror images in x. */
+/* Returns true if the values of opposite positions are exact mirror images in x. */
 static int values_are_mirrored(const arc_halfspace *h, int count, const double *value) {
   const size_t rows = (size_t)count * (size_t)h->def.nx, nz = (size_t)h->def.nz;
   for (size_t i = 0; i < rows / 2; i++)

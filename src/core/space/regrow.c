@@ -47,7 +47,7 @@ static double total(const double *value, const axis *x, const axis *z) {
   return sum * x->size * z->size;
 }
 
-/* True if a worn cell lies outside the new axes. */
+/* Returns true if a worn cell lies outside the new axes. */
 static int loses(const double *value, const axis *x, const axis *z, const axis *to_x,
                  const axis *to_z) {
   const double half_x = to_x->count * to_x->size / 2, half_z = to_z->count * to_z->size / 2;

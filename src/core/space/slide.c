@@ -147,7 +147,8 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   return status;
 }
 
-/* Motion along axis i before a site entered the contact [mm]; 0 for a site without pressure. */
+/* Returns the motion along axis i before a site entered the contact [mm]; 0 for a site without
+ * pressure. */
 static double motion_before(const increment *s, int i, int k) {
   return s->pressure[k] > 0 ? s->share[k] * s->motion[i] : 0;
 }
@@ -196,8 +197,8 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
                             error);
 }
 
-/* Secant step towards a motion that equals its own result. The result grows more slowly than the
- * motion. */
+/* Returns a secant step towards a motion that equals its own result. The result grows more slowly
+ * than the motion. */
 static double secant(double motion, double gives, double last, double gave) {
   static const double steepest = 0.9;
   const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
@@ -251,8 +252,8 @@ static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_erro
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
-/* Share of the shear's change that a sweep applies. With a share that does not become small, single
- * sites may alternate between two states without end. */
+/* Returns the share of the shear's change that a sweep applies. With a share that does not become
+ * small, single sites may alternate between two states without end. */
 static double relaxation(int sweep) {
   enum { plain_sweeps = 15, equal_sweeps = 20 };
   static const double relaxed = 0.7, decay = 0.9, smallest = 0.02;
@@ -286,8 +287,8 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
   return ARC_OK;
 }
 
-/* Friction work of a site: its slip times its mean friction limit in the increment. Sites that
- * stick do no work. */
+/* Returns the friction work of a site: its slip times its mean friction limit in the increment.
+ * Sites that stick do no work. */
 static double work_of(const increment *s, const double *pressure, const double *const moved[2],
                       int k) {
   if (s->w.state[k] == SHEAR_STICK) return 0;
@@ -295,8 +296,8 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
-/* Share of the motion for which a site was in contact. (w.slip excludes the slip before the site
- * entered.) */
+/* Returns the share of the motion for which a site was in contact. (w.slip excludes the slip before
+ * the site entered.) */
 static double in_contact(const increment *s, int k) {
   return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
 }

@@ -117,7 +117,7 @@ static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks 
   return status;
 }
 
-/* True if nothing has worn, so that new cells can be chosen for the load. */
+/* Returns true if nothing has worn, so that new cells can be chosen for the load. */
 static int is_unworn(const space_shape *s) {
   const int n = space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER);
   for (int i = 0; i < n; i++)

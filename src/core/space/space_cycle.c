@@ -14,7 +14,7 @@ static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
 }
 
-/* Sliding distance of a point of the cycle, the weight of its position [mm]. */
+/* Returns the sliding distance of a point of the cycle, the weight of its position [mm]. */
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;
@@ -211,8 +211,8 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
   return sizeof *t + (size_t)t->path.count * (size_t)w->nc * sizeof(double);
 }
 
-/* Bound of the eigenvalue where no iteration is possible: the eigenvalue of a chessboard pattern of
- * wear on an infinite surface, whose compliance is 0.584 cells over E*. */
+/* Returns a bound of the eigenvalue where no iteration is possible: the eigenvalue of a
+ * chessboard pattern of wear on an infinite surface, whose compliance is 0.584 cells over E*. */
 static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
   const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);
   double sliding = 0, most[ARC_BODIES] = {0};

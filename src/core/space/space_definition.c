@@ -25,8 +25,8 @@ static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* True if the contact is solved at one position only: procedure NSP, a pin on a disc, or periodic
- * surfaces. */
+/* Returns true if the contact is solved at one position only: procedure NSP, a pin on a disc, or
+ * periodic surfaces. */
 static int rests(const arc_wear_def *d, const arc_model_def *model) {
   return d->track > 0 || d->procedure == ARC_NSP || model->periodic ||
          (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
@@ -117,7 +117,7 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Factor between a force and a distance, 2 a E* [N/mm]. */
+/* Returns the factor between a force and a distance, 2 a E* [N/mm]. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -140,9 +140,9 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* Default number of increments: one per cell. With friction there are at least as many as the slip
- * solution needs, one per leg (two between unlike bodies, for doses within 0.4 %). A cycle under a
- * tangential force has exactly this number. */
+/* Returns the default number of increments: one per cell. With friction there are at least as many
+ * as the slip solution needs, one per leg (two between unlike bodies, for doses within 0.4 %). A
+ * cycle under a tangential force has exactly this number. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
@@ -173,7 +173,7 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
 
 /* --- cells ------------------------------------------------------------------------------------ */
 
-/* Twice the largest distance of the path from x = 0 [mm]. */
+/* Returns twice the largest distance of the path from x = 0 [mm]. */
 static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   double most = 0;
   if (rests(def, model) || def->tangential > 0) return 0;
@@ -183,7 +183,7 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   return 2 * most;
 }
 
-/* Estimated worn volume at the end; 0 if k is not constant [mm3]. */
+/* Returns the estimated worn volume at the end; 0 if k is not constant [mm3]. */
 static double volume_of(const arc_wear_def *def) {
   const int known = !def->k_function && def->k_series.count == 0;
   return known ? def->k * def->load * def->distance : 0;

@@ -24,7 +24,7 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
 
 /* --- cells of runs ---------------------------------------------------------------------------- */
 
-/* Half of the largest change of a quantity in the cycles of a run. */
+/* Returns half of the largest change of a quantity in the cycles of a run. */
 static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   double most = d->blocks == 0 ? plain : 0;
   for (int b = 0; b < d->blocks; b++) {
@@ -39,8 +39,8 @@ static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   return most;
 }
 
-/* Radius of the stick zone over the radius of the contact, by Mindlin: 1 for full stick, 0 for
- * gross slip. If the friction coefficient varies, the share at half of full slip. */
+/* Returns the radius of the stick zone over the radius of the contact, by Mindlin: 1 for full
+ * stick, 0 for gross slip. If the friction coefficient varies, the share at half of full slip. */
 static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   if (!arc_wear_friction_is_known(d) || d->friction == 0) return cbrt(0.5);
   const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
@@ -55,7 +55,8 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   return sqrt(fmax(0, 1 - amplitude(d, 0, d->stroke / 2) / yielding));
 }
 
-/* Number of cells whose centre lies within an ellipse of these half axes [cells], over its area. */
+/* Returns the number of cells whose centre lies within an ellipse of these half axes [cells], over
+ * its area. */
 static double filling(double x, double z) {
   const int rows = (int)ceil(x), columns = (int)ceil(z);
   int inside = 0;
@@ -64,9 +65,9 @@ static double filling(double x, double z) {
   return inside / (acos(-1) * x * z);
 }
 
-/* Cell size, up to a sixth smaller than `size`, for which the area of the sticking cells equals
- * that of the stick zone: wear in partial slip ends when this zone carries the load. The cells of a
- * zone extend 0.1 of a cell beyond its edge. */
+/* Returns the cell size, up to a sixth smaller than `size`, for which the area of the sticking
+ * cells equals that of the stick zone: wear in partial slip ends when this zone carries the load.
+ * The cells of a zone extend 0.1 of a cell beyond its edge. */
 static double fill_zone(double size, double x, double z) {
   enum { tries = 60 };
   static const double beyond = 0.1, play = 0.05, range = 1.0 / 6;

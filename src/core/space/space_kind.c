@@ -77,7 +77,7 @@ static wear_sites sites(const arc_shape *shape, arc_body body) {
                       s->grid->z[body]};
 }
 
-/* Profile along the motion in the middle, in arrays of the shape. */
+/* Returns the profile along the motion in the middle, in arrays of the shape. */
 static arc_profile profile(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
@@ -199,7 +199,7 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
-/* Sawtooth component of the middle profile along the motion, over the largest depth. */
+/* Returns the sawtooth component of the middle profile along the motion, over the largest depth. */
 static double roughness(const arc_wear *w, arc_body body) {
   const arc_profile line = profile(w->shape, body);
   const arc_wear_record *last = arc_wear_last(w);

@@ -47,12 +47,12 @@ static inline const space_shape *space_shape_of(const arc_shape *shape) {
   return (const space_shape *)(const void *)shape;
 }
 
-/* True if the lower body moves along z. */
+/* Returns true if the lower body moves along z. */
 static inline int space_turned(const space_shape *s) {
   return arc_halfspace_definition(s->grid->h)->turned;
 }
 
-/* Half the width of a contact along the motion [mm]. */
+/* Returns half the width of a contact along the motion [mm]. */
 static inline double space_along(const space_shape *s, double half_width, double half_width_z) {
   return space_turned(s) ? half_width_z : half_width;
 }
@@ -82,7 +82,7 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
  * ARC_ZONE: the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
-/* Cell width requested by the model [mm]. */
+/* Returns the cell width requested by the model [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
 /* Warns if a contact of this half width [mm] is too large for the half-space approximation. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
@@ -163,7 +163,8 @@ arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress 
                           arc_loop **loop, arc_error *error);
 
 /* --- space_law.c ------------------------------------------------------------------------------ */
-/* True if the wear of a window is k p ds with rigid slip: a linear law without local factors. */
+/* Returns true if the wear of a window is k p ds with rigid slip: a linear law without local
+ * factors. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
 /* Computes the work of the pressures [count][window] at each site of a body: the sum over the
  * positions of weight, law, local factor and pressure [MPa mm]. Errors: ARC_MEMORY, errors of the
@@ -177,7 +178,7 @@ arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
                                double mu, arc_body body, double *work, double *factor,
                                arc_error *error);
-/* d ln(law p) / d ln p in the linearisation, at least 1. */
+/* Returns d ln(law p) / d ln p in the linearisation, at least 1. */
 double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_layers.c --------------------------------------------------------------------------- */
@@ -220,8 +221,8 @@ arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);
 /* Chooses cells fine enough for the edge of the stick zone. */
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
-/* Cell width [mm] of a run with friction: the width in the model's definition, else a width fine
- * enough for the stick and slip zones of the cycles. */
+/* Returns the cell width [mm] of a run with friction: the width in the model's definition, else a
+ * width fine enough for the stick and slip zones of the cycles. */
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
 /* Computes the magnitudes of shear [window] [MPa] and slip [window] [mm] of a contact with
  * friction. */

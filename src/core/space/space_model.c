@@ -228,7 +228,7 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
   arc_space_limit(def, cells);
 }
 
-/* Largest odd number of cells that lie within `half` of 0. */
+/* Returns the largest odd number of cells that lie within `half` of 0. */
 static int cells_within(double half, double size) {
   return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
 }

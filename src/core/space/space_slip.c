@@ -83,7 +83,7 @@ static void follow(const cycle *c, int at) {
   }
 }
 
-/* True if every site in contact slips at some point of the cycle. */
+/* Returns true if every site in contact slips at some point of the cycle. */
 static int all_slip(const cycle *c) {
   for (int j = 0; j < c->path->count; j++)
     for (int k = 0; k < c->cells; k++)
@@ -141,8 +141,8 @@ static arc_status solve(const cycle *c, const arc_halfspace_increment *to,
   return arc_halfspace_slide(c->h, c->depth, to, &options, state, NULL, error);
 }
 
-/* Position at which the bodies are pressed together: the middle of a plain stroke, otherwise the
- * start of the cycle. */
+/* Returns the position at which the bodies are pressed together: the middle of a plain stroke,
+ * otherwise the start of the cycle. */
 static double reference(const wear_block *b) {
   return b->press > 0 ? (b->x[0] + b->x[(b->count - 1) / 2]) / 2 : b->x[0];
 }
@@ -204,8 +204,8 @@ static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *
   return ARC_OK;
 }
 
-/* True if the slip in the second half of a cycle is the reverse of the slip in the first half. This
- * is the case for like bodies under a constant load in a symmetric motion. */
+/* Returns true if the slip in the second half of a cycle is the reverse of the slip in the first
+ * half. This is the case for like bodies under a constant load in a symmetric motion. */
 static int returns(const cycle *c) {
   const wear_block *b = c->block;
   const double *drive = b->tangential ? b->tangential : b->x;
@@ -218,7 +218,7 @@ static int returns(const cycle *c) {
   return drive[0] == drive[last];
 }
 
-/* Change of shear between two cycles, over the friction limit. */
+/* Returns the change of shear between two cycles, over the friction limit. */
 static double change_of(const cycle *c, const double *before, const arc_halfspace_friction *state) {
   double change = 0, carried = 0;
   for (int k = 0; k < c->cells; k++) {
@@ -314,7 +314,7 @@ static void make_even(const cycle *c, double *value) {
     }
 }
 
-/* Width of the stick zone [mm], if its shape is similar to that of the contact. */
+/* Returns the width of the stick zone [mm], if its shape is similar to that of the contact. */
 static double stick_width(const cycle *c) {
   const double *p = c->pressure + row_of(c, c->block->count - 1);
   const arc_halfspace_extent e = arc_halfspace_contact_extent(c->h, p);

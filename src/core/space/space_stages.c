@@ -129,9 +129,9 @@ static void set_known(wear_stage *s, double h, const double *more) {
   }
 }
 
-/* Tolerance of gaps as a share of the tolerance of a step's depths. A share of .03 changes the
- * depths of a step by less than .01 of its tolerance; a share of .1 changes an estimated error by 5
- * %. */
+/* Returns the tolerance of gaps as a share of the tolerance of a step's depths. A share of .03
+ * changes the depths of a step by less than .01 of its tolerance; a share of .1 changes an
+ * estimated error by 5 %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
@@ -236,7 +236,7 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   return ARC_OK;
 }
 
-/* Share of the load of a position that the trial pressures carry at other cells. */
+/* Returns the share of the load of a position that the trial pressures carry at other cells. */
 static double shifted(const stages *own, int position, int cells) {
   const double *p = own->pressure + (size_t)position * (size_t)cells,
                *trial = own->trial + (size_t)position * (size_t)cells;

@@ -198,7 +198,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- by the motion ---------------------------------------------------------------------------- */
 
-/* Displacement along an axis under full friction. */
+/* Returns the displacement along an axis under full friction. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {

@@ -62,8 +62,8 @@ arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_wo
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
                           stick_slip_count *count);
 
-/* Largest error of slip [mm], over all components at sticking cells and the tangential component at
- * slipping cells. */
+/* Returns the largest error of slip [mm], over all components at sticking cells and the tangential
+ * component at slipping cells. */
 double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
 
 #endif

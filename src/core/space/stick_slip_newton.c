@@ -164,7 +164,7 @@ static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const h
   step(w, 1);
 }
 
-/* Largest entry of the residual r minus the motion, in free directions. */
+/* Returns the largest entry of the residual r minus the motion, in free directions. */
 static double largest_residual(const stick_slip_work *w, const double motion[2]) {
   double most = 0;
   for (int s = 0; s < w->sites; s++) {

@@ -34,10 +34,10 @@ struct arc_joint {
   int kept_count;
 };
 
-/* Sum of (l + 1/2) C_l of both bodies at the degree l that the cells of `rows` resolve. This is the
- * limit for large degrees unless the surface layer is thinner than a cell. */
+/* Returns the sum of (l + 1/2) C_l of both bodies at the degree l that the cells of `rows` resolve.
+ * This is the limit for large degrees unless the surface layer is thinner than a cell. */
 double arc_sphere_limit(const arc_joint_def *def, int rows);
-/* Stiffness of the Winkler foundation [MPa/mm]. */
+/* Returns the stiffness of the Winkler foundation [MPa/mm]. */
 double arc_sphere_winkler(const arc_joint_def *def);
 
 /* Returns the table of the remainder for arc_sphere_kernel, or NULL: there is no memory, or
@@ -48,7 +48,7 @@ void arc_sphere_kernel_free(sphere_kernel **k);
 /* u := C p on the window [size * size]; u and p may be the same array. */
 void arc_sphere_kernel_apply(sphere_kernel *k, const double *p, double *u);
 
-/* Index of the site of a window's cell. */
+/* Returns the index of the site of a window's cell. */
 static inline int sphere_site(const arc_joint *j, int cell) {
   const int row = j->rows / 2 - j->size / 2 + cell / j->size;
   return row * 2 * j->rows + j->rows - j->size / 2 + cell % j->size;
@@ -68,7 +68,8 @@ void arc_sphere_back(arc_joint *j, const double *state, size_t count);
  * largest size, ARC_MEMORY. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 
-/* Value of a map in the direction n: by cubic or by linear interpolation between sites. */
+/* Returns the value of a map in the direction n: by cubic or by linear interpolation between
+ * sites. */
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
@@ -83,14 +84,14 @@ typedef struct sphere_stand {
   double dose;             /* number of cycles, times k if k is NULL */
   int instant;
 } sphere_stand;
-/* Angle between the cells under pressure and the cup's rim [degrees]; without contact the cover
- * angle. */
+/* Returns the angle between the cells under pressure and the cup's rim [degrees]; without contact
+ * the cover angle. */
 double arc_sphere_rim_margin(const arc_joint *j);
 
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
                             int *iterations, arc_error *error);
 
-/* Sliding distance |omega x n| radius at a site [mm]. */
+/* Returns the sliding distance |omega x n| radius at a site [mm]. */
 double arc_sphere_sliding(const arc_joint *j, const double omega[3], int site);
 void arc_sphere_rotate(const double R[9], const double n[3], double to[3]);
 void arc_sphere_rotate_back(const double R[9], const double n[3], double to[3]);

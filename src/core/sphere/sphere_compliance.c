@@ -83,9 +83,9 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
   value[3] = m->mu * ((p->s - 1) * p->b + p->a) * g;
 }
 
-/* Displacement of one body under a unit pressure on its surface, which is its innermost radius for
- * a cup and its outermost radius for a head. The equations are those of bottom, interfaces and top,
- * in groups of two and four. */
+/* Returns the displacement of one body under a unit pressure on its surface, which is its innermost
+ * radius for a cup and its outermost radius for a head. The equations are those of bottom,
+ * interfaces and top, in groups of two and four. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];

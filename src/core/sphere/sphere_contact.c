@@ -35,8 +35,8 @@ static arc_status apply(void *context, const double *p, double *u) {
   return ARC_OK;
 }
 
-/* True if the head is worn. An unworn head needs no interpolation, which saves a third of the time
- * with springs. */
+/* Returns true if the head is worn. An unworn head needs no interpolation, which saves a third of
+ * the time with springs. */
 static int head_is_worn(const arc_joint *j) {
   for (int i = 0; i < j->sites; i++)
     if (j->h[ARC_UPPER][i] != 0) return 1;
@@ -129,7 +129,8 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
-/* True if the load points into the window with a margin of some cells and degrees to its rim. */
+/* Returns true if the load points into the window with a margin of some cells and degrees to its
+ * rim. */
 static int holds(const arc_joint *j, const double load[3]) {
   const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
   const double margin = fmax(4 * j->d, pi / 18);

@@ -59,18 +59,19 @@ static double read_table(const arc_joint *j, double angle) {
                           t * (3 * (y[0] - y[1]) + y[2] - first)));
 }
 
-/* Integral of 1/r over the rectangle [0, x] x [0, y]; odd in x and y. */
+/* Returns the integral of 1/r over the rectangle [0, x] x [0, y]; odd in x and y. */
 static double corner(double x, double y) {
   return x * asinh(y / fabs(x)) + y * asinh(x / fabs(y));
 }
 
-/* Mean of 1/r over a rectangle a x b centred at (x, y). */
+/* Returns the mean of 1/r over a rectangle a x b centred at (x, y). */
 static double mean_inverse(double x, double y, double a, double b) {
   const double l = x - a / 2, r = x + a / 2, d = y - b / 2, u = y + b / 2;
   return (corner(r, u) - corner(l, u) - corner(r, d) + corner(l, d)) / (a * b);
 }
 
-/* Displacement at a cell under unit pressure on a source cell, over the source's solid angle. */
+/* Returns the displacement at a cell under unit pressure on a source cell, over the source's solid
+ * angle. */
 static double influence(const arc_joint *j, int row, int source, int lag) {
   const double d = j->d, here = (row + 0.5) * d, there = (source + 0.5) * d;
   const double s = sqrt(sin(here) * sin(there));

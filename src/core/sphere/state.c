@@ -58,7 +58,7 @@ static arc_status refuse(arc_error *error, const char *what) {
   return arc_fail(error, ARC_FORMAT, "the stored state is damaged: %s", what);
 }
 
-/* True if a number of the header is an integer in the range. */
+/* Returns true if a number of the header is an integer in the range. */
 static int is_whole(double value, double low, double high) {
   return value >= low && value <= high && value == floor(value);
 }

@@ -305,7 +305,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 /* --- the cycle -------------------------------------------------------------------------------- */
 
-/* Sliding distance of point `at` of a window, its weight [mm]. */
+/* Returns the sliding distance of point `at` of a window, its weight [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = window->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;

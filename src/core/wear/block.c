@@ -51,9 +51,9 @@ static void find_problems(wear_block *b) {
   memcpy(b->problem_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-/* Substitute for the sliding distance of a cycle that a force drives, since the displacement is
- * unknown until the contact is solved: the sum of changes of the force per thickness over E*. If
- * the force is constant, changes of the load replace those of the force. */
+/* Returns a substitute for the sliding distance of a cycle that a force drives, since the
+ * displacement is unknown until the contact is solved: the sum of changes of the force per
+ * thickness over E*. If the force is constant, changes of the load replace those of the force. */
 static double sliding_of_force(const wear_block *b, const wear_manner *m) {
   double force = 0, load = 0;
   for (int i = 1; i < b->count; i++) {
@@ -119,8 +119,8 @@ static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
   return ARC_OK;
 }
 
-/* Position of the plate at point i of `last` along a stroke from -s/2 to s/2; symmetric to the
- * bit. */
+/* Returns the position of the plate at point i of `last` along a stroke from -s/2 to s/2; symmetric
+ * to the bit. */
 static double along(double stroke, int i, int last) {
   return stroke * (2 * i - last) / (2.0 * last);
 }
@@ -154,12 +154,12 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   return ARC_OK;
 }
 
-/* Position of the lower body at point i [mm]. */
+/* Returns the position of the lower body at point i [mm]. */
 static double position(const arc_loading *from, const wear_manner *m, int i) {
   return from->rotation ? m->radius * arc_radians(from->rotation[i]) : from->x[i];
 }
 
-/* Direction of the load at point i [degrees]. */
+/* Returns the direction of the load at point i [degrees]. */
 static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) {
   return from->load_angle ? from->load_angle[i] : def->load_angle;
 }

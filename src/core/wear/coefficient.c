@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* Value of a table at a distance, on the segment that contains the point `inside`. At a jump, where
- * two values have the same distance, the second value counts. */
+/* Returns the value of a table at a distance, on the segment that contains the point `inside`. At a
+ * jump, where two values have the same distance, the second value counts. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;

@@ -116,7 +116,7 @@ static double distance_at(const integration *s, double share) {
   return arc_wear_last(s->w)->distance + share * s->length;
 }
 
-/* Next point of a table after the present share, as a share of the update. */
+/* Returns the next point of a table after the present share, as a share of the update. */
 static double next_point(const integration *s, const arc_series *table) {
   const double here = distance_at(s, s->at + shortest);
   for (int i = 0; i < table->count; i++)
@@ -125,8 +125,8 @@ static double next_point(const integration *s, const arc_series *table) {
   return 1;
 }
 
-/* Largest share at which a step may end: the next point of the tables. A function replaces the
- * table of its coefficient. */
+/* Returns the largest share at which a step may end: the next point of the tables. A function
+ * replaces the table of its coefficient. */
 static double next_end(const integration *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
@@ -136,7 +136,7 @@ static double next_end(const integration *s) {
   return end;
 }
 
-/* True if a table jumps in the interval that ends at this share. */
+/* Returns true if a table jumps in the interval that ends at this share. */
 static int table_jumps(const integration *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
@@ -172,13 +172,13 @@ static int ends_jump(const integration *s, double share, double from, const doub
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Length of the first step. If the end is unknown, a part of the estimated length. */
+/* Returns the length of the first step. If the end is unknown, a part of the estimated length. */
 static double first_length(const integration *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
 }
 
-/* Length of the longest step, as a share of the update. */
+/* Returns the length of the longest step, as a share of the update. */
 static double longest_step(const integration *s) {
   const arc_wear *w = s->w;
   const double steps = isfinite(s->plan->most) ? open_steps : chosen_steps;

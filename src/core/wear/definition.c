@@ -87,15 +87,15 @@ static arc_status check_points(const arc_loading *l, int number, arc_error *erro
   return ARC_OK;
 }
 
-/* True if the last value equals the first within rounding errors. */
+/* Returns true if the last value equals the first within rounding errors. */
 static int closes(int count, const double *value) {
   double most = 0;
   for (int i = 0; i < count; i++) most = fmax(most, fabs(value[i]));
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Smallest tangential force that is rejected [N]. With tables or functions of friction the run
- * checks the force. */
+/* Returns the smallest tangential force that is rejected [N]. With tables or functions of friction
+ * the run checks the force. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
@@ -131,7 +131,7 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-/* True if the load changes, which makes bodies of different materials slip. */
+/* Returns true if the load changes, which makes bodies of different materials slip. */
 static int breathes(const arc_loading *l) {
   for (int i = 1; l->load && i < l->count; i++)
     if (l->load[i] != l->load[0]) return 1;

@@ -114,7 +114,8 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Largest error of the depths of one body at sites that are deep enough, over the largest depth. */
+/* Returns the largest error of the depths of one body at sites that are deep enough, over the
+ * largest depth. */
 static double depth_error(const implicit *s, int b) {
   static const double counts = 0.05; /* share of the largest depth */
   const arc_wear *w = s->at.run;
@@ -127,7 +128,7 @@ static double depth_error(const implicit *s, int b) {
   return deepest > 0 ? largest / deepest : 0;
 }
 
-/* Estimated error over tolerance. */
+/* Returns the estimated error over tolerance. */
 static double share_of_tolerance(implicit *s, double h) {
   const double tolerance = s->at.run->def.tolerance;
   if (tolerance == 0) return 0;
@@ -137,8 +138,8 @@ static double share_of_tolerance(implicit *s, double h) {
   return fmax(depth / (share_per_step * tolerance), pressure / (pressure_share * tolerance));
 }
 
-/* Number of implicit steps. Increments with an update each have the length that the history gives,
- * hence one step. */
+/* Returns the number of implicit steps. Increments with an update each have the length that the
+ * history gives, hence one step. */
 static int count_steps(const implicit *s) {
   const wear_window *window = &s->at.window;
   const int whole = window->first == 0 && window->last == window->block->count - 1;

@@ -20,7 +20,7 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
 
 /* --- measured quantities */
 
-/* Integral of k over the distance [mm3/N] between the previous state and a state. */
+/* Returns the integral of k over the distance [mm3/N] between the previous state and a state. */
 static double k_integral_to(const arc_wear_record *state, const arc_wear_record *before) {
   return state->k * (state->distance - before->distance);
 }
@@ -40,9 +40,9 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* Value of a column at the integral of k `wear` [mm3/N] after the present state. It is interpolated
- * by the parabola through three monotonic states. Without an end state it is extrapolated with a
- * decreasing rate. */
+/* Returns the value of a column at the integral of k `wear` [mm3/N] after the present state. It is
+ * interpolated by the parabola through three monotonic states. Without an end state it is
+ * extrapolated with a decreasing rate. */
 static double on_course(const course *c, int column, double wear) {
   const double now = arc_wear_record_get(c->now, column);
   const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;

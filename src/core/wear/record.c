@@ -73,7 +73,7 @@ arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, 
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* Smallest load of a block [N]. For a plain stroke it is the load, equal to the bit. */
+/* Returns the smallest load of a block [N]. For a plain stroke it is the load, equal to the bit. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {
   double line = block->line[0];
   for (int i = 1; i < block->count; i++) line = fmin(line, block->line[i]);

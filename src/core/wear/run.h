@@ -55,12 +55,12 @@ struct arc_wear {
   wear_start start;
 };
 
-/* True if every increment of a cycle has an update. */
+/* Returns true if every increment of a cycle has an update. */
 static inline int splits_cycles(const arc_wear *w) {
   return w->def.update == ARC_UPDATE_INCREMENT && w->manner.procedure == ARC_SP;
 }
 
-/* Wear coefficient for the sites of a body; 0 for a body that wears evenly. */
+/* Returns the wear coefficient for the sites of a body; 0 for a body that wears evenly. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
   return body == ARC_LOWER && w->manner.even ? 0 : k[body];
 }
@@ -69,7 +69,7 @@ static inline int sites_of(const arc_wear *w, int body) {
   return body == ARC_UPPER ? w->nc : w->np;
 }
 
-/* Part of a vector over all sites that belongs to a body. */
+/* Returns the part of a vector over all sites that belongs to a body. */
 static inline double *sites_from(const arc_wear *w, double *vector, int body) {
   return body == ARC_UPPER ? vector : vector + w->nc;
 }
@@ -79,7 +79,7 @@ static inline double *sites_from(const arc_wear *w, double *vector, int body) {
  * an error (ARC_MEMORY) there is nothing to free. */
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
-/* True if only the upper body ever wears. */
+/* Returns true if only the upper body ever wears. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
 int arc_wear_jump_is_auto(const arc_wear_def *def);
 /* The first function returns 1 for a run with friction, the second if its friction coefficient is
@@ -99,7 +99,7 @@ void arc_wear_exchange(arc_wear *a, arc_wear *b);
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
 void arc_wear_blocks_free(wear_block **block, int count);
-/* Distance at the end of a block [mm]. */
+/* Returns the distance at the end of a block [mm]. */
 double arc_wear_block_end(const wear_block *block);
 /* Returns the block of the state at a cycle number. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
@@ -110,7 +110,7 @@ const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
                                  const arc_wear_record *state, double k[ARC_BODIES],
                                  arc_error *error);
-/* Value of a table at a distance [mm]. */
+/* Returns the value of a table at a distance [mm]. */
 double arc_wear_series(const arc_series *s, double distance);
 /* Evaluates the user's function for a setting and checks the range of the result. */
 arc_status arc_wear_evaluate_function(const arc_wear *w, const arc_setting *what,
@@ -121,15 +121,16 @@ arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], ar
 int arc_wear_has_state_functions(const arc_wear *w);
 /* Stores k and alpha of a record, computed from the coefficients of both bodies. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
-/* Wear rate of the law without friction [MPa]: the pressure times the factor of the law. */
+/* Returns the wear rate of the law without friction [MPa]: the pressure times the factor of the
+ * law. */
 double arc_wear_law(const arc_wear *w, double p);
-/* Wear rate of the law with friction [MPa]. The energy law multiplies it by mu. */
+/* Returns the wear rate of the law with friction [MPa]. The energy law multiplies it by mu. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
 /* Computes the local factors of one body at sites under pressures p [sites]; factor [sites] is 1
  * for runs without local factors. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
                           const wear_sites *on, const double *p, double *factor, arc_error *error);
-/* dq/dp of the law at a node. */
+/* Returns dq/dp of the law at a node. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
 /* Creates a run as arc_wear_create does, but without a check of the zones. */
@@ -144,7 +145,7 @@ void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
 
 /* --- friction_coefficient.c ------------------------------------------------------------------- */
-/* True if the friction coefficient is a table or a function. */
+/* Returns true if the friction coefficient is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
 /* Computes the friction coefficient of a state. Errors: those of the user's function. */
 arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,

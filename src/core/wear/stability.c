@@ -37,12 +37,12 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 
 /* --- warnings --------------------------------------------------------------------------------- */
 
-/* True for explicit jumps of whole cycles that the user chose. */
+/* Returns true for explicit jumps of whole cycles that the user chose. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* Upper bound of the present eigenvalue, which is proportional to the coefficients. */
+/* Returns an upper bound of the present eigenvalue, which is proportional to the coefficients. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;
@@ -53,7 +53,8 @@ static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES
   return growth * j->eigenvalue;
 }
 
-/* True if an update of `cycles` needs a new eigenvalue, which costs the solutions of a cycle. */
+/* Returns true if an update of `cycles` needs a new eigenvalue, which costs the solutions of a
+ * cycle. */
 static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                        double cycles) {
   static const double fallen = 0.8;

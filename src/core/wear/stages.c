@@ -54,8 +54,8 @@ static void go_through_layers(const staged *s, double *depth) {
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Wear of node i over the whole update, per rate [mm per MPa mm]; 0 for a body that wears
- * evenly. */
+/* Returns the wear of node i over the whole update, per rate [mm per MPa mm]; 0 for a body that
+ * wears evenly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
@@ -91,8 +91,8 @@ static arc_status run_stages(staged *s, wear_progress *progress, arc_error *erro
   return ARC_OK;
 }
 
-/* Root mean square of the error over the worn part of one body [mm]. At the edge of a scar the
- * error of single nodes does not converge with the mesh. */
+/* Returns the root mean square of the error over the worn part of one body [mm]. At the edge of a
+ * scar the error of single nodes does not converge with the mesh. */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
   const arc_kind *kind = s->w->kind;

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* Tolerance of automatic steps; 0 for all other steps. */
+/* Returns the tolerance of automatic steps; 0 for all other steps. */
 static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
@@ -35,7 +35,7 @@ static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *d
   return ARC_OK;
 }
 
-/* Change of both bodies' coefficients between two records, over the larger k. */
+/* Returns the change of both bodies' coefficients between two records, over the larger k. */
 static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   const double c = fabs(a->k * a->alpha - b->k * b->alpha);
   const double p = fabs(a->k * (1 - a->alpha) - b->k * (1 - b->alpha)), k = fmax(a->k, b->k);
@@ -61,7 +61,7 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *prog
   return w->kind->measure(w, out->shape, record, error);
 }
 
-/* Share of the whole wear that a step adds. */
+/* Returns the share of the whole wear that a step adds. */
 static double added_by(const arc_wear *w, const arc_wear_record *end) {
   const double gone = end->distance - w->block[0].start_distance;
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
@@ -113,14 +113,14 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_prog
   return status;
 }
 
-/* Length factor of the next attempt after a step whose error is too large. */
+/* Returns the length factor of the next attempt after a step whose error is too large. */
 static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
   const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
   return fmax(0.1, 0.8 * pow(error, -power));
 }
 
-/* Accepted error over tolerance. For stages the tolerance is the target, and twice the tolerance is
- * accepted: a step is expensive, and its estimate jumps with the nodes at the edge. */
+/* Returns the accepted error over tolerance. For stages the tolerance is the target, and twice the
+ * tolerance is accepted: a step is expensive, and its estimate jumps with the nodes at the edge. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
@@ -129,7 +129,8 @@ static int has_outgrown(const arc_wear *w, arc_status status) {
   return w->kind->growth && w->kind->growth->has_outgrown(w, status);
 }
 
-/* True if the contact has reached the edge of its mesh, so that a shorter step does not help. */
+/* Returns true if the contact has reached the edge of its mesh, so that a shorter step does not
+ * help. */
 static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
   return has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
@@ -168,7 +169,7 @@ typedef struct wear_targets {
   int reached;
 } wear_targets;
 
-/* Value of a record minus the value of a target. */
+/* Returns the value of a record minus the value of a target. */
 static double beyond(const arc_wear_record *record, const arc_wear_target *t) {
   return arc_wear_record_get(record, t->column) - t->value;
 }

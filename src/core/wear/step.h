@@ -46,15 +46,15 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *ca
                               wear_plan *plan, int *moved, arc_error *error);
 /* Reduces the number of cycles of a plan. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
-/* True if the wear of the plan is negligible compared with that of automatic updates. */
+/* Returns true if the wear of the plan is negligible compared with that of automatic updates. */
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- predictor.c ------------------------------------------------------------------------------ */
 /* Computes the depths that a rate causes in an update. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
                              const update_coefficients *coefficients, wear_depths *depth);
-/* True if functions of the state are evaluated with intermediate pressures and widths (updates of
- * second order), instead of those at the start. */
+/* Returns true if functions of the state are evaluated with intermediate pressures and widths
+ * (updates of second order), instead of those at the start. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
 /* Returns the state at a share of an update; with a rate also the depths for these coefficients. */
 arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double share,
@@ -75,7 +75,7 @@ arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const w
 /* --- stages.c --------------------------------------------------------------------------------- */
 /* Accepted estimated error of an update in stages, relative to the depth. */
 #define ARC_STAGED_TOLERANCE 3e-3
-/* Longest stable update in stages [cycles] for an eigenvalue [1/cycle]. */
+/* Returns the longest stable update in stages [cycles] for an eigenvalue [1/cycle]. */
 double arc_wear_longest_staged(const arc_wear *w, double eigenvalue);
 /* Computes the depths of an explicit update, with an error estimate. The eigenvalue determines the
  * number of stages. `rate` is the rate at the start; its contents are overwritten. */

@@ -10,14 +10,14 @@ static const double whole = 1e-9;
 
 /* --- lengths of updates */
 
-/* Integral of k over the distance [mm3/N] after which the deepest node has worn by `depth` [mm] at
- * the present pressure. */
+/* Returns the integral of k over the distance [mm3/N] after which the deepest node has worn by
+ * `depth` [mm] at the present pressure. */
 static double k_integral_for(const arc_wear *w, double depth) {
   const double p = arc_wear_last(w)->p_center;
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Number of cycles for an integral of k over the distance [mm3/N]. */
+/* Returns the number of cycles for an integral of k over the distance [mm3/N]. */
 static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double k_integral) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
@@ -37,7 +37,7 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
-/* Largest wear of an automatic update [mm]. */
+/* Returns the largest wear of an automatic update [mm]. */
 static double depth_limit(const arc_wear *w) {
   return fmax(first_depth * w->kind->natural_depth(w), later_depth * total_depth(w));
 }
@@ -54,8 +54,8 @@ static double layer_k_integral(const arc_wear *w, int scars) {
   return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
-/* Largest integral of k of an update [mm3/N] if only even wear occurs. It does not depend on the
- * pressure in the contact. */
+/* Returns the largest integral of k of an update [mm3/N] if only even wear occurs. It does not
+ * depend on the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
 }
@@ -80,8 +80,9 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
   return status;
 }
 
-/* Largest integral of k of an update in stages [mm3/N], from the estimated error of the last
- * update. It depends only on the history, so that a stored run continues with the same steps. */
+/* Returns the largest integral of k of an update in stages [mm3/N], from the estimated error of the
+ * last update. It depends only on the history, so that a stored run continues with the same
+ * steps. */
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
@@ -140,7 +141,7 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
                                     arc_wear_last(w), jump, error);
 }
 
-/* Largest distance of the step: the limit of the run or the end of the block. */
+/* Returns the largest distance of the step: the limit of the run or the end of the block. */
 static double bound(const arc_wear *w, const wear_block *block, double limit) {
   return block == &w->block[w->blocks - 1] && block->periodic
              ? limit

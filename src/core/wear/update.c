@@ -14,9 +14,9 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
-/* Integral of the load over the sliding distance of a window [N mm], by the integration rule of the
- * wear. The load balances the forces on both bodies: under rigid slip the result is the integral of
- * p ds over the area of each body (Eq. 15) for any pressures. */
+/* Returns the integral of the load over the sliding distance of a window [N mm], by the integration
+ * rule of the wear. The load balances the forces on both bodies: under rigid slip the result is the
+ * integral of p ds over the area of each body (Eq. 15) for any pressures. */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {

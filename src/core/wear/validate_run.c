@@ -40,8 +40,8 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 
 /* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
-/* True if the volume of a record must equal k L d. This is not the case for changing loads, laws,
- * factors or elastic slip, nor for tables averaged at every increment. */
+/* Returns true if the volume of a record must equal k L d. This is not the case for changing loads,
+ * laws, factors or elastic slip, nor for tables averaged at every increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =

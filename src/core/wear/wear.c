@@ -210,7 +210,8 @@ double arc_wear_strokes(const arc_wear *w) {
   return w->manner.strokes;
 }
 
-/* Number of cycles over the whole distance. The last block continues to the end of the distance. */
+/* Returns the number of cycles over the whole distance. The last block continues to the end of the
+ * distance. */
 double arc_wear_cycles(const arc_wear *w) {
   double cycles = 0, left = w->def.distance - w->block[0].start_distance;
   for (int b = 0; b < w->blocks && left > 0; b++) {

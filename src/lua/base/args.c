@@ -150,8 +150,8 @@ static void set_number(const arc_setting *s, void *definition, double value) {
     *(double *)arc_setting_member(s, definition) = value;
 }
 
-/* True if the value on top of the stack is "auto", a function or a series, and the setting allows
- * this form. "auto" is stored as 0. */
+/* Returns true if the value on top of the stack is "auto", a function or a series, and the setting
+ * allows this form. "auto" is stored as 0. */
 static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   const int type = lua_type(L, -1);
   int automatic = 0;

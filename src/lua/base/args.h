@@ -62,7 +62,7 @@ int args_get(lua_State *L, int index, const char *name);
 /* Pushes a shallow copy of the table at `index`, made without metamethods. */
 void args_push_copy(lua_State *L, int index);
 
-/* True if the value at `index` is a table whose field `name` is not nil. */
+/* Returns true if the value at `index` is a table whose field `name` is not nil. */
 int args_given(lua_State *L, int index, const char *name);
 
 /* Pushes a number as text with up to 14 digits; integers have no decimal point. */

@@ -35,7 +35,7 @@ typedef struct call_held {
  * calls in one function count once. */
 void call_hold(lua_State *L, int index, call_held *held);
 
-/* True if a function other than the running one uses the object. */
+/* Returns true if a function other than the running one uses the object. */
 int call_is_held_outside(const call_held *held);
 
 /* Pops a value and keeps it alive until the running function returns. */

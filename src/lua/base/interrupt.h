@@ -20,10 +20,11 @@ void interrupt_detach(lua_State *L);
 /* Requests a stop; async-signal-safe. Returns the number of requests that were already pending. */
 int interrupt_request(void);
 
-/* True if a stop was requested at any time in this process. */
+/* Returns true if a stop was requested at any time in this process. */
 int interrupt_ever(void);
 
-/* True if a stop is requested. The type is arc_stop_fn for the engine; `context` is not used. */
+/* Returns true if a stop is requested. The type is arc_stop_fn for the engine; `context` is not
+ * used. */
 int interrupt_pending(void *context);
 
 /* Raises the error of a pending request, "STAND: interrupted", where `stand` is the progress of the

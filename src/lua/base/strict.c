@@ -304,7 +304,7 @@ static int module_table(lua_State *L) {
   return 1;
 }
 
-/* True if the list at index `known` contains the text at index `name`. */
+/* Returns true if the list at index `known` contains the text at index `name`. */
 static int is_listed(lua_State *L, int known, int name) {
   int found = 0;
   for (lua_Integer i = 1; !found && lua_rawgeti(L, known, i) != LUA_TNIL; i++) {

@@ -11,7 +11,7 @@
 /* Switches these errors off in this Lua state (option --lax). */
 void strict_lax(lua_State *L);
 
-/* True if the user's code reads the field. For __index functions in C. */
+/* Returns true if the user's code reads the field. For __index functions in C. */
 int strict_reads(lua_State *L);
 int strict_reads_called(lua_State *L); /* for functions wrapped by call.h */
 
@@ -28,7 +28,7 @@ void strict_table(lua_State *L, const char *where);
  * alias to the name of its field. */
 void strict_metatable(lua_State *L, const char *where, int words);
 
-/* True if the table at `index` was made strict with the name `where`. */
+/* Returns true if the table at `index` was made strict with the name `where`. */
 int strict_is(lua_State *L, int index, const char *where);
 
 /* strict_table for a table that already has a metatable. __index is set only if there is none. */

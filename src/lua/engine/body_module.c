@@ -23,8 +23,8 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* True if the surface of this kind of body is given by points over x. has_map is true for a map
- * over x and z. */
+/* Returns true if the surface of this kind of body is given by points over x. has_map is true for a
+ * map over x and z. */
 static int has_points(arc_solid kind) {
   return is_own(kind, "y") && !is_own(kind, "z");
 }
@@ -142,7 +142,7 @@ static void read_material(lua_State *L, int index, args_location location, arc_m
       read_part(L, index, location, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
-/* True for the settings of a layer in `layers`: all settings except the name, which is for
+/* Returns true for the settings of a layer in `layers`: all settings except the name, which is for
  * `materials`, and the material. */
 static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;

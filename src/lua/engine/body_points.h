@@ -16,7 +16,7 @@ void body_read_profile(lua_State *L, int index, args_location location, double r
  * until the calling C function returns. */
 void body_read_map(lua_State *L, int index, args_location location, arc_body_def *def);
 
-/* True if the value at `index` is an object of class map. */
+/* Returns true if the value at `index` is an object of class map. */
 int body_is_map(lua_State *L, int index);
 
 /* Sets x, z and y of the table at index 2 from the value at index 1. The value is a map, a table

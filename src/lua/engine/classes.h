@@ -138,7 +138,7 @@ arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_w
 /* worn_push_shape for 3-D, where the value at `worn` is a table by body (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
-/* True if the table at `index` is a map or has the fields of a map (worn_map.c). */
+/* Returns true if the table at `index` is a map or has the fields of a map (worn_map.c). */
 int worn_is_map(lua_State *L, int index);
 
 /* Returns the model definition of the wear object at `worn`, NULL for other values. */

@@ -424,7 +424,7 @@ static int has_field(lua_State *L, const char *name) {
   return has;
 }
 
-/* True if the value on top of the stack is a joint. A table of its fields is replaced by a
+/* Returns true if the value on top of the stack is a joint. A table of its fields is replaced by a
  * joint. */
 static int is_joint(lua_State *L) {
   if (luaL_getmetafield(L, -1, "__name") != LUA_TNIL) {

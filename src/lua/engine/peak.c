@@ -14,8 +14,8 @@ static size_t largest(const arc_array *p) {
   return most;
 }
 
-/* True if the pressure is equally large at the mirrored point, where `along` has the opposite sign
- * and `across` (unless NULL) is equal. */
+/* Returns true if the pressure is equally large at the mirrored point, where `along` has the
+ * opposite sign and `across` (unless NULL) is equal. */
 static int is_mirrored(const arc_array *p, const arc_array *along, const arc_array *across,
                        size_t most) {
   const double at = along->values[most], least = (1 - alike) * p->values[most];

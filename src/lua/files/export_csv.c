@@ -195,7 +195,8 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
-/* True if an object of the program returned the table at `index`, so that its units are known. */
+/* Returns true if an object of the program returned the table at `index`, so that its units are
+ * known. */
 static int is_own(lua_State *L, int index) {
   static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
                                      "case:pressure", "combined",     "mesh:coordinates",

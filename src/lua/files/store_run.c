@@ -317,7 +317,7 @@ static int only_case(lua_State *L, arc_store *store) {
               arc_store_path(store), (int)count);
 }
 
-/* True if the file has a joint's run. Raises an error for session files, which session.open
+/* Returns true if the file has a joint's run. Raises an error for session files, which session.open
  * reads. */
 static int is_of_joint(lua_State *L, arc_store *store) {
   arc_error error = {0};

@@ -34,7 +34,7 @@ functions_call functions_enter(lua_State *L, int holder, box *run);
 /* functions_enter for a run that is being constructed with this model definition. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
-/* True if a function has raised an error, which functions_leave will raise again. */
+/* Returns true if a function has raised an error, which functions_leave will raise again. */
 int functions_failed(const functions_call *call);
 
 /* Ends the context and raises the error of a function. The stack is not restored. */

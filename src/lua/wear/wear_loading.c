@@ -216,7 +216,7 @@ static arc_loading read_block(lua_State *L, int holder, args_location location, 
   return block;
 }
 
-/* True if the table at `index` is a list of blocks, false if it is a block. */
+/* Returns true if the table at `index` is a list of blocks, false if it is a block. */
 static int is_list(lua_State *L, int index) {
   int list = lua_rawgeti(L, index, 1) != LUA_TNIL;
   lua_pop(L, 1);

@@ -299,7 +299,7 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
-/* True for settings that are printed in the first lines of the summary. */
+/* Returns true for settings that are printed in the first lines of the summary. */
 static int is_printed_above(const arc_setting *s) {
   static const int printed[] = {
       ARC_AT_scheme,   ARC_AT_k,         ARC_AT_alpha,      ARC_AT_load, ARC_AT_stroke,
