@@ -48,7 +48,7 @@ typedef enum arc_exchange_end {
  * other. */
 arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchange);
 
-/* True while the process runs and reads its input. */
+/* Returns true while the process runs and reads its input. */
 int arc_process_alive(const arc_process *process);
 
 /* Closes the input of the process, waits up to `patience` [s] for its end, then kills its group.

@@ -73,7 +73,7 @@ static void add_layer_above(arc_space space, arc_material m, double d, double c[
   }
 }
 
-/* Solid arcs have no base: they are treated as half-planes. */
+/* Returns the depth of the base; INFINITY for solid arcs, which are treated as half-planes. */
 static double depth_of(const arc_body_def *b) {
   return arc_body_is_core(b) ? INFINITY : arc_body_depth(b);
 }

@@ -163,7 +163,8 @@ static int next_direction(const newton_system *c, int at) {
   return w->t[at] > 0 ? 1 : -1;
 }
 
-/* Revises the sets; returns true if a set changed. */
+/* Moves nodes between the sets of sticking, slipping and open nodes; returns true if a set
+ * changed. */
 static int update_sets(newton_system *c) {
   contact_problem *p = c->k->p;
   int n = 0, changed = 0;
@@ -196,7 +197,7 @@ static int iterate(newton_system *c) {
   return 0;
 }
 
-/* Restores the sets and the shear for the sweeps. */
+/* Saves shear, slip and set, from which the sweeps start if the iteration fails. */
 static void save(const newton_system *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);

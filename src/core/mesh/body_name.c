@@ -5,7 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
-/* Reserved names: roles, kinds, sums, and keys of tables of meshes. */
+/* Returns true for reserved names: roles, kinds, sums, and keys of tables of meshes. */
 static int is_taken(const char *name) {
   static const char *const words[] = {"upper", "lower", "plate", "total", "both", "all", NULL};
   for (int i = 0; words[i]; i++)

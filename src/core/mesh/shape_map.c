@@ -48,7 +48,7 @@ static double radius(const arc_body_def *b) {
   return b->radius > 0 ? b->radius : INFINITY;
 }
 
-/* Bodies in three dimensions have no mesh, and therefore no limits. */
+/* Returns no limits, as bodies in three dimensions have no mesh. */
 static body_limits limits(const arc_body_def *b) {
   (void)b;
   return (body_limits){.zone = INFINITY, .zone_text = "any", .outer = INFINITY, .reach = INFINITY};

@@ -188,7 +188,8 @@ static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* Even wear from work with total slip: the wear of all nodes of the plate, per length. */
+/* Computes the even wear from the work with total slip: the wear of all nodes of the plate over
+ * its length. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)

@@ -143,7 +143,7 @@ static int element_at(const recovery *r, int a, int b) {
   return r->around[r->start[a]];
 }
 
-/* Law of an edge for the material of its element. */
+/* Returns the law of an edge for the material of its element. */
 static edge_law law_between(const recovery *r, int a, int b) {
   const arc_material top = arc_body_layer_material(
       &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);

@@ -152,8 +152,8 @@ static double panel(const rest *r, double radius, double a, double b) {
   return half * sum;
 }
 
-/* Hankel transform. The integration panels grow with q, and each contains at most about one wave of
- * J0. */
+/* Computes the Hankel transform. The integration panels grow with q, and each contains at most
+ * about one wave of J0. */
 static double transform(const rest *r, double radius) {
   const double ratio = 1.3, longest = radius > 0 ? 2 * pi / radius : INFINITY;
   double sum = 0, a = 0;

@@ -9,7 +9,7 @@ typedef struct leg {
   const double *const *depth;
   const arc_halfspace_leg *def;
   const arc_halfspace_options *options;
-  double xi[2], force[2];          /* at the start of the leg */
+  double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
   double carried, yielding, work;  /* scales of force [N], motion [mm], work [N mm] */
   arc_halfspace_friction *coarser; /* NULL: none */
   arc_halfspace_effort *effort;

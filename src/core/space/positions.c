@@ -285,7 +285,8 @@ static arc_status check_outside(positions *p, const space_box *box, range *x, ra
   return ARC_OK;
 }
 
-/* Preconditioning saves time only for a single contact of many cells. */
+/* Returns true if preconditioning saves time, which it does only for a single contact of many
+ * cells. */
 static int is_preconditioned(const positions *p) {
   const stroke *s = &p->s;
   const int worn = s->c[ARC_UPPER] > 0 || s->c[ARC_LOWER] > 0, many = 96 * 96;

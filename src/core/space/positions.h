@@ -34,7 +34,7 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error);
 
 /* Computes the sum of weight times pressure over the positions for each site of both bodies. */
 void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
-/* Computes this sum for one body. */
+/* Computes the sum of weight times pressure for the sites of one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
 /* Returns true if the worn shape of each body equals its mirror image exactly (to the bit), in x

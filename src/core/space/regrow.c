@@ -30,7 +30,7 @@ static double at(const double *value, const axis *x, const axis *z, int i, int j
   return value[(size_t)i * (size_t)z->count + (size_t)j];
 }
 
-/* Bilinear interpolation between four cells. */
+/* Interpolates linearly along both axes between four cells. */
 static double between(const double *value, const axis *x, const axis *z, double u, double v) {
   const int i = (int)floor(u), j = (int)floor(v);
   const double s = u - i, t = v - j;

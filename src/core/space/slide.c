@@ -48,7 +48,7 @@ void arc_halfspace_friction_end(arc_halfspace_friction *state) {
   *state = (arc_halfspace_friction){.pressure = NULL};
 }
 
-/* Slip of a state [2][window] from its motion, shear and pressures. */
+/* Computes the slip [2][window] of a state from its motion, shear and pressures. */
 static void find_slip(const arc_halfspace *h, const double *pressure, const double *const q[2],
                       const double xi[2], double *const slip[2]) {
   arc_cerruti_shear(h, q, slip);

@@ -83,7 +83,9 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  static const double in_rim = 5, in_contact = 14, most = 64; /* cells in the half width */
+  /* Least numbers of cells in the slip annulus and in the half width; largest number in the half
+   * width. */
+  static const double in_rim = 5, in_contact = 14, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
   if (model->mesh.size > 0 || !(share > 0 && share < 1)) return arc_space_cell(model, def->load);

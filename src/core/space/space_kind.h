@@ -67,7 +67,8 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
                            arc_model **model, arc_error *error);
 void arc_space_end_model(arc_model *model);
 size_t arc_space_model_bytes(const arc_model *model);
-/* Hertz' contact of the pair under a load [N], or the scales of a period for periodic surfaces. */
+/* Returns Hertz' contact of the pair under a load [N], or for periodic surfaces the scales of a
+ * period. */
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
 /* Returns the half-spaces of a model, without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
@@ -97,7 +98,7 @@ arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_d
 /* An arc_recess_fn for a periodic map whose middle is x = z = 0; the context is the body's
  * definition. */
 double arc_space_period_height(void *context, double x, double z);
-/* Scales of one period: half widths, mean pressure, height of the map. */
+/* Returns the scales of one period: half widths, mean pressure, height of the map. */
 arc_hertz_ellipse arc_space_period(const arc_model_def *def, double load);
 double arc_space_period_step(const arc_model_def *def);
 void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_def *cells);

@@ -162,7 +162,7 @@ static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error
   return status;
 }
 
-/* Conditions at a share of the increment that ends at point `at`. */
+/* Returns load and motion at a share of the increment that ends at point `at`. */
 static arc_halfspace_increment conditions(const cycle *c, int at, double share) {
   const wear_block *b = c->block;
   const int from = at > 0 ? at - 1 : 0;
@@ -414,7 +414,8 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Conditions within an increment. The pressures there are known only under a constant load. */
+/* Returns load and motion at the end of a part of an increment. The pressures there are known
+ * only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
   arc_halfspace_increment to = conditions(c, at, (double)part / parts);
   if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;

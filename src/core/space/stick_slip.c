@@ -213,7 +213,7 @@ static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis
   return product / sum;
 }
 
-/* BFGS update of the inverse, for a step and the change of the error. */
+/* Updates the inverse by the BFGS formula, for a step and the change of the error. */
 static void update(double inverse[2][2], const double step[2], const double change[2]) {
   const double along = -(step[0] * change[0] + step[1] * change[1]);
   double y[2] = {-change[0], -change[1]}, left[2], curved;

@@ -20,9 +20,9 @@ typedef struct stroke {
   int even;     /* 1: each position is symmetric in z */
   int worker;   /* index of the workspace for a single position */
   stroke_place *place;
-  const double *extra;              /* [count][window] added to the gaps, or NULL */
-  double *weight;                   /* [count] of the inner product; half at a mirror's middle */
-  double c[ARC_BODIES];             /* wear per weighted pressure; 0: none */
+  const double *extra;  /* [count][window] added to the gaps, or NULL */
+  double *weight;       /* [count] of the inner product; half in the middle of a mirrored stroke */
+  double c[ARC_BODIES]; /* wear per weighted pressure; 0: none */
   const double *factor[ARC_BODIES]; /* factor of c by site; NULL: 1 */
   space_box box;
   const convolution *kernel, *inverse;

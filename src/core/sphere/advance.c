@@ -21,7 +21,7 @@ static arc_status remember(const arc_joint *j, const arc_joint_record *record, k
   return ARC_OK;
 }
 
-/* Depth maps of a state [2 sites]: head, then cup. */
+/* Returns the depth maps of a state [2 sites]: head, then cup. */
 static const double *depths(const kept_state *was) {
   return was->list + 3;
 }

@@ -18,7 +18,7 @@ static void transpose(const double a[9], double t[9]) {
     for (int j = 0; j < 3; j++) t[3 * i + j] = a[3 * j + i];
 }
 
-/* Rotation matrix for a rotation about axis 0, 1 or 2. */
+/* Computes the matrix of a rotation about axis 0, 1 or 2. */
 static void about(int axis, double degrees, double R[9]) {
   const double c = cos(degrees * pi / 180), s = sin(degrees * pi / 180);
   const int j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -29,7 +29,7 @@ static void about(int axis, double degrees, double R[9]) {
   R[3 * k + j] = s;
 }
 
-/* Rotation vector of the rotation matrix R. */
+/* Computes the rotation vector of the rotation matrix R. */
 static void logarithm(const double R[9], double v[3]) {
   const double x = (R[7] - R[5]) / 2, y = (R[2] - R[6]) / 2, z = (R[3] - R[1]) / 2;
   const double sine = sqrt(x * x + y * y + z * z), cosine = (R[0] + R[4] + R[8] - 1) / 2;
@@ -86,7 +86,7 @@ arc_status arc_gait_from_angles(int n, const double *degrees, const double *load
   return status;
 }
 
-/* Load in walking [N]: half cosines between two peaks. */
+/* Returns the load in walking [N]: half cosines between two peaks. */
 static double walking_load(double t) {
   static const double at[] = {0, 0.12, 0.32, 0.5, 0.62, 1}, N[] = {300, 3000, 1500, 3000, 300, 300};
   int i = 0;

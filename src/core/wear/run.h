@@ -91,7 +91,7 @@ int arc_wear_friction_is_known(const arc_wear_def *def);
 /* Sets a rate to zero; n is the number of sites of both bodies. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
-/* Exchanges two runs. */
+/* Exchanges the contents of two runs. */
 void arc_wear_exchange(arc_wear *a, arc_wear *b);
 
 /* --- block.c ---------------------------------------------------------------------------------- */

@@ -44,8 +44,8 @@ static double depth_limit(const arc_wear *w) {
 
 /* --- even wear */
 
-/* True if the bodies only wear evenly. This changes the contact only because layers become thinner.
- */
+/* Returns true if the bodies only wear evenly. This changes the contact only because layers
+ * become thinner. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
