@@ -21,7 +21,8 @@ static int compare_numbered(const void *a, const void *b) {
 static arc_status find_corners(const msh_file *f, const numbered *list, msh_element *e,
                                arc_error *error) {
   const int corners = e->type == MSH_LINE ? 2 : e->type == MSH_TRIANGLE ? 3 : 4;
-  if (e->type > MSH_QUAD) return ARC_OK; /* the corners of this element were not read */
+  if (e->type > MSH_QUAD)
+    return ARC_OK; /* the file reader stored no corners for elements of higher order */
   for (int c = 0; c < corners; c++) {
     const numbered wanted = {.tag = e->corner[c]};
     const numbered *at = f->nodes.count > 0 ? bsearch(&wanted, list, (size_t)f->nodes.count,
@@ -60,8 +61,8 @@ static const double *surface_at(const arc_mesh *m, int i) {
   return &m->xy[2 * m->surface_node[i]];
 }
 
-/* Returns the height of a surface at x, linear between its nodes; NAN outside the surface. *i is
- * the last edge and moves on to the edge at x. */
+/* Returns the height of a surface at x by linear interpolation between its nodes; NAN outside
+ * the surface. The search begins at edge *i, and *i becomes the edge at x. */
 static double height_at(const arc_mesh *m, double x, int *i) {
   while (*i + 2 < m->surface && surface_at(m, *i + 1)[0] < x) ++*i;
   const double *p = surface_at(m, *i), *q = surface_at(m, *i + 1);
@@ -69,7 +70,8 @@ static double height_at(const arc_mesh *m, double x, int *i) {
   return p[1] + (q[1] - p[1]) * ((x - p[0]) / (q[0] - p[0]));
 }
 
-/* Computes the least gap at the nodes of `m` towards `other`. */
+/* Lowers *gap to the least gap between the surface nodes of `m` and the surface of `other`; *x
+ * is its position. */
 static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, double *x) {
   const double sign = m->body == ARC_CYLINDER ? 1 : -1;
   int edge = 0;

@@ -91,7 +91,8 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* Elements without a named group have the body's own material. */
+/* Sets the material of each element. Elements without a named group have the body's own
+ * material. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -134,7 +135,7 @@ static arc_status check_plane(const msh_body *b) {
   return ARC_OK;
 }
 
-/* Returns twice the area at corner c. */
+/* Returns twice the signed area of the triangle of corner c and its two neighbours. */
 static double jacobian_at(const arc_mesh *m, const int *e, int corners, int c) {
   const double *p = &m->xy[2 * e[c]], *q = &m->xy[2 * e[(c + 1) % corners]],
                *r = &m->xy[2 * e[(c + corners - 1) % corners]];
@@ -193,8 +194,8 @@ static int compare_positions(const void *a, const void *b) {
   return (p->node > q->node) - (p->node < q->node);
 }
 
-/* Searches for two close nodes in one cell of a grid that is shifted by a share of its spacing;
- * returns 0 if there are none. */
+/* Searches for two nodes in one cell of a grid; the grid is shifted by off_x and off_y, as
+ * shares of its spacing. Returns 0 if there are none. */
 static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y,
                       grid_cell *list, int twins[2]) {
   for (int n = 0; n < m->nodes; n++)

@@ -27,7 +27,7 @@ static const double *position(const msh_body *b, int node) {
 
 /* --- edges of the boundary: those of one element only ----------------------------------------- */
 
-/* Orders edges by their two nodes, in any direction. */
+/* Orders edges by their two nodes, regardless of the direction of an edge. */
 static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
@@ -72,7 +72,8 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Checks that two elements that share an inner edge pass it in opposite directions. */
+/* Links the edges of the boundary. Checks that two elements that share an inner edge pass the
+ * edge in opposite directions. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
@@ -89,7 +90,8 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   return status;
 }
 
-/* Builds the boundary polygon that contains the contact; other holes are not part of it. */
+/* Builds the boundary polygon that contains the contact surface. The boundaries of holes are not
+ * part of the polygon. */
 static arc_status chain_outline(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->outline_node = malloc((size_t)m->nodes * sizeof(int));
@@ -104,8 +106,8 @@ static arc_status chain_outline(msh_body *b) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Writes the two nodes in the mesh (-1 for nodes of other bodies) of line i of the file, if the
- * line belongs to the set of this body. */
+/* Writes the mesh numbers of the two nodes of line i of the file (-1: not a node of this body)
+ * and returns the line. Returns NULL if the line is not in the set of this body. */
 static const msh_element *line_of(const msh_body *b, int i, msh_set set, int end[2]) {
   const msh_element *e = (const msh_element *)b->file->elements.data + i;
   if (e->dim != 1) return NULL;
@@ -143,7 +145,8 @@ static arc_status check_direction(const msh_body *b, const msh_element *e, int f
                              "'lower' looks up");
 }
 
-/* right[node] is the next node of the surface by increasing x, left[node] the previous one. */
+/* Fills right[node], the next node of the surface by increasing x, and left[node], the previous
+ * node. */
 static arc_status link_surface(const msh_body *b, int *right, int *left) {
   arc_status status = ARC_OK;
   int end[2], count = 0;

@@ -15,7 +15,7 @@ typedef struct msh_body {
   arc_error *error;
 } msh_body;
 
-/* Return the number of a node of the mesh in the file, and its coordinates. */
+/* Returns the number of a mesh node in the Gmsh file. */
 static inline long long arc_msh_tag(const msh_body *b, int node) {
   return ((const msh_node *)b->file->nodes.data)[b->origin[node]].tag;
 }

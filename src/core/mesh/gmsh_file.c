@@ -152,7 +152,7 @@ static arc_status read_position(msh_file *f, int index, arc_error *error) {
   for (int d = 0; d < 3; d++) {
     if (!arc_msh_real(&f->text, &node->x[d]))
       return bad_item(f, "three finite coordinates of a node", error);
-    node->x[d] += 0.0; /* zeros have no sign, as in written files */
+    node->x[d] += 0.0; /* changes -0.0 to 0.0 */
   }
   return ARC_OK;
 }
@@ -170,7 +170,8 @@ static arc_status read_node_block(msh_file *f, long long count, arc_error *error
   return status;
 }
 
-/* Reads the header of a block: three numbers and the number of its items, at most `left`. */
+/* Reads the header of a block: three numbers and the count of its items. A count above `left` is
+ * an error. */
 static arc_status read_block(msh_file *f, long long i, long long blocks, const char *what,
                              long long left, long long head[3], long long *count,
                              arc_error *error) {
@@ -180,7 +181,8 @@ static arc_status read_block(msh_file *f, long long i, long long blocks, const c
   return read_count(f, what, left, count, error);
 }
 
-/* Reads the numbers of blocks and items; the range of their numbers is not used. */
+/* Reads the number of blocks (version 4 only) and the number of items. The range of the item
+ * numbers that follows is ignored. */
 static arc_status read_counts(msh_file *f, const char *what, long long *blocks, long long *count,
                               arc_error *error) {
   arc_status status = next_item(f, "counts", 0, 1, error);
@@ -230,7 +232,7 @@ static int corners_of(int type) {
   return type == MSH_LINE ? 2 : type == MSH_TRIANGLE ? 3 : type == MSH_QUAD ? 4 : 0;
 }
 
-/* Reads the rest of a line, the corners. */
+/* Adds an element and reads its corners from the rest of the line. */
 static arc_status add_element(msh_file *f, long long tag, long long entity, long long type,
                               arc_error *error) {
   const int dim = dimension_of(type);
@@ -245,7 +247,8 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
   return ARC_OK;
 }
 
-/* Reads a line: tag type tags... nodes. The first of the tags is the group. */
+/* Reads the line of an element of version 2.2: number, type, count of tags, tags, nodes. The
+ * first tag is the physical group. */
 static arc_status read_element_2(msh_file *f, arc_error *error) {
   long long head[3], group = 0, other;
   if (!read_wholes(f, 3, head) || head[2] < 0)

@@ -18,7 +18,7 @@ typedef struct msh_group {
 typedef struct msh_entity {
   long long tag;
   int dim;
-  unsigned sets;            /* set of the element, see set_of */
+  unsigned sets;            /* bits of the sets, see arc_msh_bit */
   int material[ARC_BODIES]; /* index of the material among those of the body */
 } msh_entity;
 

@@ -14,8 +14,8 @@ const char *arc_msh_role(arc_body body) {
   return roles[body];
 }
 
-/* Returns the part of a group's name after the name of the body; NULL if it is not a group of this
- * body. */
+/* Returns the part of a group's name after the name of the body; NULL if the group does not
+ * belong to this body. */
 static const char *behind_role(const msh_group *g, int body) {
   const size_t n = strlen(roles[body]);
   if (strncmp(g->name, roles[body], n) != 0) return NULL;
@@ -119,7 +119,7 @@ static arc_status groups_as_members(msh_file *f) {
   return ARC_OK;
 }
 
-/* Merges consecutive members with the same number to one entity. */
+/* Merges consecutive members with the same number and dimension into one entity. */
 static arc_status collect_entities(msh_file *f, arc_error *error) {
   const msh_member *m = f->members.data;
   msh_entity *entity = NULL;
@@ -138,7 +138,7 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
 
 /* --- missing groups --------------------------------------------------------------------------- */
 
-/* Writes the names of all groups, as many as fit. */
+/* Writes the names of the groups to `text`, as many as fit into `size` bytes. */
 static const char *list_groups(const msh_file *f, char *text, size_t size) {
   const msh_group *g = f->groups.data;
   size_t n = 0;

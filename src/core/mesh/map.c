@@ -15,13 +15,14 @@ static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   return level > 0 ? level : 0;
 }
 
-/* Maps `units` to `target`: the identity up to `near`, linear beyond. */
+/* Maps `at` to a physical coordinate: unchanged up to `near`, linear beyond, so that `units`
+ * becomes `target`. */
 static double stretch(double at, double near, double units, double target) {
   if (at <= near) return at;
   return near + (at - near) * ((target - near) / (units - near));
 }
 
-/* Returns the physical depth [mm] of a logical depth, without layers. */
+/* Returns the physical depth [mm] of a logical depth in a body without layers. */
 static double plain_depth(const body_map *m, double d) {
   if (m->core) return d;
   return d >= m->units_d ? m->depth : stretch(d, m->near_d, m->units_d, m->depth);
@@ -80,8 +81,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   return m;
 }
 
-/* Returns the change of the depth at row j by layers [mm], linear between interfaces and zero at
- * the ends. */
+/* Returns the change of the depth [mm] that the layers cause at row j: linear between
+ * interfaces, zero at the surface and the base. */
 static double shift_at(const body_map *m, double j) {
   double above = 0, from = 0;
   for (int l = 0; l < m->layers; l++) {
@@ -111,7 +112,7 @@ static void point_of_block(const body_map *m, double along, double j, double xy[
   xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
 }
 
-/* Computes a point of an arc about (0, R), or about (0, -R) for the other side. */
+/* Computes a point of an arc about (0, R), or about (0, -R) if the arc curves to the other side. */
 static void point_of_arc(const body_map *m, double along, double j, double xy[2]) {
   const double r = radius_at(m, depth_at(m, j)), angle = along / m->radius;
   const double side = m->hollow ? -m->up : m->up;

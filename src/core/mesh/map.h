@@ -17,9 +17,9 @@ typedef struct body_map {
   double radius;         /* [mm] radius of the surface */
   double size, height;   /* [mm] size of one unit near the contact */
   double near_s, near_d; /* [mm] extent of the part that is not stretched (half width, depth) */
-  double units_s;        /* [mm] logical half width, and its physical value */
+  double units_s;        /* [mm] unstretched and physical half width */
   double half_s;
-  double units_d; /* [mm] logical depth, and its physical value (except solid arcs) */
+  double units_d; /* [mm] unstretched depth, physical depth (except solid arcs) */
   double depth;
   int root_level;
   int columns, lines; /* number of root cells over the half body */

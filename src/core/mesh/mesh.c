@@ -74,15 +74,16 @@ arc_mesh_def arc_mesh_default(void) {
   return def;
 }
 
-/* The two nested partitions, half widths and depths [mm]: 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
- * x 0.5 in 4.2 x 1.5 mm for the plate. All are proportional to the contact's width, which is the
- * cylinder's zone, except the width of the plate's zone, which grows with the stroke. */
+/* The half widths and depths [mm] of the two nested partitions with fine elements. With zones of
+ * 1 mm (cylinder) and 1.2 mm (plate), width x depth is 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
+ * x 0.5 in 4.2 x 1.5 mm for the plate. All sizes are proportional to the cylinder's zone, except
+ * that the widths of the plate grow with the plate's zone, which grows with the stroke. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Returns the number of rows of the wear box: that of the definition, or more if the box would end
- * within layers much thinner than the rows, which have rows of their own. */
+/* Returns the number of rows of the wear box: the number in the definition, or more if that box
+ * would end within layers much thinner than its rows, because each layer has its own row. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -107,15 +108,16 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* Returns true if an interface cuts a cell. */
+/* Returns true if an interface between layers cuts a cell. */
 static int straddles(const body_map *m, const quad_cell *c) {
   for (int l = 0; l < m->layers; l++)
     if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
   return 0;
 }
 
-/* Returns the coarsest level of a cell: the finest in the inner partition, at most four times that
- * size in the outer one, at most `far` elsewhere; cells end at interfaces. */
+/* Returns the coarsest level of a cell: 0 in the inner partition, at most 2 (four times the
+ * finest size) in the outer partition, at most the size `far` elsewhere. A cell that an
+ * interface cuts must be split. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
@@ -156,7 +158,8 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Largest width and depth of bodies in elements, as positions are integers in this unit. */
+/* Largest width and depth of a body, as multiples of the element size: positions are integers in
+ * units of the element size. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Fits y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, with t from -1 to 1 over the points. The functions
- * are nearly orthogonal, so that three sweeps of single projections converge to the least
- * squares. */
+/* Form of a profile: y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, with t from -1 to 1 over the
+ * points. The functions are nearly orthogonal, so that sweeps that fit one coefficient after the
+ * other converge to the least-squares fit. */
 typedef struct form {
   double middle, half, c[3];
 } form;

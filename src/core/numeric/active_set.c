@@ -7,7 +7,7 @@
 
 enum { most_sets = 30 /* iterations before the cycling safeguard starts */ };
 
-/* Reduction of the residual before the set is revised. */
+/* The set is revised after the residual has decreased to this share. */
 static const double fall = 0.3;
 
 /* Revises the set: cells with p < 0 leave it, and cells that overlap by more than the limit enter
@@ -16,7 +16,7 @@ static void change_set(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
   const size_t o = active_at(s, block);
-  unsigned long long hash = 14695981039346656037ull; /* Computes the FNV-1a hash of the set. */
+  unsigned long long hash = 14695981039346656037ull; /* FNV-1a hash of the set */
   int changes = 0;
   (void)worker;
   for (int k = 0; k < s->problem->cells; k++) {
@@ -39,8 +39,8 @@ static unsigned long long hash_of(const pass *s) {
   return hash;
 }
 
-/* Stores the gaps in w->g and the rigid unknowns in delta. Restores the loads, which the
- * projections conserve only to the rounding of their many steps. */
+/* Stores the gaps in w->g and the rigid unknowns in `delta`. Before, restores the loads, because
+ * the projections of many steps change the loads by rounding errors. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
   arc_active_run(s, arc_active_restore_load);
@@ -50,14 +50,16 @@ static void finish(const pass *s, double *delta) {
   memcpy(delta, w->delta, (size_t)(s->problem->blocks * s->problem->modes) * sizeof *delta);
 }
 
-/* Revises the set until it does not change (*done), or the safeguard must start. */
+/* Revises the set until it does not change (then *done is true), or until the sets repeat or are
+ * too many (then the safeguard must start). */
 static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error *error) {
   unsigned long long seen[2] = {0, 0};
   double product = 0, share = fall;
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);
   if (status == ARC_OK) status = arc_active_begin(s, error);
-  /* initial pressures may cause no displacement on periodic surfaces */
+  /* On periodic surfaces, initial pressures may cause no displacement, so that the limit would
+   * be 0. */
   if (status == ARC_OK) s->limit = fmax(s->limit, s->problem->tolerance * arc_active_rms(s));
   for (int sets = 0; sets < most_sets && status == ARC_OK;) {
     const double wanted = fmax(s->limit / 2, share * arc_active_rms(s));
@@ -71,7 +73,7 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
     }
     const unsigned long long now = hash_of(s);
     if (now == seen[0] && share == 0) return ARC_OK;
-    if (now == seen[0]) share = 0; /* the set was revised too early */
+    if (now == seen[0]) share = 0; /* a set repeats: it was revised too early */
     seen[0] = seen[1];
     seen[1] = now;
     sets++;
@@ -93,7 +95,7 @@ arc_status arc_active_set_solve(const active_problem *problem, active_work *work
   return status;
 }
 
-/* The set is {p > 0}, and dp begins with 0. */
+/* Sets the active set to {p > 0}, the gaps to those of the problem, and dp to 0. */
 static void start_tangent(const pass *s, const double *p) {
   const size_t all = (size_t)s->problem->blocks * (size_t)s->problem->cells;
   for (size_t c = 0; c < all; c++)

@@ -103,8 +103,8 @@ double arc_active_gap(const pass *s, int block, int cell) {
 
 enum { square = ARC_MOST_MODES * ARC_MOST_MODES };
 
-/* inverse := inverse of a positive a [m x m], which is overwritten. Returns non-zero if a is
- * singular. */
+/* Computes the inverse of a positive definite matrix a [m x m]; overwrites `a`. Returns non-zero
+ * if `a` is singular. */
 static int invert(int m, double *a, double *inverse) {
   if (m == 1) {
     inverse[0] = 1 / a[0];
@@ -123,8 +123,8 @@ static void times(int m, const double *inverse, const double *b, double *x) {
   }
 }
 
-/* Computes the inverse of N' y on the cells of `area`. y: the modes or other vectors
- * [modes][cells]. */
+/* Computes the inverse of the matrix N' y, summed over the cells with their areas in `area`. y
+ * [modes][cells]: vectors, NULL: the modes N. */
 static int invert_gram(const pass *s, const double *area, const double *y, double *inverse) {
   const int m = s->problem->modes, n = s->problem->cells;
   double a[square];
@@ -136,7 +136,7 @@ static int invert_gram(const pass *s, const double *area, const double *y, doubl
   return invert(m, a, inverse);
 }
 
-/* x := inverse N' v on the cells of `area` */
+/* Computes x := inverse N' v, with sums over the cells weighted by `area`. */
 static void fit_modes(const pass *s, const double *area, const double *inverse, const double *v,
                       double *x) {
   const int m = s->problem->modes;
@@ -182,7 +182,8 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* Returns the rounding error of the gaps of the set, which no iteration improves. */
+/* Returns the rounding error of the gaps of the set, the lower limit of what iterations can
+ * reach. */
 static double rounding_of(const pass *s, size_t o) {
   const double *gap = s->problem->gap + o, *area = s->w->area + o;
   double largest = 0;
@@ -191,8 +192,8 @@ static double rounding_of(const pass *s, size_t o) {
   return 16 * DBL_EPSILON * largest;
 }
 
-/* After g = A p: adds the gap and stores the largest displacement, or at least a displacement whose
- * tolerance is above the rounding error. */
+/* Adds `gap` to g, which is A p before. Stores the largest displacement |A p|, but at least the
+ * displacement at which the tolerance of gaps equals the rounding error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);
@@ -247,7 +248,8 @@ static void mask(void *context, int block, int worker) {
     if (s->w->area[k] == 0) s->w->z[k] = 0;
 }
 
-/* Projects the loads out of the preconditioned residual along y, and computes r z. */
+/* Projects z, the preconditioned residual, along y so that it does not change the loads, and
+ * stores the product r z in w->sum. */
 static void project_oblique(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;

@@ -31,7 +31,7 @@ typedef struct pass {
   const active_problem *problem;
   active_work *w;
   double *p;
-  double factor; /* length of the step, or share of the last direction */
+  double factor; /* step length, or factor of the last search direction */
   double limit;  /* tolerance of gaps */
 } pass;
 
@@ -40,11 +40,11 @@ static inline size_t active_at(const pass *s, int block) {
 }
 
 void arc_active_run(const pass *s, team_task task);
-/* Return N of mode j, and the areas of the cells. */
+/* Return mode j of N, and the areas of the cells. */
 const double *arc_active_mode(const pass *s, int j);
 const double *arc_active_areas(const pass *s);
 double arc_active_weight(const active_problem *p, int block);
-/* Return the sums over the blocks, in a fixed order, of w->sum and of w->changes. */
+/* Return the sum of w->sum, and the sum of w->changes, over the blocks in a fixed order. */
 double arc_active_total(const pass *s);
 int arc_active_changes(const pass *s);
 /* Returns g - N delta of a cell. */
@@ -59,14 +59,16 @@ void arc_active_factor(void *context, int block, int worker);
 void arc_active_residual(void *context, int block, int worker);
 void arc_active_curvature(void *context, int block, int worker);
 
-/* Projects the modes out of x [cells] on the set of a block, and sets x to zero elsewhere. */
+/* Subtracts the modes from x [cells], so that N' x is zero on the set of a block; sets x to zero
+ * outside the set. */
 void arc_active_project(const pass *s, int block, double *x);
 /* Returns ARC_NUMERIC if the set of a block does not determine the rigid unknowns. */
 arc_status arc_active_check(const pass *s, arc_error *error);
 arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count);
 /* Restores the loads and computes g = A p + gap. *limit is the tolerance of gaps. */
 arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error);
-/* Computes the data of a changed set and the residual. */
+/* Prepares a changed set: computes its preconditioned modes and Gram matrices, and the residual.
+ * Errors: ARC_NUMERIC, errors of the preconditioner. */
 arc_status arc_active_begin(const pass *s, arc_error *error);
 /* Returns the root mean square of the residual whose squares are in w->sum. */
 double arc_active_rms(const pass *s);

@@ -213,7 +213,7 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
   return find_symbol(box_rows, box_columns, EVEN_LAGS, kernel, context, symbol, error);
 }
 
-/* A kernel that is zero beyond the lags of the window, which no result needs. */
+/* A kernel that is set to zero at lags beyond the window; no result depends on these lags. */
 typedef struct limited {
   lag_fn kernel;
   const void *context;
@@ -283,7 +283,7 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
   }
 }
 
-/* Transform columns first .. first + width - 1 to waves and back. */
+/* Transform the columns first .. first + width - 1 of the spectrum to w->waves, and back. */
 static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
   const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
   for (size_t i = 0; i < (size_t)c->rows; i++)
@@ -404,7 +404,7 @@ arc_status arc_transform_back(int rows, int columns, double *spectrum, double *v
 /* --- transforms of rows only --------------------------------------------------------------- */
 
 struct row_transform {
-  size_t values, pairs; /* number of values in all rows */
+  size_t values, pairs; /* numbers of real values and of pairs, all rows */
   double *from;
   fftw_complex *to;
   fftw_plan forward, back;

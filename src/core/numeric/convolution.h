@@ -11,8 +11,9 @@
 typedef struct convolution convolution;
 typedef struct convolution_work convolution_work;
 
-/* Returns the kernel at a lag of so many rows and columns, both >= 0; its parity determines the
- * other lags. Kernels are 0 at the lag 0 of a direction in which they are odd. */
+/* Returns the kernel at a lag of `row` rows and `column` columns, both >= 0; the parity
+ * determines the kernel at negative lags. If a kernel is odd in a direction, its value is 0 at
+ * lag 0 of that direction. */
 typedef double (*lag_fn)(const void *context, int row, int column);
 typedef enum lag_parity {
   EVEN_LAGS,
@@ -32,14 +33,15 @@ arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_
  * box_columns (even): symbol [box_rows / 2 + 1][box_columns / 2 + 1]. */
 arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
                                        const double *symbol, convolution **made, arc_error *error);
-/* Computes the symbol of an even kernel wrapped on such a box. */
+/* Computes the symbol of an even kernel that is wrapped on a box of box_rows x box_columns (both
+ * even). */
 arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
                                   double *symbol, arc_error *error);
 void arc_convolution_destroy(convolution **c);
 size_t arc_convolution_bytes(const convolution *c);
 
-/* Creates a workspace that can be used for every convolution of a list. Returns NULL if out of
- * memory. */
+/* Creates a workspace for `largest` and every convolution that is not larger. Returns NULL if
+ * out of memory. */
 convolution_work *arc_convolution_work(const convolution *largest);
 void arc_convolution_work_free(convolution_work **work);
 
