@@ -96,12 +96,12 @@ typedef struct wear_stage {
   double *z;            /* [mm] depths z at the largest coefficient of each body's layers */
   double *known;        /* the constant part of z */
   double *worn;         /* depths z at the coefficients of the layers */
-  wear_rate last;       /* rate of the last solution, without the wear of sites */
+  wear_rate last;       /* last rate without the rates of the sites (`node`) */
   void *own;            /* data of the kind */
   arc_error error;      /* error of the last failure */
 } wear_stage;
 
-/* The surface of one body; the shape owns the arrays. */
+/* The surface points (sites) of one body. The shape owns the arrays. */
 typedef struct wear_sites {
   int count;
   const double *x; /* [count] unworn position [mm] */

@@ -10,12 +10,13 @@
 typedef struct arc_growth {
   /* Returns true if a run must grow before the next step, with the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
-  /* Returns true if a step failed because the run has outgrown its sites, and not because of its
-   * length. */
+  /* Returns true if a step failed because the run has outgrown its sites, and not because the
+   * step was too long. */
   int (*has_outgrown)(const arc_wear *w, arc_status why);
-  /* Returns true if the sites that the definition needs fit on the bodies. */
+  /* Returns true if the bodies are large enough for the sites that the definition needs. */
   int (*can_grow)(const arc_wear *w);
-  /* Copies the run to more sites, or to those of a given mesh. *result is NULL on failure. */
+  /* Copies the run to more sites (grow), or to the sites of a given mesh (remesh). *result is
+   * NULL on failure. */
   arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
@@ -39,7 +40,8 @@ typedef struct arc_kind {
 
   /* Checks a definition for `build`. Errors: ARC_ARGUMENT, ARC_GEOMETRY. */
   arc_status (*check_model)(const arc_model_def *def, arc_error *error);
-  /* Builds a model with one reference, whose first member is the handle (pair/model.h). */
+  /* Builds a model that has one reference. The first member of the model is its handle
+   * (pair/model.h). */
   arc_status (*build)(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **model,
                       arc_error *error);
   void (*end_model)(arc_model *model);
