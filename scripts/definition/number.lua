@@ -113,7 +113,7 @@ end
 
 local both = { E = true, nu = true }
 
--- True if a name belongs to wear{} itself, not to the model.
+-- Returns true if a name belongs to wear{} itself, not to the model.
 function number.of_run(name)
   local first = name:match("^[^.]*")
   return first ~= "model" and named(known.wear, first) ~= nil

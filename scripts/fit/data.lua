@@ -351,7 +351,8 @@ function data.jumps(item)
   return false
 end
 
--- position: { shift=, tilt=, level= } of a profile or a loop.
+-- Returns the simulated values of an item from the readings of a run. position: { shift=, tilt=,
+-- level= } of a profile or a loop.
 function data.values(item, readings, position)
   if item.kind == "loop" then return loops.values(item, readings[item.reading[1]].loop, position) end
   if item.kind == "sphere" then return maps.values(item, readings[item.reading[1]][item.surface]) end

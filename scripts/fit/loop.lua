@@ -39,8 +39,8 @@ end
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- from: checked { loop=, distance=, compliance=, shift=, level= }; errors: list or nil; by_force:
--- true if a force drives the run.
+-- Makes an item of data from a loop. from: checked { loop=, distance=, compliance=, shift=, level=
+-- }; errors: list or nil; by_force: true if a force drives the run.
 function loop.item(from, errors, by_force)
   local x, force = copied(from.loop.x), copied(from.loop.tangential)
   for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end

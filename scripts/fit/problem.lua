@@ -265,7 +265,8 @@ function problem:refuse_idle(columns)
   end
 end
 
--- unknowns, items: from fit/unknown.lua and fit/data.lua; runs: from fit/runs.lua.
+-- Makes the problem of a fit. unknowns, items: from fit/unknown.lua and fit/data.lua; runs: from
+-- fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
     positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by row of the residuals

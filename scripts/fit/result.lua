@@ -310,7 +310,8 @@ end
 
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
--- problem, found: from fit/problem.lua and fit/solve.lua; told: true if the user gave the errors of the data.
+-- Makes the result of a fit. problem, found: from fit/problem.lua and fit/solve.lua; told: true if
+-- the user gave the errors of the data.
 function result.new(problem, found, told, confidence)
   local m, count = #problem.unknowns, #problem.measured
   local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,

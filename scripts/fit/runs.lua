@@ -174,7 +174,8 @@ local function open_model(where, base, unknowns)
   end
 end
 
--- options: file, workers, progress, counter (a run_counter).
+-- Makes the list of runs of a fit, empty at first. options: file, workers, progress, counter (a
+-- run_counter).
 function runs.new(where, base, unknowns, what, options)
   local self = setmetatable({ where = where, base = deep(where, base, "base."), unknowns = unknowns, what = what,
     file = options.file, progress = options.progress, counter = options.counter, known = {}, cases = {}, last = 0, count = 0,

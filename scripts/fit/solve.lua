@@ -275,7 +275,8 @@ end
 
 -- --- the whole fit -------------------------------------------------------------------------------
 
--- weight: weight of the roughness, or "auto"; told: true if the user gave the errors of the data.
+-- Finds the best parameters of a problem. weight: weight of the roughness, or "auto"; told: true if
+-- the user gave the errors of the data.
 function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end

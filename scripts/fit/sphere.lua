@@ -16,7 +16,8 @@ local function direction(theta, phi)
   return { math.cos(theta), s * math.sin(phi), s * math.cos(phi) }
 end
 
--- from: checked { map=, body=, distance= }; errors: list or nil.
+-- Makes an item of data from a map of a joint. from: checked { map=, body=, distance= }; errors:
+-- list or nil.
 function sphere.item(from, errors)
   local map, at, x = from.map, {}, {}
   for _, theta in ipairs(map.theta) do

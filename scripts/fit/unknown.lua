@@ -48,7 +48,8 @@ local function check_bounds(where, field, setting, given)
   end
 end
 
--- name: the user's name; given.paths: paths of the setting in wear{}.
+-- Makes a parameter of an unknown. name: the user's name; given.paths: paths of the setting in
+-- wear{}.
 local function parameter(where, field, name, setting, given, start, distance)
   local one = { path = name, paths = given.paths, unit = setting.unit or "", start = start, distance = distance,
     name = distance and ("%s at %g mm"):format(name, distance) or name,
@@ -115,8 +116,8 @@ local function paths_of(where, names, model)
   return by_name
 end
 
--- model: the user's model, or nil. Returns the list of parameters { name=, path=, paths=, unit=, start=, low=, high=,
--- span= } with `curves`.
+-- Checks and reads the user's unknowns. model: the user's model, or nil. Returns the list of
+-- parameters { name=, path=, paths=, unit=, start=, low=, high=, span= } with `curves`.
 function unknown.read(where, given, model)
   local names, self = {}, { curves = {} }
   for name in pairs(given) do

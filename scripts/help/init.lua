@@ -80,7 +80,7 @@ function help.addresses()
   return list
 end
 
--- The methods and fields of an object.
+-- Returns the methods and fields of an object.
 function help.members(address)
   local list = {}
   for _, entry in ipairs(help.all()) do
@@ -89,7 +89,7 @@ function help.members(address)
   return list
 end
 
--- The fields of the definition table of `address`, or of the table at `path` within it.
+-- Returns the fields of the definition table of `address`, or of the table at `path` within it.
 function help.definition(address, path)
   local list = {}
   for _, entry in ipairs(help.all()) do

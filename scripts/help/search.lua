@@ -4,7 +4,8 @@ local synonyms = require "archard.help.synonyms"
 
 local search = {}
 
--- Lower case; hyphens and underscores count as blanks, so that "cross-shear" finds cross_shear.
+-- Returns a text in lower case; hyphens and underscores count as blanks, so that "cross-shear"
+-- finds cross_shear.
 function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
 
 local meanings = {} -- the synonyms by their plain text

@@ -44,7 +44,7 @@ local shape_kind = check.kind("a function of theta and phi in degrees, a map of 
   return type(v) == "function" or type(v) == "table"
 end)
 
--- A list of { gait=, cycles= }; the last block has no end.
+-- Returns the loading as a list of { gait=, cycles= }; the last block has no end.
 local function blocks_of(given)
   if given_gait.is(given) or #given == 0 then return { { gait = given_gait.of(given), cycles = math.huge } } end
   local blocks = {}
@@ -366,8 +366,8 @@ end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }
 
--- w:flat "cup": the map of w:map over positions in mm, in azimuthal equal-area projection about the
--- load.
+-- w:flat "cup" returns the map of w:map over positions in mm, in azimuthal equal-area projection
+-- about the load.
 function methods:flat(what)
   local map = self:map(what)
   return flat.map(#map.theta, map.values, self.model.head.radius, what, units[what] or "mm")

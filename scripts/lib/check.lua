@@ -85,7 +85,7 @@ function check.list_of(item, expected, growing)
   end, item, growing)
 end
 
--- Kind of all values, for fields that are checked elsewhere.
+-- Returns a kind that accepts all values, for fields that are checked elsewhere.
 function check.any(expected) return kind(expected, function() return true end) end
 
 local deepest = 20 -- nesting of tables

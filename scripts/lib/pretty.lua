@@ -58,7 +58,7 @@ local function number_in_list(value)
   return math.type(value) == "integer" and tostring(value) or ("%.6g"):format(value)
 end
 
--- NaN and zero are printed without a sign.
+-- Formats a number. NaN and zero are printed without a sign.
 local function number_text(value, within)
   if value ~= value then return "nan" end
   if value == 0 and within then return "0" end

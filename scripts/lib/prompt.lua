@@ -62,8 +62,9 @@ local function note_locals(text)
   io.stderr:write("note: a local variable exists only in its chunk; omit 'local' to keep the value\n")
 end
 
--- Short commands as in IPython and Octave: ?name and name? show help, !command runs in the shell, clear clears the
--- screen unless a global has this name. Returns a function that runs the command, or nil.
+-- Converts short commands, as in IPython and Octave: ?name and name? show help, !command runs in
+-- the shell, clear clears the screen unless a global has this name. Returns a function that runs
+-- the command, or nil.
 local function short_command(text)
   local word = text:match("^%s*%?%s*([%w_.:{}]+)%s*$") or text:match("^%s*([%w_.:{}]+)%s*%?%s*$")
   if word then return function() require "archard".help(word) end end

@@ -11,7 +11,7 @@ local term = require "archard.term"
 local counter = {}
 counter.__index = counter
 
--- mode: false to show nothing on the terminal.
+-- Creates a counter of runs. mode: false to show nothing on the terminal.
 function counter.new(what, about, mode)
   local self = setmetatable({ what = what, about = about, count = 0, shown = mode == nil and term.movable "stderr",
     started = term.clock() }, counter)
@@ -38,7 +38,8 @@ function counter:ran(runs)
   self:show()
 end
 
--- kept: the name under which the best values are available after an interrupt.
+-- Reports a better result. kept: the name under which the best values are available after an
+-- interrupt.
 function counter:better(text, kept)
   self.best, self.kept = text, kept
   self:show()

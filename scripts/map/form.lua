@@ -9,7 +9,8 @@ local models = {}
 -- Returns the height and its derivatives by p at (u, v), in units of half the map's length from its middle.
 function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
 
--- p: height, sines of both slopes at the middle, curvature. Returns nil outside the sphere.
+-- Returns the height of a sphere at (u, v) and its derivatives by p. p: height, sines of both slopes at the middle,
+-- curvature. Returns nil outside the sphere.
 function models.sphere(u, v, p)
   local t, s, k = p[2], p[3], p[4]
   local q, r = t + k * u, s + k * v

@@ -13,7 +13,8 @@ local models = {}
 
 function models.line(u, p) return p[1] + p[2] * u, 1, u end
 
--- p: height and sine of the slope at u = 0, curvature. Returns nil outside the circle.
+-- Returns the height of a circle at u and its derivatives by p. p: height and sine of the slope at u = 0,
+-- curvature. Returns nil outside the circle.
 function models.circle(u, p)
   local t, k = p[2], p[3]
   local q = t + k * u

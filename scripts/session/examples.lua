@@ -10,7 +10,7 @@ local examples = {}
 -- examples.names(): names of the files in the order of the course, such as "01_contact".
 examples.names = examples_folder.names
 
--- An example is selected by its number, its name, or both.
+-- Returns the path of an example, which is selected by its number, its name, or both.
 local function path_of(where, wanted)
   local plain = {}
   for i, name in ipairs(examples.names()) do

@@ -381,7 +381,7 @@ local function assemble(cases)
   return globals
 end
 
--- Unsaved values are not overwritten.
+-- Refuses to overwrite unsaved values.
 local function refuse_loss(cases)
   local new = {}
   for _, each in ipairs(cases) do new[each.path[1]] = true end

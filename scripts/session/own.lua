@@ -14,7 +14,7 @@ local own = {}
 local there = { _ = true, arg = true }
 for name in next, globals do there[name] = true end
 
--- Some globals of the program may be created after this file was loaded.
+-- Returns true for globals of the program. Some of them may be created after this file was loaded.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
 -- Returns true if the name is reserved for a global of the program.

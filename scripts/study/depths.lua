@@ -60,8 +60,9 @@ local function step_from(x, h, f)
     math.max(-0.9 * x[2], math.min(of_alpha, 0.9 * (1 - x[2]))) }
 end
 
--- target: { sum= [mm], share= }; start: { ln k, alpha }; options: fields of wear{}, fixed (the given k, if any),
--- accuracy. Returns { k=, alpha=, sum= simulated [mm], runs=, x= }.
+-- Finds k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: {
+-- ln k, alpha }; options: fields of wear{}, fixed (the given k, if any), accuracy. Returns { k=,
+-- alpha=, sum= simulated [mm], runs=, x= }.
 local function search(target, start, options)
   local within = target.share > 0 and target.share < 1
   local seeks = { not options.fixed, within }
@@ -103,8 +104,9 @@ local function spreads(cylinder, plate, from, options)
   return { k = not options.fixed and statistics.deviation(k) or nil, alpha = statistics.deviation(alpha) }, runs
 end
 
--- cylinder, plate: depths of both bodies [mm], lists of equal length; options: fields (of wear{}; a given k is not
--- changed), accuracy. Returns the fields of a calibration.
+-- Finds k and alpha from measured depths. cylinder, plate: depths of both bodies [mm], lists of
+-- equal length; options: fields (of wear{}; a given k is not changed), accuracy. Returns the fields
+-- of a calibration.
 function depths.find(cylinder, plate, options)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local share = c / (c + p)

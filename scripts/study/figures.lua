@@ -105,7 +105,7 @@ local function set_of(study)
   return require "archard.lib.examples_folder".parts("study:figures", "paper")("figures")[study.name]
 end
 
--- A caption is a string or a function of the drawn cases.
+-- Returns a caption, which is a string or a function of the drawn cases.
 local function words(given, cases)
   return type(given) == "function" and given(cases) or given
 end

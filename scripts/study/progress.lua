@@ -11,8 +11,9 @@ progress.__index = progress
 
 local pause = 0.1 -- seconds between two redraws
 
--- mode: nil (draws on a terminal), false (never), "lines" (a line per finished case on standard
--- output), or a function(event) with { case=, failure=, done=, total= } after each case.
+-- Creates the display of a study. mode: nil (draws on a terminal), false (never), "lines" (a line
+-- per finished case on standard output), or a function(event) with { case=, failure=, done=, total=
+-- } after each case.
 function progress.new(workers, total, done, mode)
   return setmetatable({ workers = workers, total = total, done = done, first = done, failed = 0,
     mode = mode, shown = mode == nil and term.movable("stderr"), started = term.clock(),

@@ -36,9 +36,9 @@ local function known_deviations(c, p, work, err)
     alpha = total > 0 and math.sqrt(c * c + p * p) * err / total ^ 2 or nil }
 end
 
--- cylinder, plate: volumes lost over an interval in each test; work: load times distance [N mm]. Returns { mean=,
--- spread=, low=, high= } of the quantities; low and high are the confidence range of the mean, nil for a single test
--- without `err`.
+-- Computes k and alpha of an interval. cylinder, plate: volumes lost over an interval in each test;
+-- work: load times distance [N mm]. Returns { mean=, spread=, low=, high= } of the quantities; low
+-- and high are the confidence range of the mean, nil for a single test without `err`.
 function volumes.stretch(cylinder, plate, work, confidence, err)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local result = { mean = { k = (c + p) / work, k_cylinder = c / work, k_plate = p / work,
@@ -93,9 +93,10 @@ local function stretches(distance, cylinder, plate, given)
   return list
 end
 
--- given: load, confidence, error. Returns tables { distance=, value= } by name, constant in each interval, so that
--- wear{} with the tables k and alpha reproduces the measured volumes; and the bands { distance=, value=, low=, high= }
--- of these means, at the middle of each interval.
+-- Computes k and alpha over the distance. given: load, confidence, error. Returns tables {
+-- distance=, value= } by name, constant in each interval, so that wear{} with the tables k and
+-- alpha reproduces the measured volumes; and the bands { distance=, value=, low=, high= } of these
+-- means, at the middle of each interval.
 function volumes.course(distance, cylinder, plate, given)
   local list, at = stretches(distance, cylinder, plate, given), points(distance)
   local mean = map(list, function(stretch) return stretch.mean end)

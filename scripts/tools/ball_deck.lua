@@ -83,8 +83,9 @@ local function write_contact(file, name, body, reach, side)
   end
 end
 
--- case: upper, lower (x, z) -> y [mm]; E, nu by body; load; expected approach; half_width of the
--- contact; far [mm]. Returns the number of nodes of the ball and of both bodies.
+-- Writes an Abaqus deck of a case. case: upper, lower (x, z) -> y [mm]; E, nu by body; load;
+-- expected approach; half_width of the contact; far [mm]. Returns the number of nodes of the ball
+-- and of both bodies.
 function deck.write(path, case)
   local file <close> = assert(io.open(path, "w"))
   local fine, growth = 1.3 * case.half_width, 1.9

@@ -289,8 +289,8 @@ local function joints()
   walk("the same on springs", "0.1", liner, 1e-9, 0)
 end
 
--- Half-spaces in three dimensions: contacts that fill most of N x N cells, a history of wear, and
--- its memory.
+-- Measures half-spaces in three dimensions: contacts that fill most of N x N cells, a history of
+-- wear, and its memory.
 local function half_spaces(quick)
   io.write("\nhalf-spaces in three dimensions\n")
   local half = hertz{ geometry = "3-D", load = 10 }.half_width

@@ -9,7 +9,8 @@ local function format_of(header)
   return assert(file:read "a":match("#define ARC_STORE_FORMAT (%d+)"), "no format in " .. header)
 end
 
--- From the lines "  name   [unit] text" of the entry: names of columns end in the unit.
+-- Reads the columns from the lines " name [unit] text" of the entry: names of columns end in the
+-- unit.
 local function columns()
   local items = {}
   for name, text in help.entry("wear.history").text:gmatch("\n  ([%w_]+) +([^\n]+)") do

@@ -49,8 +49,8 @@ local function values_of(run, names)
   return list
 end
 
--- Relative tolerance between the run and its repetition: automatic steps were corrected by their error estimate, which
--- repeated steps are not; distances of steps have rounding errors.
+-- Returns the relative tolerance between the run and its repetition: automatic steps were corrected
+-- by their error estimate, which repeated steps are not; distances of steps have rounding errors.
 local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 1e-9 end
 
 -- Checks that the definition reproduces the run; else it cannot be used for changed runs.
