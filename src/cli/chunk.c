@@ -28,9 +28,9 @@ static int has_callers(lua_State *L, int level) {
   return 0;
 }
 
-/* Message handler that adds the traceback. After an interrupt it adds none and calls no Lua code,
- * because the hook is still active. For an error object the frames of the program's own scripts are
- * omitted. */
+/* Message handler of lua_pcall that adds the traceback to the message. After an interrupt it
+ * adds no traceback and calls no Lua code, because the hook is still active. For an error object
+ * the traceback omits the frames of the program's own scripts. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
   const int level = lua_istable(L, 1) ? error_user_level(L) : 1;
@@ -39,13 +39,14 @@ static int describe(lua_State *L) {
   return 1;
 }
 
-/* Returns the length of `text` without `foot` at its end. */
+/* Returns the length of `text` without the ending `foot`, or `length` if `text` has no such
+ * ending. */
 static size_t without(const char *text, size_t length, const char *foot) {
   size_t tail = strlen(foot);
   return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
 }
 
-/* Returns the length of a traceback without its last lines, which are frames of the program. */
+/* Returns the length of a traceback without its last lines, if these are frames of this program. */
 static size_t without_foot(const char *text) {
   size_t length = without(text, strlen(text), "\n\t[C]: in ?");
   return without(text, length, "\n\t(...tail calls...)");

@@ -6,13 +6,13 @@
 
 typedef enum run_status { RUN_OK, RUN_FAILED, RUN_INTERRUPTED } run_status;
 
-/* Calls the function below the `arguments` values on top of the stack, as lua_call does. On failure
- * it removes the function from the stack, prints message and traceback on standard error, and
- * clears a pending interrupt. */
+/* Calls the function that is on the stack below its `arguments` values, as lua_call does. On
+ * failure it removes the function from the stack, prints message and traceback on standard
+ * error, and clears a pending interrupt. */
 run_status run_call(lua_State *L, int arguments, int results);
 
-/* Pops the error value on top of the stack and prints it, like run_call after a failure. For chunks
- * that could not be loaded. */
+/* Pops the error value on top of the stack and prints it, as run_call does after a failure.
+ * Callers use it for chunks that could not be loaded. */
 run_status run_refused(lua_State *L);
 
 #endif

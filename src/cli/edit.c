@@ -71,7 +71,7 @@ static char **attempt_completion(const char *text, int start, int end) {
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Removes earlier copies of an entry from the history. */
+/* Removes all entries from the history that equal `entry`. */
 static void forget_copies(const char *entry) {
   for (int i = history_length - 1; i >= 0; i--) {
     const HIST_ENTRY *old = history_get(history_base + i);
@@ -114,7 +114,8 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* The inputrc of the user is read later and may change this variable. */
+  /* This variable is set first, because readline reads the inputrc of the user later, which may
+   * change it. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();
@@ -137,7 +138,7 @@ static void on_line(char *line) {
   editor.line = line;
   editor.done = 1;
   rl_callback_handler_remove();
-  if (line == NULL) fputs("\n", rl_outstream); /* Ctrl-D: end the line of the prompt */
+  if (line == NULL) fputs("\n", rl_outstream); /* Ctrl-D: the cursor is moved to a new line */
 }
 
 static void abandon_line(void) {
@@ -160,8 +161,8 @@ static void treat_signals(const sigset_t *normal) {
   continued = 0;
 }
 
-/* Waits for a key with signals unblocked. Returns 0 after a signal, which is handled before a key
- * that is already available. */
+/* Waits for a key or a signal, with signals unblocked. Returns 0 after a signal, even if a key
+ * is already available. */
 static int wait_for_key(const sigset_t *normal) {
   fd_set input;
   FD_ZERO(&input);

@@ -23,7 +23,7 @@ typedef void (*edit_complete_fn)(void *context, const char *before, edit_proposa
 /* Initialises the editor and reads the history file. */
 void edit_start(edit_complete_fn complete, void *context);
 
-/* Removes duplicates from the history file. Only the latest copy of an entry is kept. */
+/* Removes duplicates from the history file: only the latest copy of each entry is kept. */
 void edit_finish(void);
 
 /* Reads one line without its newline. Pasted text may contain newlines. After EDIT_LINE the caller

@@ -1,7 +1,8 @@
-/* The history file. It is read completely, split into entries, and rewritten without duplicates if
- * necessary. Sessions lock its folder while they use the file. An entry is a line "#TIME" and its
- * text. A line of the text with this form has a backslash before it. Remains of a crash (half a
- * line, a line of time only, zero bytes) do not affect other entries. */
+/* The history file. It is read completely, split into entries, and rewritten without duplicates
+ * if necessary. Sessions lock its folder while they use the file. An entry consists of a line
+ * "#TIME" and the lines of its text. A text line that has the form "#TIME" itself is written
+ * with a backslash before it. Remains of a crash (half a line, a line "#TIME" without text, zero
+ * bytes) do not affect other entries. */
 #include "cli/history_file.h"
 
 #include "archard/base.h"
@@ -17,10 +18,11 @@
 #include <time.h>
 #include <unistd.h>
 
-/* An entry. Its header "#TIME" and its text point into the text of the file. */
+/* An entry of the history. The pointers to its header "#TIME" and its text are addresses in the
+ * text of the file. */
 typedef struct entry {
   char *header, *text;
-  int position, copy; /* copy: true if the same text follows later */
+  int position, copy; /* copy: true if a later entry has equal text */
 } entry;
 
 typedef struct history {
@@ -116,7 +118,7 @@ static void put_entry(FILE *file, const char *header, const char *text) {
   }
 }
 
-/* Adds a newline if the last line is incomplete. */
+/* Adds a newline if the last line of the file has none. */
 static void mend_end(FILE *file) {
   struct stat facts;
   char last;
@@ -125,7 +127,7 @@ static void mend_end(FILE *file) {
     fputc('\n', file);
 }
 
-/* Errors during writing are ignored. */
+/* Appends an entry to the file. Errors during writing are ignored. */
 void history_file_append(const char *path, const char *text) {
   int lock = lock_folder(path);
   FILE *file = open_private(path);
@@ -139,7 +141,8 @@ void history_file_append(const char *path, const char *text) {
   unlock_folder(lock);
 }
 
-/* Writes the entries from `first` on. Returns 0 if they could not be written completely. */
+/* Writes the entries from index `first` to the end. Returns 0 if an entry could not be written
+ * completely. */
 static int put_entries(const char *path, const history *self, int first) {
   FILE *file = fopen(path, "w");
   if (file == NULL) return 0;
@@ -159,7 +162,7 @@ static void rewrite(const char *path, const history *self, int first) {
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-/* Reads the file without its zero bytes, which would end the string. */
+/* Reads the file and removes its zero bytes, which would end the string. */
 static char *read_text(const char *path) {
   char *text;
   size_t size, kept = 0;
@@ -189,7 +192,7 @@ static void restore_lines(char *text) {
   *to = '\0';
 }
 
-/* Ends the text before `line`: replaces the newline by a zero. */
+/* Replaces the newline before `line` by a zero, so that the text before `line` ends there. */
 static void cut_before(char *line) {
   line[-1] = '\0';
 }
@@ -219,8 +222,8 @@ static int by_text(const void *left, const void *right) {
   return order ? order : a->position - b->position;
 }
 
-/* Marks entries whose text is repeated later. Returns the number of entries that are not marked, or
- * -1 without memory. */
+/* Marks entries whose text is repeated later. Returns the number of entries that are not marked,
+ * or -1 if memory is exhausted. */
 static int mark_copies(history *self) {
   entry **sorted = malloc((size_t)self->count * sizeof *sorted);
   if (sorted == NULL) return -1;
@@ -235,7 +238,8 @@ static int mark_copies(history *self) {
   return kept;
 }
 
-/* Returns the index of the first of the last `limit` entries that are not copies. */
+/* Counts backwards over entries that are not copies. Returns the index of the entry at which the
+ * count is `limit`, or 0 if there are fewer. */
 static int first_kept(const history *self, int limit) {
   int i = self->count;
   while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;

@@ -14,8 +14,9 @@ char *history_file_open(void);
 
 void history_file_append(const char *path, const char *entry);
 
-/* Calls `found` (may be NULL) for at most the last `limit` entries, oldest first. A repeated text
- * is reported once, at its latest position. A file with more entries is rewritten. */
+/* Calls `found` (may be NULL) for at most the last `limit` entries, oldest first. A repeated
+ * text is reported once, at its latest position. If the file has more entries, it is rewritten
+ * with only these entries. */
 void history_file_read(const char *path, int limit, history_entry_fn found, void *context);
 
 #endif

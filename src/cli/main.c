@@ -22,7 +22,8 @@
 
 enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/* The options. `steps` has the options -e and -l in their order. */
+/* The options of the command line. `steps` has the options -e and -l in the order in which the
+ * user wrote them. */
 typedef struct command {
   struct step {
     int kind;         /* option letter, 'e' or 'l' */
@@ -31,7 +32,7 @@ typedef struct command {
   int step_count;
   int interactive, lax, version, help, wrong;
   sandbox sandbox;
-  int script; /* index of the script in argv; argc without a script */
+  int script; /* index of the script in argv; argc if there is no script */
   int argc;
   char **argv;
 } command;
@@ -107,8 +108,8 @@ static void read_options(command *self) {
   if (self->sandbox.wanted ? idle || self->interactive : limits) self->wrong = 1;
 }
 
-/* Sets the global `arg`. arg[0] is the script; arguments before it have negative indices, as in the
- * standard interpreter. */
+/* Sets the global `arg`. arg[0] is the script. The arguments before the script have negative
+ * indices, as in the standard interpreter. */
 static void set_arg_table(lua_State *L, const command *self) {
   int zero = self->script < self->argc ? self->script : 0;
   lua_createtable(L, self->argc - zero, zero + 1);
@@ -152,7 +153,8 @@ static run_status run_script(lua_State *L, const command *self) {
   return run_call(L, count, 0);
 }
 
-/* Runs the prompt if standard input is a terminal, otherwise the text from standard input. */
+/* Runs the prompt if standard input is a terminal. Otherwise runs the text of standard input as
+ * a program. */
 static run_status run_input(lua_State *L) {
   if (!isatty(STDIN_FILENO)) return repl_run_pipe(L);
   signals_install(1);
@@ -174,8 +176,8 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
-/* Prints warnings of warn() and of the program on standard error. "@..." are control messages of
- * Lua. */
+/* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
+ * with "@" are control messages of Lua. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;
@@ -190,7 +192,7 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
-/* Returns the path of the script; NULL without a script or for standard input. */
+/* Returns the path of the script. NULL: there is no script, or the script is standard input. */
 static const char *script_path(const command *self) {
   const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
   return name && strcmp(name, "-") != 0 ? name : NULL;
@@ -222,7 +224,8 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* Returns the status after the finalizers, which run after the script, within the same limits. */
+/* Returns the exit status after the finalizers. They run after the script, but under the
+ * script's limits. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());
@@ -246,15 +249,15 @@ static int run_state(command *self) {
   return finalizers_status(status);
 }
 
-/* Closes standard output. An error of writing, such as a full disk, is a failure. */
+/* Closes standard output. A write error, such as a full disk, changes the status to a failure. */
 static int close_output(int status) {
   if (fflush(stdout) == 0 && !ferror(stdout)) return status;
   perror("archard: standard output");
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
-/* Calls _exit if a computation was stopped. It may still run on its thread and would crash when
- * exit() closes its libraries. */
+/* Ends the program by _exit if a computation was stopped. This computation may still run on its
+ * thread and would crash when exit() closes its libraries. */
 static void leave_at_once(int status, void *unused) {
   (void)unused;
   if (!interrupt_ever()) return;

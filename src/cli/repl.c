@@ -25,7 +25,7 @@ static void pending_clear(pending *self) {
   *self = (pending){NULL, 0};
 }
 
-/* Adds a line. Returns 0 without memory. */
+/* Adds a line to the chunk. Returns 0 if memory is exhausted. */
 static int pending_add(pending *self, const char *line, size_t size) {
   char *text = realloc(self->text, self->length + size + 2);
   if (text == NULL) return 0;
@@ -47,8 +47,8 @@ static void push_module_function(lua_State *L, const char *module, const char *n
 
 enum { CHUNK_READY, CHUNK_OPEN, CHUNK_WRONG };
 
-/* Compiles the chunk. Pushes the function (CHUNK_READY), the error message (CHUNK_WRONG), or
- * nothing (CHUNK_OPEN). */
+/* Compiles the chunk. Pushes the function (result CHUNK_READY), the error message (CHUNK_WRONG),
+ * or nothing if the chunk is incomplete (CHUNK_OPEN). */
 static int compile(lua_State *L, const pending *chunk, const char *name, int line) {
   push_module_function(L, "archard.lib.prompt", "compile");
   lua_pushlstring(L, chunk->text, chunk->length);
@@ -82,14 +82,14 @@ static run_status evaluate(lua_State *L) {
 
 /* --- completion ------------------------------------------------------------------------------- */
 
-/* The prompt, also the context of the completion callback. */
+/* The state of the prompt, which is also the context of the completion callback. */
 typedef struct prompt {
   lua_State *L;
   pending chunk;
 } prompt;
 
-/* Lua function (prompt, text before the cursor). Returns a list of words or "files", and the
- * character after a single word. */
+/* Lua function of the prompt and the text before the cursor. Returns a list of words or "files",
+ * and the character that is appended if there is only one word. */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
   push_module_function(L, "archard.session.complete", "words");
@@ -139,8 +139,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls a function of scripts/session/leave.lua with the text on top of the stack and replaces the
- * text by the result. The result is nil on failure. */
+/* Calls the function `name` of scripts/session/leave.lua with the value on top of the stack and
+ * replaces this value by the result. On failure the result is nil. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
@@ -149,8 +149,8 @@ static run_status ask(lua_State *L, const char *name) {
   return status;
 }
 
-/* Evaluates the user's answer to the question: 1 quit, 0 stay, -1 unclear. After an error the
- * session stays at the prompt. */
+/* Interprets the user's answer to the question whether to end the session. Returns 1 for quit, 0
+ * for stay, and -1 if the answer is unclear. An error counts as stay. */
 static int understand(lua_State *L, const char *line) {
   lua_pushstring(L, line);
   const run_status status = ask(L, "answer");
@@ -159,8 +159,8 @@ static int understand(lua_State *L, const char *line) {
   return answer;
 }
 
-/* Requests a confirmation if there are unsaved runs. Returns true if the session may end. A second
- * Ctrl-D ends it. */
+/* Requests a confirmation if there are unsaved runs. Returns true if the session may end. Ctrl-D
+ * instead of an answer also ends the session. */
 static int may_leave(lua_State *L) {
   lua_pushnil(L);
   int answer = ask(L, "question") == RUN_OK && lua_isstring(L, -1) ? -1 : 1;
@@ -247,8 +247,8 @@ void repl_run(lua_State *L) {
 
 /* --- piped input ------------------------------------------------------------------------------ */
 
-/* Compiles the chunk that began at line `first`, and runs it if it is complete. `last_line` is true
- * at the end of the input. */
+/* Compiles the chunk, whose first line is line `first` of the input, and runs the chunk if it is
+ * complete. `last_line` is true at the end of the input. */
 static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
   int state = compile(L, chunk, "=stdin", first);
   if (state == CHUNK_OPEN && !last_line) return RUN_OK;
@@ -260,7 +260,8 @@ static run_status take_piped(lua_State *L, pending *chunk, int first, int last_l
   return state == CHUNK_READY ? evaluate(L) : run_refused(L);
 }
 
-/* Returns the length of a line without its newline. Zero bytes are kept; Lua rejects them. */
+/* Returns the length of a line without its line end. Zero bytes stay in the line; Lua reports
+ * them as an error. */
 static size_t line_length(const char *line, size_t length) {
   if (length > 0 && line[length - 1] == '\n') length--;
   if (length > 0 && line[length - 1] == '\r') length--;
@@ -276,7 +277,8 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    const int is_note = number == 1 && line[0] == '#'; /* first line with #, as in scripts */
+    const int is_note =
+        number == 1 && line[0] == '#'; /* first line with #, ignored as in script files */
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
     if (pending_add(&chunk, line, size)) {

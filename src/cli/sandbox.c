@@ -41,8 +41,8 @@ int sandbox_set(sandbox *self, const char *name, const char *text) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* Allocator of Lua (lua_Alloc) with the memory limit. For a new block `old` is the type of the
- * object, not a size. */
+/* Allocator of Lua (lua_Alloc) that enforces the memory limit. For a new block (`block` NULL),
+ * Lua passes the type of the object in `old`, not a size. */
 static void *allocate(void *context, void *block, size_t old, size_t size) {
   sandbox *self = context;
   const size_t held = block ? old : 0;
@@ -63,14 +63,15 @@ lua_State *sandbox_new_state(sandbox *self) {
 
 /* --- enabling the sandbox --------------------------------------------------------------------- */
 
-/* Computes the folder of a path, "." for a name without folder. */
+/* Computes the folder of a path. A name without a folder has the folder ".". */
 static void folder_of(const char *path, char folder[PATH_MAX]) {
   const char *slash = path ? strrchr(path, '/') : NULL;
   const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
   snprintf(folder, PATH_MAX, "%.*s", (int)length, slash ? path : ".");
 }
 
-/* Returns the path of a program in PATH, or its name if there is none. */
+/* Returns the path of the program `name` in the folders of PATH, or `name` itself if no folder
+ * contains the program. */
 static const char *find(const char *name, char path[PATH_MAX]) {
   const char *folders = getenv("PATH");
   while (folders && *folders && !strchr(name, '/')) {
@@ -103,7 +104,8 @@ static int is_confined(void) {
   return confined;
 }
 
-/* Sets the mark, and the working folder as folder for temporary files, also of child programs. */
+/* Sets the variable `mark`, and makes the working folder the folder for temporary files, also
+ * for child programs. */
 static void set_environment(const char *folder) {
   char number[24];
   snprintf(number, sizeof number, "%ld", (long)getpid());
@@ -125,7 +127,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* the pool of workers is small */
+  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* not needed: the worker pool is small */
   report_missing(missing);
   if (missing && self->strict) return 0;
   fprintf(stderr, "archard: it cannot begin anew: %s\n", strerror(arc_child_again(argv)));

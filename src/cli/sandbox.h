@@ -23,12 +23,12 @@ sandbox sandbox_usual(void);
 /* Sets the limit `name` to the number in `text`. Returns 0 if the number is not positive. */
 int sandbox_set(sandbox *self, const char *name, const char *text);
 
-/* Creates a Lua state with limited memory; NULL without memory. `self` must exist longer than the
- * state. */
+/* Creates a Lua state with limited memory. Returns NULL if memory is exhausted. `self` must
+ * exist longer than the state. */
 lua_State *sandbox_new_state(sandbox *self);
 
-/* Restricts this program and restarts it. Returns 1 in the restarted program. Returns 0 on failure
- * and prints the reason on standard error. */
+/* Restricts this program and restarts it inside the restrictions. In the restarted program the
+ * function returns 1. On failure it prints the reason on standard error and returns 0. */
 int sandbox_confine(const sandbox *self, const char *script, char **argv);
 
 /* Restricts libraries, files and resources of a Lua state. `script` is the path of the script, or

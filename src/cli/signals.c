@@ -1,4 +1,4 @@
-/* Signal handlers, which request a stop by lua/base/interrupt.h. */
+/* Signal handlers. They request a stop by the functions of lua/base/interrupt.h. */
 #include "cli/signals.h"
 
 #include "lua/base/interrupt.h"
@@ -24,13 +24,15 @@ static void on_interrupt_stay(int signal_number) {
   errno = saved;
 }
 
-/* SA_RESETHAND has restored the default action, so that the next signal kills the program. */
+/* Handles the first Ctrl-C. SA_RESETHAND has already restored the default action, so that the
+ * second Ctrl-C ends the program. */
 static void on_interrupt_once(int signal_number) {
   (void)signal_number;
   interrupt_request();
 }
 
-/* Installs a handler without SA_RESTART: a waiting read must return, so that Lua's hook runs. */
+/* Installs a handler without SA_RESTART, so that a signal ends a waiting read and Lua's hook can
+ * run. */
 static void install(int signal_number, void (*handler)(int), int flags) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
@@ -41,16 +43,16 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
-  install(SIGXFSZ, SIG_IGN, 0); /* write() fails beyond the size limit of a file */
+  install(SIGXFSZ, SIG_IGN, 0); /* so that write() fails at the size limit of a file */
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
 
 /* --- in a sandbox ----------------------------------------------------------------------------- */
 
-enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* GRACE in us */
+enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* GRACE: grace time [us] */
 
-/* Starts a timer. The time is limited, because a timer with zero or with more than its range never
- * expires. */
+/* Starts a timer. `seconds` is limited to a valid range, because a timer with zero or with a too
+ * large time would never expire. */
 static void set_alarm(int clock, double seconds) {
   static const double shortest = 1e-6, longest = 1e9;
   seconds = fmin(fmax(seconds, shortest), longest);

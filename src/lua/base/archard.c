@@ -102,7 +102,7 @@ static void open_functions(lua_State *L) {
 int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
-  lua_warning(L, "@on", 0); /* the standard interpreter starts with warnings off */
+  lua_warning(L, "@on", 0); /* on, although standard Lua starts with warnings off */
   script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);

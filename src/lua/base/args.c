@@ -120,7 +120,8 @@ double args_number(lua_State *L, args_location location, const arc_setting *s) {
   return value;
 }
 
-/* Returns the index in `choices` of the text at `index`, or -1. "plane" means "plane strain". */
+/* Returns the index in `choices` of the text at stack index `index`, or -1 if there is no such
+ * choice. The text "plane" means "plane strain". */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
   if (choices == arc_switch_names) return lua_isboolean(L, index) ? lua_toboolean(L, index) : -1;
   if (lua_type(L, index) != LUA_TSTRING) return -1;

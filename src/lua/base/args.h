@@ -10,14 +10,14 @@
 #include <lua.h>
 #include <math.h>
 
-/* Names in error messages such as "wear: field 'mesh.size': ...". */
+/* The function and the field that error messages name, as in "wear: field 'mesh.size': ...". */
 typedef struct args_location {
   const char *where;  /* name of the function, such as "wear" */
   const char *prefix; /* prefix of the field's name, such as "mesh.", or "" */
 } args_location;
 
-/* Settings for values that exist only in scripts. ARGS_ABOVE_0 is a number above 0. For the other
- * one the caller reads the value. */
+/* Settings for values that exist only in scripts. ARGS_ABOVE_0 is a number above 0. ARGS_OTHER
+ * is a value that the caller itself reads and checks. */
 #define ARGS_ABOVE_0(owner, member)                                                                \
   { .name = #member, .offset = offsetof(owner, member), ARC_RANGE_ABOVE(0) }
 #define ARGS_OTHER(field)                                                                          \
@@ -35,8 +35,8 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 /* Raises an error if the value at `index` is not a table. */
 void args_check_table(lua_State *L, int index, const char *where);
 
-/* Raises the error for a field without a name. The key of the field is below the top of the
- * stack. */
+/* Raises the error for a table entry whose key is not a field name, such as a list item. The key
+ * is below the top of the stack. */
 void args_refuse_position(lua_State *L, args_location location) __attribute__((noreturn));
 
 /* Raises the error for a name that is not in the list. */
@@ -46,8 +46,8 @@ void args_unknown(lua_State *L, args_location location, const arc_setting *list,
 /* Returns the number on top of the stack; raises an error if it is not finite or out of range. */
 double args_number(lua_State *L, args_location location, const arc_setting *setting);
 
-/* Returns the index in `choices` of the text at `index`. For nil or none it returns `otherwise` if
- * this is >= 0. `name` is the field's name in the error message. */
+/* Returns the index in `choices` of the text at `index`. If the value is nil or none and
+ * `otherwise` >= 0, returns `otherwise`. `name` is the field's name in the error message. */
 int args_choice(lua_State *L, int index, args_location location, const char *name,
                 const char *const *choices, int otherwise);
 

@@ -5,7 +5,7 @@
 #include <lauxlib.h>
 #include <math.h>
 
-/* A test for the items of a list, and its description for the error message. */
+/* A test that each item of a list must pass, and its description for the error message. */
 typedef struct kind {
   int (*fits)(double value);
   const char *expected;

@@ -6,8 +6,9 @@
 #include "lua/base/args.h"
 #include "lua/base/array.h"
 
-/* Returns the number of items in the list on top of the stack, without metamethods. Raises an error
- * if there are more than `most`. Every size in a script is checked here. */
+/* Returns the number of items in the list on top of the stack, without metamethods. Raises an
+ * error if the list has more than `most` items. The size of every list from a script is checked
+ * by this function. */
 size_t array_length(lua_State *L, args_location location, const char *name, size_t most);
 
 enum { ARRAY_MOST = 100000000 }; /* greatest length of a list */

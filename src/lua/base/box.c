@@ -23,8 +23,8 @@ static int unknown_field(lua_State *L) {
   return 0;
 }
 
-/* Returns the value at index 3. A table without a metatable becomes a strict table
- * "CLASS.FIELD". */
+/* Returns the value at index 3. If the value is a table without a metatable, makes it a strict
+ * table with the name "CLASS.FIELD". */
 static int guarded(lua_State *L) {
   if (!lua_istable(L, 3)) return 1;
   if (lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
@@ -90,7 +90,7 @@ static int class_gc(lua_State *L) {
   return 0;
 }
 
-/* Lua method object:close(). A second call has no effect. */
+/* Lua method object:close(). A second call of the method has no effect. */
 static int class_close(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
@@ -124,7 +124,8 @@ static int class_eq(lua_State *L) {
   return 1;
 }
 
-/* The light userdata of Lua are not const, but these objects are only read. */
+/* Pushes a pointer as light userdata. Lua's light userdata are not const, but the objects at
+ * these pointers are only read. */
 static void push_pointer(lua_State *L, const void *pointer) {
   lua_pushlightuserdata(L, (void *)(uintptr_t)pointer);
 }
@@ -143,8 +144,8 @@ static void push_methods(lua_State *L, const box_class *class) {
   if (class->destroy) set_function(L, "close", class, class_close);
 }
 
-/* Pushes the table of functions that read fields, with the names as keys. A computed field replaces
- * the setting with the same name. */
+/* Pushes a table that maps the name of each field to the function that reads the field. A
+ * computed field replaces the setting with the same name. */
 static void push_readers(lua_State *L, const box_class *class) {
   lua_newtable(L);
   for (const arc_setting *s = class->settings; s && s->name; s++) {
@@ -215,7 +216,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
-  lua_pushfstring(L, "archard.%s", class->name); /* key for the help on methods */
+  lua_pushfstring(L, "archard.%s", class->name); /* registry key, used by the help on methods */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
@@ -238,7 +239,8 @@ box *box_push(lua_State *L, const box_class *class) {
   return made;
 }
 
-/* Compares the metatable as well, because a script may have set it on another userdata. */
+/* Also compares the metatable, because a script may have set the metatable of a box on another
+ * userdata. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
   if (!found || lua_rawlen(L, index) < sizeof *found || found->class != class ||
@@ -249,7 +251,8 @@ box *box_test(lua_State *L, int index, const box_class *class) {
   return same ? found : NULL;
 }
 
-/* Returns the name of the type of the value at `index`: its __name or the Lua type. */
+/* Returns the type name of the value at `index`: the __name of its metatable if there is one,
+ * otherwise the Lua type. */
 static const char *kind_of(lua_State *L, int index) {
   int type = luaL_getmetafield(L, index, "__name");
   if (type == LUA_TSTRING) return lua_tostring(L, -1);

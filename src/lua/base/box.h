@@ -16,9 +16,9 @@
 #include <lua.h>
 #include <stddef.h>
 
-/* A class. With `destroy`, its objects have the method close(). If `value` > 0, the thing is stored
- * inside the box, and `destroy` frees only the memory that the thing owns. A class without
- * `destroy` must set `value`. */
+/* A class of boxes. If `destroy` is set, the objects of the class have the method close(). If
+ * `value` > 0, the thing is stored inside the box, and `destroy` frees only the memory that the
+ * thing owns. A class without `destroy` must set `value`. */
 typedef struct box_class {
   const char *name;        /* name for the user, such as "wear" */
   const luaL_Reg *methods; /* called as object:method(...); may be NULL */
@@ -27,9 +27,11 @@ typedef struct box_class {
   lua_CFunction tostring;       /* pushes a description of a few lines */
   void (*destroy)(void *thing); /* NULL if there is nothing to free */
   size_t value;                 /* [bytes] size of a thing inside the box; 0: stored elsewhere */
-  const arc_setting *settings;  /* settings that are fields unless in `fields`; may be NULL */
-  const void *(*definition)(lua_State *L); /* definition of the object at index 1 */
-  /* method that changes fields, for messages, such as "w:set{ ... }"; NULL: read-only */
+  const arc_setting
+      *settings; /* settings that are also fields; `fields` has priority; may be NULL */
+  const void *(*definition)(lua_State *L); /* returns the definition of the object at index 1 */
+  /* method that changes fields, as messages show it, such as "w:set{ ... }"; NULL: fields are
+   * read-only */
   const char *setter;
 } box_class;
 
@@ -38,33 +40,34 @@ typedef struct box {
   const void *metatable; /* metatable of the class, kept alive by the registry */
   void *thing;           /* NULL: the box is empty */
   int tag;               /* number for use by the class */
-  int busy;              /* true while the engine changes the thing, which refuses other calls */
-  int closing; /* close() was called while functions use the box; the last one empties it */
+  int busy;    /* true while the engine changes the thing; other calls then raise an error */
+  int closing; /* close() was called while functions use the box: the last of them empties it */
   call_held held;
 } box;
 
-/* Pushes an empty box with two user values: a parent that the box keeps alive, and one for use by
- * the class. If the thing is stored inside, `thing` points to zeroed memory. */
+/* Pushes an empty box with two user values: a parent object that the box keeps alive, and a
+ * value for use by the class. If the class stores the thing inside the box, `thing` points to
+ * zeroed memory. */
 box *box_push(lua_State *L, const box_class *class);
 
 /* Returns the box of this class at `index`, or NULL. */
 box *box_test(lua_State *L, int index, const box_class *class);
 
-/* Copies the value of the box at `index` to `value` if the box has the class `class_name`. Returns
- * true if it has. */
+/* If the box at `index` has the class `class_name`, copies the value in the box to `value` and
+ * returns true. Otherwise returns 0. */
 int box_copy_value(lua_State *L, int index, const char *class_name, void *value);
 
-/* Returns the box at `index`, which must not be empty, and keeps it in use until the running
- * function returns (call.h). Otherwise raises an error with the function's name `where`. */
+/* Returns the box at `index` and marks it as used until the running function returns (call.h).
+ * If there is no such box or it is empty, raises an error with the function's name `where`. */
 box *box_check(lua_State *L, int index, const box_class *class, const char *where);
 
-/* box_self is box_check for the object of a method or field, at index 1; its error explains how
- * methods are called. box_self_idle is for methods that change the object: it also raises an error
- * if the box is busy or in use by another function. */
+/* box_self applies box_check to index 1, the object of a method or field. The error of box_self
+ * explains how methods are called. box_self_idle is for methods that change the object: it also
+ * raises an error if the box is busy or in use by another function. */
 box *box_self(lua_State *L, const box_class *class, const char *where);
 box *box_self_idle(lua_State *L, const box_class *class, const char *where);
 
-/* Empties a box, such as a temporary one, even if it is busy. */
+/* Empties a box even if it is busy. It is used for temporary boxes. */
 void box_empty(box *emptied, const box_class *class);
 
 /* Stores the value at index `parent` as user value 1 of the box on top of the stack. */

@@ -9,8 +9,8 @@ enum { MOST_HELD = 16 }; /* most objects used by one function */
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* first argument; it is alive as long as the frame */
-  int count, keeps;  /* keeps: true if the registry has a table of values kept for this frame */
+  const void *first; /* first argument, which exists as long as the frame */
+  int count, keeps;  /* keeps: true if the registry has a table of values for this frame */
   call_held *held[MOST_HELD];
 } frame;
 
@@ -24,7 +24,7 @@ static int is_held(const frame *f, const call_held *held) {
   return 0;
 }
 
-/* Stores the object in the registry until no function uses it. */
+/* Stores the object in the registry, so that it is not freed while a function uses it. */
 static void keep_alive(lua_State *L, int index, call_held *held) {
   luaL_checkstack(L, 2, "objects");
   lua_pushvalue(L, index);
@@ -58,8 +58,8 @@ void call_keep(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Removes a value from the registry. Returns 0 if the Lua stack is full; then the value stays
- * alive. */
+/* Removes the value of `key` from the registry. Returns 0 if the Lua stack is full; then the
+ * value stays in the registry. */
 static int forget(lua_State *L, const void *key) {
   if (!lua_checkstack(L, 1)) return 0;
   lua_pushnil(L);
@@ -80,7 +80,7 @@ static void release(lua_State *L, const frame *f) {
 /* --- calls ------------------------------------------------------------------------------------ */
 
 void call_now(lua_State *L, int arguments, int results) {
-  frame own; /* not cleared, because each read of a field calls this function */
+  frame own; /* set below without memset, for speed: each read of a field calls this function */
   own.outer = current;
   own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
   own.count = own.keeps = 0;
@@ -91,7 +91,8 @@ void call_now(lua_State *L, int arguments, int results) {
   if (status != LUA_OK) lua_error(L);
 }
 
-/* Calls the function in upvalue 1. A copy of the first argument stays below it on the stack. */
+/* Calls the function in upvalue 1. During the call a copy of the first argument stays on the
+ * stack below the function. */
 static int call(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments > 0)

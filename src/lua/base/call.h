@@ -13,26 +13,27 @@
 /* Replaces the C function on top of the stack by its wrapped version. */
 void call_wrap(lua_State *L);
 
-/* Pushes the wrapped version of a C function. */
+/* Pushes the wrapped version of the C function `function`. */
 void call_push(lua_State *L, lua_CFunction function);
 
-/* Calls a function as lua_call does, as if the function were wrapped. The first argument must stay
- * on the caller's stack. */
+/* Calls a function as lua_call does, with the protection of a wrapped function. The first
+ * argument must stay on the caller's stack. */
 void call_now(lua_State *L, int arguments, int results);
 
-/* luaL_setfuncs and luaL_newlib for wrapped functions. */
+/* These functions work as luaL_setfuncs and luaL_newlib do, but wrap each function. */
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 
-/* Member of each object that can be marked. count: number of functions that use the object; kept:
- * the registry keeps it alive; last: called when the last function ends its use. */
+/* Member of each object that can be marked as used. count: number of functions that use the
+ * object; kept: true if the registry keeps the object alive; last: function that is called when
+ * no function uses the object any more. */
 typedef struct call_held {
   int count, kept;
   void (*last)(struct call_held *self);
 } call_held;
 
-/* Marks the object at `index`, whose member is `held`, until the running function returns. Repeated
- * calls in one function count once. */
+/* Marks the object at `index` as used until the running function returns. `held` is the object's
+ * member for marks. Repeated calls in one function count as one mark. */
 void call_hold(lua_State *L, int index, call_held *held);
 
 /* Returns true if a function other than the running one uses the object. */

@@ -1,5 +1,6 @@
-/* Restricts file access to two folders, and writing to a part of the disk. It replaces
- * arc_file_allowed of the library, which allows all files, and applies to the whole process. */
+/* Restricts file access to two folders, and limits writing by the free space of the disk. The
+ * check in this file replaces arc_file_allowed of the library, which allows all files. It
+ * applies to the whole process. */
 #include "lua/base/confine.h"
 
 #include <limits.h>
@@ -7,7 +8,8 @@
 #include <string.h>
 #include <sys/statvfs.h>
 
-/* Absolute paths without symbolic links; "" without restriction. */
+/* Folders for reading and writing, as absolute paths without symbolic links. An empty text means
+ * that there is no restriction. */
 static struct {
   char read[PATH_MAX], write[PATH_MAX];
   double least; /* free bytes that must remain on the disk; 0: no limit */

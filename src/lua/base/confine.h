@@ -5,9 +5,9 @@
 
 #include "archard/base.h"
 
-/* Restricts reading to the folders `read` and `write`, and writing to `write`. Symbolic links are
- * resolved before the check. Must be called once, before threads start. ARC_IO: a folder does not
- * exist. */
+/* Restricts reading to the folders `read` and `write`, and writing to `write`. Symbolic links
+ * are resolved before the check. Must be called only once, before threads start. Errors: ARC_IO
+ * if a folder does not exist. */
 arc_status confine_files(const char *read, const char *write, arc_error *error);
 
 /* Returns the folder of readable files, or NULL without restriction. */
@@ -16,9 +16,9 @@ const char *confine_folder(void);
 /* Returns the free bytes on the disk of the folder `write`; 0 if unknown. */
 double confine_free(void);
 
-/* Prevents writing of files while the disk has fewer free bytes than `least`. */
+/* Prevents writing of files while the disk has fewer than `least` free bytes. */
 void confine_disk(double least);
-/* Returns the minimum of free bytes; 0: no limit. */
+/* Returns the number of bytes that must stay free on the disk; 0: no limit. */
 double confine_least(void);
 
 #endif

@@ -33,7 +33,7 @@ static int error_tostring(lua_State *L) {
   return 1;
 }
 
-/* Allows "failed: " .. err for error objects, as for plain messages. */
+/* Metamethod __concat: "failed: " .. err works for error objects as it does for plain messages. */
 static int error_concat(lua_State *L) {
   luaL_tolstring(L, 1, NULL);
   luaL_tolstring(L, 2, NULL);
@@ -64,7 +64,7 @@ void error_push_plain(lua_State *L, const char *text) {
   lua_remove(L, -2);
 }
 
-/* Pops the message and pushes the error object. */
+/* Pops the message on top of the stack and pushes an error object that contains it. */
 static void push_object(lua_State *L, arc_status code, const char *where) {
   error_push_plain(L, lua_tostring(L, -1));
   lua_remove(L, -2);
@@ -84,7 +84,8 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setmetatable(L, -2);
 }
 
-/* Declared as noreturn, because the declaration of lua_error is not. */
+/* Raises the error. This function is declared as noreturn, because the declaration of lua_error
+ * is not. */
 __attribute__((noreturn)) static void throw(lua_State * L) {
   lua_error(L);
   abort();
@@ -154,8 +155,8 @@ static int without_own(lua_State *L) {
   return 1;
 }
 
-/* Adds a traceback to plain text, because the frames are lost later. Error objects stay
- * unchanged. */
+/* Message handler that adds a traceback to plain text while the stack frames still exist. Error
+ * objects stay unchanged. */
 static int add_traceback(lua_State *L) {
   if (lua_type(L, 1) != LUA_TSTRING) return 1;
   luaL_traceback(L, L, lua_tostring(L, 1), 1);

@@ -26,16 +26,16 @@ void error_check(lua_State *L, arc_status status, const arc_error *error, const 
                  lua_Number step);
 
 /* Raises ARC_CALLBACK for the error value on top of the stack, which a function of the user has
- * raised. `name` describes this function. "interrupted" is raised again unchanged. */
+ * raised. `name` describes the user's function. An interrupt is raised again unchanged. */
 void error_callback(lua_State *L, const char *where, const char *name) __attribute__((noreturn));
 
 /* Calls lua_pcall and adds a traceback to errors that are text. Returns LUA_OK, or another status
  * with the error value on top of the stack. */
 int error_pcall(lua_State *L, int arguments, int results);
 
-/* Returns the stack level of the user's first function: a function that is not in C, and not in a
- * built-in script unless this is the main chunk. Returns 0 (no position in messages) if there is
- * none. */
+/* Returns the stack level of the innermost function of the user. A function in C is not one of
+ * the user, and a function of a built-in script only if this script is the main chunk. Returns 0
+ * if the stack has no function of the user; messages then have no position. */
 int error_user_level(lua_State *L);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include <lua.h>
 
-/* Returns the file name at `index`, which must not be empty or contain zero bytes, because these
- * end a C string. Raises ARC_ARGUMENT, "field 'NAME': expected a file name, got ...". */
+/* Returns the file name at `index`. The name must not be empty or contain zero bytes, which
+ * would end a C string. Raises ARC_ARGUMENT, "field 'NAME': expected a file name, got ...". */
 const char *path_argument(lua_State *L, int index, const char *where, const char *name);
 
 #endif

@@ -6,7 +6,8 @@
 #include <signal.h>
 #include <stdio.h>
 
-/* These variables are static, because a signal handler has no argument for them. */
+/* The number of pending requests, whether there ever was a request, and the running coroutine.
+ * These variables are static, because a signal handler has no argument for them. */
 static volatile sig_atomic_t requests, ever;
 static lua_State *volatile running;
 
@@ -17,11 +18,12 @@ static void (*limit_reached)(void);
 static const char *volatile exceeded;
 enum { PERIOD = 10000 }; /* instructions between two checks */
 
-/* Texts of the error. `explained` is set outside the signal handler. */
+/* Texts of the error of an interrupt. `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
-/* Progress of a search over many runs. In the error it replaces the progress of the present run. */
+/* Text for the progress of a search over many runs. In the error it replaces the progress of the
+ * present run. */
 static char report[240];
 
 static void rest(lua_State *L);
@@ -35,7 +37,7 @@ static void push_place(lua_State *L) {
   luaL_where(L, 1);
 }
 
-/* Raises the error text with the progress, without "file:line:". */
+/* Raises the text `explained`, which contains the progress, without "file:line:" before it. */
 static void raise_explained(lua_State *L) {
   lua_pushstring(L, explained);
   lua_error(L);
@@ -43,7 +45,7 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* the hook was set before the coroutine yielded */
+  if (!interrupt_pending(NULL)) { /* old hook: set before the coroutine yielded */
     rest(L);
     return;
   }
@@ -55,7 +57,8 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
   lua_error(L);
 }
 
-/* Installs the stop hook. Signal handlers may call lua_sethook. */
+/* Installs the stop hook. Signal handlers may call this function, because they may call
+ * lua_sethook. */
 static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
@@ -67,7 +70,7 @@ static void charge(void) {
   if (limit_reached) limit_reached();
 }
 
-/* Hook that counts instructions while no request is pending. */
+/* Hook that counts instructions for the instruction limit while no request is pending. */
 static void count_hook(lua_State *L, lua_Debug *event) {
   charge();
   if (exceeded) stop_hook(L, event);
@@ -196,8 +199,8 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-/* Each coroutine counts its own periods of instructions, so one period is subtracted when it is
- * created. */
+/* Creates a coroutine. Each coroutine counts its own periods of instructions, so one period is
+ * subtracted from the limit for the new coroutine. */
 static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);
@@ -220,7 +223,8 @@ static int tracked_wrap(lua_State *L) {
   return 1;
 }
 
-/* coroutine.close; pending __close methods run under the hook. */
+/* Replacement of coroutine.close. Pending __close methods run with the hook installed, so that a
+ * request also stops them. */
 static int tracked_close(lua_State *L) {
   lua_State *co = check_coroutine(L);
   lua_pushvalue(L, lua_upvalueindex(1));

@@ -1,8 +1,7 @@
-/* lua/base/interrupt.h - stops running Lua code or the engine at the user's request (Ctrl-C).
- *
- * A request sets a flag, which the engine reads by interrupt_pending, and installs a hook in the
- * running coroutine. Flag and hook stay until interrupt_clear, so that pcall cannot discard the
- * request. Without a request there is no cost. */
+/* lua/base/interrupt.h - stops running Lua code or the engine at the user's request (Ctrl-C). A
+ * request sets a flag, which the engine reads by interrupt_pending, and installs a hook in the
+ * running coroutine. Flag and hook stay until interrupt_clear, so that pcall in a script cannot
+ * discard the request. While there is no request, no hook slows Lua down. */
 #ifndef LUA_INTERRUPT_H
 #define LUA_INTERRUPT_H
 
@@ -12,8 +11,9 @@
  * Must be called once, after the standard libraries are open. */
 void interrupt_install(lua_State *L);
 
-/* Between attach and detach, requests (also one made just before) stop the code in `L`. Otherwise
- * they only set the flag, so that the program's own code is not interrupted. */
+/* Between attach and detach, a request stops the code in `L`, also a request made just before
+ * attach. At other times a request only sets the flag, so that the program's own code is not
+ * interrupted. */
 void interrupt_attach(lua_State *L);
 void interrupt_detach(lua_State *L);
 
@@ -27,18 +27,19 @@ int interrupt_ever(void);
  * used. */
 int interrupt_pending(void *context);
 
-/* Raises the error of a pending request, "STAND: interrupted", where `stand` is the progress of the
- * run. Later errors of the same request have the same text. */
+/* Raises the error of a pending request: the text `stand`, which is the progress of the run, and
+ * ": interrupted". Later errors of the same request have the same text. */
 void interrupt_raise(lua_State *L, const char *stand);
 
-/* Sets a text that replaces `stand` in these errors until the next call or interrupt_clear, such as
- * the progress of a search over many runs. An empty text ends the replacement. */
+/* Sets a text that replaces `stand` in the errors of interrupt_raise, such as the progress of a
+ * search over many runs. The text applies until the next call or interrupt_clear. An empty text
+ * ends the replacement. */
 void interrupt_report(const char *text);
 
-/* Limits the number of Lua instructions (0: no limit). A limit slows Lua down. Beyond the limit,
- * execution is stopped as by a request that cannot be cleared. The hook does not cover everything:
- * Lua calls no hook while the hook's own error runs handlers or __close methods. Therefore
- * `reached` (or NULL) is called once at the limit. */
+/* Limits the number of Lua instructions (0: no limit). A limit slows Lua down. At the limit,
+ * execution is stopped as by a request that cannot be cleared. The hook cannot stop all code:
+ * Lua calls no hook while handlers or __close methods run because of the hook's own error.
+ * Therefore the function `reached` (may be NULL) is called once at the limit. */
 void interrupt_limit(lua_State *L, double instructions, void (*reached)(void));
 
 /* Reports that a limit was exceeded; async-signal-safe. `text` is not copied. */

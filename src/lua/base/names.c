@@ -1,5 +1,5 @@
-/* Shows values in messages and searches the most similar valid name. This is for C and for the
- * module `archard.names`, by which scripts also raise errors. */
+/* Shows values in messages and searches the most similar valid name. C code calls the functions
+ * directly; scripts use the module `archard.names`, which can also raise errors. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -71,7 +71,7 @@ static const char *meaning_of(const char *name) {
   return "";
 }
 
-/* In names of one letter no letter may differ. */
+/* Begins a search. A name of one letter must match exactly. */
 names_search names_begin(const char *name) {
   const size_t length = strlen(name);
   return (names_search){name, NULL, length > LONGEST || length < 2 ? 0 : 1 + (int)length / 4};
@@ -94,12 +94,12 @@ static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
-  /* The list keeps the texts alive. */
+  /* The list keeps the texts alive, so that they may be popped before the search ends. */
   for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; i++) {
     names_offer(&search, lua_tostring(L, -1));
     lua_pop(L, 1);
   }
-  lua_pushstring(L, search.best); /* nil for NULL */
+  lua_pushstring(L, search.best); /* pushes nil if `best` is NULL */
   return 1;
 }
 
@@ -121,8 +121,8 @@ const char *names_push_text(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Pushes a string in quotes. A long string is shortened to the start of its first line, with its
- * length. */
+/* Pushes a string in quotes. A long string is replaced by the start of its first line and the
+ * length of the string. */
 static const char *push_quoted(lua_State *L, int index) {
   enum { most = 200 };
   size_t length, shown;

@@ -5,11 +5,12 @@
 
 #include <lua.h>
 
-/* A search for the valid name that is most similar to `name`. Symbols and terms of textbooks (mu,
- * R, Q) have fixed meanings. */
+/* A search for the valid name that is most similar to `name`. Common symbols and terms of
+ * textbooks (mu, R, Q) are replaced by the valid name of their meaning. */
 typedef struct names_search {
   const char *name;
-  const char *best; /* most similar name so far; of equals the first in the alphabet; NULL: none */
+  const char *best; /* most similar name so far; the first in the alphabet if several are equal;
+                       NULL: none */
   int limit;        /* number of letters that may differ */
 } names_search;
 

@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-/* Registry keys (their addresses) of the table of modules and of the globals of scripts. */
+/* Registry keys of the table of modules and of the globals of scripts. The address of each
+ * variable is the key. */
 static const char modules_key = 0, globals_key = 0;
 
 /* --- globals ---------------------------------------------------------------------------------- */
@@ -22,7 +23,7 @@ static void copy_into(lua_State *L, int from, int into) {
 }
 
 /* Replaces Lua's libraries in the table on top of the stack by copies. _G and package are not
- * copied, because scripts read the user's globals there. */
+ * copied, because scripts use them to read the user's globals. */
 static void copy_libraries(lua_State *L) {
   static const char *const names[] = {"coroutine", "debug", "io",     "math",
                                       "os",        "table", "string", "utf8"};
@@ -34,8 +35,8 @@ static void copy_libraries(lua_State *L) {
   }
 }
 
-/* print for scripts: calls the user's print, or Lua's print if the user's is not a function.
- * Upvalue: Lua's print. */
+/* The function print for built-in scripts: calls the user's print, or Lua's print if the user's
+ * print is not a function. Upvalue: Lua's print. */
 static int user_print(lua_State *L) {
   lua_pushglobaltable(L);
   lua_pushliteral(L, "print");
@@ -64,8 +65,8 @@ static int user_stream(lua_State *L) {
   return 1;
 }
 
-/* Removes the streams from the copy of io in the table on top of the stack, so that reading a
- * stream calls user_stream. */
+/* Removes the streams stdin, stdout and stderr from the copy of io in the table on top of the
+ * stack, so that reading a stream calls user_stream. */
 static void follow_streams(lua_State *L) {
   static const char *const names[] = {"stdin", "stdout", "stderr"};
   lua_getfield(L, -1, "io");
@@ -83,7 +84,7 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* pairs and ipairs that ignore metamethods of the user's tables. */
+/* Versions of pairs and ipairs that ignore metamethods of the user's tables. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -209,7 +210,8 @@ void script_require(lua_State *L, const char *name) {
   lua_remove(L, -2);
 }
 
-/* Calls the function that a module returns. Stack: name, arguments. */
+/* Calls the function that a module returns. The stack contains the name of the module and the
+ * arguments. */
 static int call_module(lua_State *L) {
   script_require(L, lua_touserdata(L, 1));
   lua_replace(L, 1);

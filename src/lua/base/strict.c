@@ -1,4 +1,5 @@
-/* Errors for unknown names of globals, and in tables, objects and Lua's libraries. */
+/* Raises errors for unknown names of globals, and of fields in tables, objects and Lua's
+ * libraries. */
 #include "lua/base/strict.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char lax_key = 0; /* its address is a registry key */
+static const char lax_key = 0; /* The address of this variable is a registry key. */
 
 void strict_lax(lua_State *L) {
   lua_pushboolean(L, 1);
@@ -55,8 +56,8 @@ static int by_text(const void *a, const void *b) {
   return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Pushes " (known: cylinder, plate)" with the text keys of the table at `index`. Pushes "" if there
- * are none or more than eight. */
+/* Pushes a list such as " (known: cylinder, plate)" of the text keys of the table at `index`.
+ * Pushes "" if the table has no text keys or more than eight. */
 static const char *push_few(lua_State *L, int index) {
   enum { most = 8 };
   const char *keys[most];
@@ -81,7 +82,7 @@ static const char *push_few(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Returns advice for a term that belongs to another class, or NULL. */
+/* Returns advice for a name that is a term of another class, or NULL if there is no advice. */
 static const char *elsewhere(const char *where, const char *name) {
   static const char *const list[][3] = {
       {"body", "cup", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"},
@@ -126,7 +127,7 @@ static int table_index(lua_State *L) {
   return 0;
 }
 
-/* Metamethod __tostring: formats the table as the prompt prints it, in the width of the
+/* Metamethod __tostring: formats the table as the prompt prints it, for the width of the
  * terminal. */
 static int table_tostring(lua_State *L) {
   lua_settop(L, 1);
@@ -149,8 +150,8 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* Fills a metatable. __table is the name of the type of table (strict_is). With __plain the prompt
- * prints the table as an ordinary table. */
+/* Fills a metatable. Its field __table is the name of the type of table (see strict_is). Its
+ * field __plain makes the prompt print the table as an ordinary table. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
   lua_pushstring(L, where);
@@ -200,8 +201,8 @@ void strict_module(lua_State *L, const char *where) {
 
 /* --- globals ---------------------------------------------------------------------------------- */
 
-/* Globals that Lua programs read to detect their environment, and `_`, the last value of the
- * prompt. Reading them returns nil. */
+/* Globals that may be read without an error; reading them returns nil. Lua programs read them to
+ * detect their environment. `_` is the last value of the prompt. */
 static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "setfenv",
                                         "getfenv", "module",   "jit",        "bit",
                                         "bit32",   "newproxy", "ngx",        NULL};
@@ -257,7 +258,8 @@ void strict_globals(lua_State *L) {
 
 /* --- Lua's own libraries ---------------------------------------------------------------------- */
 
-/* Library functions of other Lua versions, which programs test for. Reading them returns nil. */
+/* Library functions of other Lua versions that may be read without an error, because programs
+ * test whether they exist. Reading them returns nil. */
 static const char *const asked_of_libraries[] = {
     "pow",  "ldexp", "frexp",   "cosh",     "sinh",    "tanh",    "log10", "mod",   "maxn", "getn",
     "setn", "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",   "clear", NULL};
@@ -315,17 +317,17 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known): raises the error for an unknown name. An __index function in Lua
- * calls it, so the code that reads the name is two levels up. Returns nil if this is not code of
- * the user, or if the name is in the list (its value may be nil). */
+/* refuse(where, name, known): raises the error for an unknown name. It is called by an __index
+ * function in Lua, so the code that reads the name is two levels up. Returns nil if this code is
+ * not code of the user, or if the name is in the list `known` (the field may be nil). */
 static int module_refuse(lua_State *L) {
   luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }
 
-/* Pushes the field `name` (index 2) of the object at index 1. A read-only object is a userdata, and
- * its fields are in a table. */
+/* Pushes the field `name` (index 2) of the object at index 1. A read-only object is a userdata,
+ * and its user value 1 is the table of its fields. Other objects have no such table: pushes nil. */
 static int push_own(lua_State *L) {
   if (lua_type(L, 1) != LUA_TUSERDATA) return lua_pushnil(L), LUA_TNIL;
   lua_getiuservalue(L, 1, 1);
@@ -371,8 +373,8 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
-/* A method of objects made in Lua, which checks the class of the object. Upvalues: the method, the
- * metatable of its class. */
+/* Calls a method of an object made in Lua after it has checked the class of the object.
+ * Upvalues: the method, the metatable of its class. */
 static int object_method(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -406,7 +408,8 @@ static int module_methods(lua_State *L) {
   return 1;
 }
 
-static const char lua_classes[] = "archard.lua_classes"; /* registry key: metatables by __name */
+static const char lua_classes[] =
+    "archard.lua_classes"; /* registry key of the metatables by __name */
 
 /* class(metatable) -> metatable for objects made in Lua. Its __index returns the methods in
  * __methods and raises errors for unknown names. Fields in __fields may be nil. */
@@ -437,7 +440,7 @@ static int module_class(lua_State *L) {
   return 1;
 }
 
-/* class_named(name) -> the metatable with this __name that was an argument of class(), or nil */
+/* class_named(name) -> the metatable of class() whose __name is `name`, or nil */
 static int module_class_named(lua_State *L) {
   luaL_checkstring(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
@@ -446,7 +449,7 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
-/* is(value, name) -> true if a value is an object of the class with this __name */
+/* is(value, name) -> true if the value is an object of the class whose __name is `name` */
 static int module_is(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   lua_settop(L, 1);

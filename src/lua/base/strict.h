@@ -8,12 +8,12 @@
 
 #include <lua.h>
 
-/* Switches these errors off in this Lua state (option --lax). */
+/* Switches the errors for unknown names off in this Lua state (option --lax). */
 void strict_lax(lua_State *L);
 
 /* Returns true if the user's code reads the field. For __index functions in C. */
 int strict_reads(lua_State *L);
-int strict_reads_called(lua_State *L); /* for functions wrapped by call.h */
+int strict_reads_called(lua_State *L); /* strict_reads for functions wrapped by call.h */
 
 /* Raises the error "no field 'NAME'" for the object `where`. Valid names are the text keys and the
  * list values of the table at index `known`. */
@@ -31,7 +31,8 @@ void strict_metatable(lua_State *L, const char *where, int words);
 /* Returns true if the table at `index` was made strict with the name `where`. */
 int strict_is(lua_State *L, int index, const char *where);
 
-/* strict_table for a table that already has a metatable. __index is set only if there is none. */
+/* Works as strict_table for a table that already has a metatable. __index is set only if the
+ * metatable has none. */
 void strict_module(lua_State *L, const char *where);
 
 /* Makes reading a global that was never assigned an error. */
@@ -40,8 +41,8 @@ void strict_globals(lua_State *L);
 /* Makes unknown names in Lua's libraries, such as math.sqr, an error. */
 void strict_libraries(lua_State *L);
 
-/* For the __index of strings: raises an error if the user's code reads the name at index 2 and the
- * library at index `library` has no such name. */
+/* Raises an error if the user's code reads the name at index 2 and the library at index
+ * `library` has no such name. It is used by the __index of strings. */
 void strict_method(lua_State *L, int library);
 
 #endif

@@ -1,6 +1,6 @@
-/* Strings have two metatables. User scripts cannot reach the real one. getmetatable returns a
- * proxy, which forwards reads and writes to the real one. The user's __index is used only for names
- * that are not methods of Lua's string library. */
+/* Strings have a real metatable, which user scripts cannot reach, and a proxy. getmetatable
+ * returns the proxy, which forwards reads and writes to the real metatable. The user's __index
+ * is used only for names that are not methods of Lua's string library. */
 #include "lua/base/strings.h"
 
 #include "lua/base/strict.h"
@@ -8,8 +8,8 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/* Registry keys (their addresses): the real metatable, the proxy, the protected methods, the user's
- * __index. */
+/* Registry keys of the real metatable, the proxy, the protected methods and the user's __index.
+ * The address of each variable is the key. */
 static const char real_key = 0, shown_key = 0, methods_key = 0, index_key = 0;
 
 static void push(lua_State *L, const char *key) {
@@ -22,8 +22,8 @@ static int is_text(lua_State *L, int index, const char *text) {
 
 /* --- methods ---------------------------------------------------------------------------------- */
 
-/* Pushes the value for the name at index 2 from the user's __index on top of the stack. Upvalue 2:
- * the string library. */
+/* Pushes the value that the user's __index, which is on top of the stack, gives for the name at
+ * index 2. Upvalue 2: the string library. */
 static int call_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -51,9 +51,9 @@ static int string_index(lua_State *L) {
   return call_user(L);
 }
 
-/* Pops the user's __index and installs it. A table as __index of strings is much faster than a
- * function. A function is used only if the user's __index is a function, because only a function
- * receives the string. */
+/* Pops the user's __index and installs an __index for strings. A table as __index is much faster
+ * than a function. A function is installed only if the user's __index is a function, because a
+ * function receives the string and a table does not. */
 static void take_index(lua_State *L) {
   const int wants_string = lua_isfunction(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
@@ -90,8 +90,8 @@ static int shown_newindex(lua_State *L) {
   return 0;
 }
 
-/* Replaces all entries of the user in the metatable by the entries of the table (or nil) at index
- * 2. */
+/* Removes all entries of the user from the metatable of strings and adds the entries of the
+ * table (or nil) at index 2. */
 static void replace_shown(lua_State *L) {
   push(L, &real_key);
   for (lua_pushnil(L); lua_next(L, 3); lua_settop(L, 4)) {
@@ -143,8 +143,8 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
 
 /* --- installation ----------------------------------------------------------------------------- */
 
-/* Stores a copy of the string library on top of the stack, without string.dump, which a sandbox
- * removes. */
+/* Stores a copy of the string library, which is on top of the stack. string.dump is omitted,
+ * because the sandbox removes it. */
 static void keep_methods(lua_State *L) {
   const int library = lua_gettop(L);
   lua_newtable(L);
@@ -173,7 +173,8 @@ static void push_shown(lua_State *L) {
   lua_setmetatable(L, -2);
 }
 
-/* Stores the metatable on top of the stack as the real one, and a new proxy for getmetatable. */
+/* Stores the metatable on top of the stack as the real metatable of strings. Creates a proxy,
+ * which getmetatable then returns. */
 static void hide(lua_State *L) {
   push_shown(L);
   lua_pushvalue(L, -1);
