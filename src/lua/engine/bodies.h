@@ -6,12 +6,12 @@
 #include "lua/base/args.h"
 
 /* Reads the fields `upper` and `lower` of the definition table at `index` into the bodies and
- * materials of `def`, whose radius must be set. Profiles are valid until the calling C function
- * returns. */
+ * materials of `def`, whose radius must be set. The data of profiles in `def` are valid until
+ * the calling C function returns. */
 void body_read(lua_State *L, int index, args_location location, arc_model_def *def);
 
-/* Reads only kind and name of the bodies, without errors. For code that runs before the model is
- * built. */
+/* Reads only kind and name of the bodies and raises no errors. It is for code that runs before
+ * the model is built. */
 void body_read_names(lua_State *L, int index, arc_model_def *def);
 
 /* Pushes a body of a model as a table for body_read, or nil for the default body. */

@@ -49,7 +49,7 @@ static void add_name(name_list *to, const char *name) {
   if (to->count < MOST_NAMES) to->name[to->count++] = name;
 }
 
-/* Adds the names of all settings except `name`. */
+/* Adds the names of all settings in the list except texts (the setting `name`). */
 static void add_settings(name_list *to, const arc_setting *list) {
   for (const arc_setting *s = list; s->name; s++)
     if (s->kind != ARC_TEXT) add_name(to, s->name);
@@ -58,7 +58,8 @@ static void add_settings(name_list *to, const arc_setting *list) {
 static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
                         const name_list *known) __attribute__((noreturn));
 
-/* Raises the error for an unknown field. `of` is "", or names the body (" of a ring"). */
+/* Raises the error for an unknown field. `of` is the text that follows the field in the message:
+ * "", or the kind of the body such as " of a ring". */
 static void refuse_name(lua_State *L, args_location location, const char *name, const char *of,
                         const name_list *known) {
   names_search search = names_begin(name);
@@ -83,7 +84,7 @@ static void refuse_body_name(lua_State *L, args_location location, arc_solid kin
   for (const char *const *own = arc_body_fields(kind); *own; own++) add_name(&known, *own);
   add_name(&known, "name");
   add_settings(&known, arc_material_settings);
-  add_settings(&known, common + 2); /* + 2: without kind and name */
+  add_settings(&known, common + 2); /* + 2 omits kind and name */
   refuse_name(L, location, name, lua_pushfstring(L, " of a %s", arc_solid_names[kind]), &known);
 }
 
@@ -96,8 +97,8 @@ static void check_names(lua_State *L, int index, args_location location, arc_sol
   }
 }
 
-/* Reads the fields of the table at `index` that are in the list. Groups and lists (materials,
- * layers) are omitted, because they have their own functions. */
+/* Reads the fields of the table at `index` that are in `list`. Groups and series (materials,
+ * layers) are omitted, because other functions read them. */
 static void read_part(lua_State *L, int index, args_location location, const arc_setting *list,
                       void *definition) {
   lua_newtable(L);
@@ -122,7 +123,7 @@ static void refuse_both(lua_State *L, int index, args_location location) {
                   location.prefix, s->name);
 }
 
-/* Reads a complete material from the field `name`. */
+/* Reads a material with all its settings from the field `name`. */
 static void read_whole(lua_State *L, int index, args_location location, const char *name,
                        arc_material *to) {
   const arc_setting whole[] = {ARC_MATERIAL_SETTING(0, name, ""), {.name = NULL}};
@@ -133,7 +134,7 @@ static void read_whole(lua_State *L, int index, args_location location, const ch
   lua_pop(L, 1);
 }
 
-/* Reads the material from the field `material` or from E, nu and k. */
+/* Reads the material of a body from the field `material` or from the fields E, nu and k. */
 static void read_material(lua_State *L, int index, args_location location, arc_material *to) {
   refuse_both(L, index, location);
   read_whole(L, index, location, "material", to);
@@ -216,7 +217,7 @@ static void read_layers(lua_State *L, int index, args_location location, arc_bod
 
 /* --- materials of a mesh by name -------------------------------------------------------------- */
 
-/* Inserts a name into the first `count` names, which are sorted. */
+/* Inserts a name into the first `count` names of the layers, which are sorted alphabetically. */
 static void enter_name(arc_body_def *def, int count, const char *name) {
   for (; count > 0 && strcmp(def->layer[count - 1].name, name) > 0; count--)
     def->layer[count] = def->layer[count - 1];
@@ -241,7 +242,8 @@ static int read_names(lua_State *L, int index, args_location location, arc_body_
   return count;
 }
 
-/* Reads `materials`, sorted by name, because Lua tables have no order. */
+/* Reads the table `materials`. The materials are stored sorted by name, because Lua tables have
+ * no order. */
 static void read_materials(lua_State *L, int index, args_location location, arc_body_def *def) {
   const int top = lua_gettop(L);
   if (lua_getfield(L, index, "materials") != LUA_TNIL) {
@@ -362,16 +364,16 @@ static void set_body_class(lua_State *L) {
 
 /* --- bodies as Lua tables --------------------------------------------------------------------- */
 
-/* Sets a field of the table on top of the stack to the value of a setting, unless the setting is
- * optional and 0. */
+/* Sets a field of the table on top of the stack to the value of a setting. An optional setting
+ * with the value 0 is omitted. */
 static void set_given(lua_State *L, const arc_setting *s, const void *definition) {
   if (s->forms & ARC_OPTIONAL && arc_setting_number(s, definition) == 0) return;
   settings_push(L, s, definition);
   lua_setfield(L, -2, s->name);
 }
 
-/* Sets E, nu and k in the table on top of the stack, or the object `material` for a material with a
- * name. */
+/* Sets E, nu and k in the table on top of the stack. For a material with a name, sets the field
+ * `material` to a material object instead. */
 static void set_material(lua_State *L, arc_material material) {
   if (material.name[0]) {
     material_push(L, material);
@@ -406,8 +408,8 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
-/* Sets kind, name and the fields of this kind of body in the table on top of the stack, unless they
- * are optional and 0. */
+/* Sets kind, name and the fields of this kind of body in the table on top of the stack. Optional
+ * fields with the value 0 are omitted. */
 static void set_shape(lua_State *L, const arc_body_def *def) {
   lua_pushstring(L, arc_solid_names[def->kind]);
   lua_setfield(L, -2, "kind");
@@ -441,7 +443,7 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
 
 /* --- constructors of bodies ------------------------------------------------------------------- */
 
-/* Replaces a measured profile at index 1 by a table { x=, y= }. */
+/* Replaces an object of class profile (a measured profile) at index 1 by a table { x=, y= }. */
 static void take_measured(lua_State *L) {
   if (luaL_getmetafield(L, 1, "__name") == LUA_TNIL) return;
   const int measured =

@@ -28,7 +28,7 @@ static arc_series sample_function(lua_State *L, int function, args_location loca
   return (arc_series){SAMPLES, x, y};
 }
 
-/* Reads the lists x and y and pushes a buffer with both. */
+/* Reads the lists x and y of the table at `index` and pushes one buffer that contains both. */
 static arc_series copy_lists(lua_State *L, int index, args_location location) {
   size_t xs, ys;
   lua_getfield(L, index, "x");

@@ -1,5 +1,5 @@
-/* Results by body: tables with one field for each body, under the name of the body. Roles (upper,
- * lower), kinds and the default names are aliases of these fields. */
+/* Results by body: tables with one field for each body, whose key is the name of the body. Roles
+ * (upper, lower), kinds and the default names of the bodies are aliases of these fields. */
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
@@ -21,8 +21,8 @@ int body_find(const arc_model_def *def, const char *word, arc_body *body) {
   return arc_model_find_body(def ? def : &usual, word, body);
 }
 
-/* Pushes the names of both bodies for an error message. Mentions the roles if the names are not the
- * default ones. */
+/* Pushes the names of both bodies for an error message. If the names are not the default names,
+ * adds which body is the upper and which the lower. */
 static const char *push_expected(lua_State *L, const arc_model_def *def) {
   const char *upper = body_name(def, ARC_UPPER), *lower = body_name(def, ARC_LOWER);
   lua_pushfstring(L, "\"%s\" or \"%s\"", upper, lower);
@@ -47,7 +47,8 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* --- tables by body --------------------------------------------------------------------------- */
 
-/* Adds an alias to the table on top of the stack if the word identifies one body. */
+/* Adds `word` as an alias to the table on top of the stack if the word identifies exactly one
+ * body. */
 static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;
@@ -66,8 +67,8 @@ static void push_words(lua_State *L, const arc_model_def *def) {
   for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
 }
 
-/* Sets the metatable of the table on top of the stack. It is created once for each pair of bodies.
- * `push` pushes the aliases of the fields. */
+/* Sets the metatable of the table on top of the stack. The metatable is created only once for
+ * each pair of bodies. `push` pushes the table of aliases. */
 static void set_answering(lua_State *L, const arc_model_def *def, const char *where,
                           void (*push)(lua_State *L, const arc_model_def *def)) {
   const arc_model_def *pair = def ? def : &usual;
@@ -91,7 +92,8 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
   set_answering(L, def, where, push_words);
 }
 
-/* Adds the alias "depth_WORD" (or "volume_WORD") of a column if the word identifies one body. */
+/* Adds the alias "depth_WORD" or "volume_WORD" of a column of the history if `word` identifies
+ * exactly one body. `what` is "depth" or "volume". */
 static void add_column(lua_State *L, const arc_model_def *def, const char *what, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;

@@ -31,34 +31,35 @@ extern const box_class wear_class;    /* thing: arc_wear; user value 1: box of t
 
 /* --- bodies by name (by_body.c); a NULL definition means the default bodies ------------------- */
 
-/* {"cylinder", "plate", NULL}, indexed by arc_body. These are the names of fields in definitions
- * and files. */
+/* {"cylinder", "plate", NULL}, indexed by arc_body. These are the field names of the bodies in
+ * definitions and files. */
 extern const char *const body_names[];
 
-/* body_name returns the name of a body (arc_model_body_name), body_find the body for a word
- * (arc_model_find_body). */
+/* body_name returns the name of a body (as arc_model_body_name). body_find searches the body
+ * that a word names (as arc_model_find_body). */
 const char *body_name(const arc_model_def *def, arc_body body);
 int body_find(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Returns the body named at `index`. For nil or none it returns `otherwise`, or raises an error if
- * this is -1. */
+/* Returns the body that the text at `index` names. If the value is nil or none, returns
+ * `otherwise`, or raises an error if `otherwise` is -1. */
 arc_body body_argument(lua_State *L, int index, const char *where, const arc_model_def *def,
                        int otherwise);
 
-/* Pops a value and stores it in the field of the body in the table below it. */
+/* Pops a value and stores it in the table below it, in the field of the body `body`. */
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
-/* Sets the metatable of the table by body on top of the stack, so that all words for the bodies are
- * aliases. */
+/* Sets the metatable of the table by body on top of the stack, so that the table has aliases for
+ * all words for the bodies. */
 void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
 /* push_by_body pushes a table with one number for each body. push_body_names pushes a table of the
  * bodies' names. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
-/* Adds aliases of depth_NAME and volume_NAME to the history on top of the stack, for all words for
- * the bodies. */
+/* Adds aliases of depth_NAME and volume_NAME to the history on top of the stack, one for each
+ * word that names a body. */
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 void push_body_names(lua_State *L, const arc_model_def *def);
-/* Pushes a copy of the table at `index`, in which keys for bodies are replaced by body_names. */
+/* Pushes a copy of the table at `index`. Keys that name bodies are replaced in the copy by
+ * body_names. */
 void push_usual_names(lua_State *L, int index, args_location location, const arc_model_def *def);
 
 /* Pushes a material object. */
@@ -67,27 +68,28 @@ void material_push(lua_State *L, arc_material material);
 /* --- joints (joint_module.c) ------------------------------------------------------------------ */
 
 /* If the field `model` of the definition at index 1 is a joint, calls the joint's method
- * ("contact", "wear") with the definition without `model`, and returns 1 with the result on top of
- * the stack. Otherwise returns 0. */
+ * `method` ("contact", "wear") with the definition without `model`. Returns 1 with the result on
+ * top of the stack, or 0 if `model` is not a joint. */
 int joint_takes(lua_State *L, const char *method);
 
 /* --- models (model_class.c) ------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones [mm] that a contact or a run with this definition needs on
- * a model. */
+/* Computes the half widths of the zones [mm] that a contact or a run with the definition
+ * `definition` needs on a model. */
 typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
                                double zone[ARC_BODIES], arc_error *error);
 
 /* Pushes the model for field `model` of the definition table at index 1. The field is a model
- * object or a table of its fields. If it is nil, the definition of the model of the worn object
- * (index `worn`) or the default is used. "auto" values of the mesh are set from the load [N], finer
- * with friction (arc_model_fit_friction), and the zones from `zones`. */
+ * object or a table of its fields. If it is nil, the model has the definition of the worn
+ * object's model (index `worn`), or the default definition. "auto" values of the mesh are set
+ * from the load [N], finer with friction (arc_model_fit_friction), and "auto" zones from
+ * `zones`. */
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
                           zones_fn zones, const void *definition);
 
-/* If field `model` of the definition table at index 1 is an object, pushes a model with the zones
- * that `zones` requires and prints a warning. Returns NULL and pushes nothing if `model` is a
- * table, the zones are wide enough, or the meshes were imported. */
+/* If field `model` of the definition table at index 1 is an object, pushes a new model with the
+ * zones that `zones` requires and prints a warning. Pushes nothing and returns NULL if `model`
+ * is a table, the zones are wide enough, or the meshes were imported. */
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
                             const void *definition);
 
@@ -100,10 +102,11 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
 
 /* --- models shared by runs (model_share.c) ---------------------------------------------------- */
 
-/* Pushes a box with the model of this definition, from the cache or new. */
+/* Pushes a box with the model of the definition `def`. The model is from the cache if it exists
+ * there, otherwise new. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
-/* model_push for two imported meshes, indexed by arc_body. A new model becomes the owner of the
- * meshes, and the pointers are set to NULL. */
+/* Works as model_push for a model with two imported meshes, indexed by arc_body. A new model
+ * becomes the owner of the meshes, and the pointers are set to NULL. */
 arc_model *model_push_given(lua_State *L, const arc_model_def *def, arc_mesh **given,
                             const char *where);
 
@@ -116,7 +119,7 @@ void mesh_push(lua_State *L, int index, arc_body body);
 /* Pushes { cylinder=, plate= }, the meshes with the present nodes of the worn shape. */
 void mesh_push_worn(lua_State *L, const arc_shape *shape);
 
-/* Returns the mesh in the box at `index`. Errors are those of box_check. */
+/* Returns the mesh in the box at `index`. Raises the errors of box_check. */
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where);
 
 /* Pushes a flat list of the elements' nodes with four numbers (from 1) per element. The fourth
@@ -127,38 +130,42 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 
 extern const box_class shape_class; /* thing: arc_shape; not for scripts */
 
-/* Checks the field `worn` of the definition table at `index` and pushes it; nil is an unworn shape.
- * Valid values are a wear object, or a table by body of functions, profiles { x=, h= } or maps. */
+/* Checks the field `worn` of the definition table at `index` and pushes its value. nil means an
+ * unworn shape. Other valid values are a wear object, or a table by body of functions, profiles
+ * { x=, h= } or maps. */
 void worn_check(lua_State *L, int index, const char *where);
 
-/* Pushes a box with a new shape on `model` for a run of this definition. The value at index `worn`
- * gives its wear. */
+/* Pushes a box with a new shape on `model` for a run with the definition `def`. The value at
+ * index `worn` defines the wear of the shape. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
-/* worn_push_shape for 3-D, where the value at `worn` is a table by body (worn_map.c). */
+/* worn_push_shape for 3-D models, where the value at `worn` is a table by body (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
 /* Returns true if the table at `index` is a map or has the fields of a map (worn_map.c). */
 int worn_is_map(lua_State *L, int index);
 
-/* Returns the model definition of the wear object at `worn`, NULL for other values. */
+/* Returns the model definition of the wear object at `worn`, or NULL if the value is not a wear
+ * object. */
 const arc_model_def *worn_model_def(lua_State *L, int worn);
-/* Returns the model of the wear object at `worn` if its meshes were imported, because no definition
- * can rebuild such a model. Otherwise returns NULL. */
+/* If the value at `worn` is a wear object with imported meshes, returns its model, because no
+ * definition can rebuild this model. Otherwise returns NULL. */
 arc_model *worn_given_model(lua_State *L, int worn);
 
 /* --- other modules ---------------------------------------------------------------------------- */
 
-/* Pushes { x=, p= }, positions and pressure on a body [mm, MPa]. */
+/* Pushes the table { x=, p= } of positions [mm] and pressures [MPa] on a body. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
 
-/* Pushes a userdata that frees an array of the engine. Returns the address of its pointer. */
+/* Pushes a userdata that owns an array of the engine and frees it. Returns the address of the
+ * userdata's pointer to the array. */
 arc_array **arrays_push_holder(lua_State *L);
 
 /* Lua method contact:stress() (stress_class.c). */
 int stress_new(lua_State *L);
 
-/* Returns the contact of the stress object at `index`, NULL for other values. */
+/* Returns the contact of the stress object at `index`, or NULL if the value is not a stress
+ * object. */
 const arc_contact *stress_contact(lua_State *L, int index, const char *where);
 
 /* Pushes a box with the stress field of one body. The field is freed with the box. */

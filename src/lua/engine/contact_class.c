@@ -1,4 +1,4 @@
-/* Class contact: one contact solution and its pressures. stress_class.c has the stresses. */
+/* Class contact: one contact solution and its pressures. The stresses are in stress_class.c. */
 #include "archard/contact.h"
 #include "lua/base/array.h"
 #include "lua/base/call.h"
@@ -65,8 +65,8 @@ static const arc_model_def *model_of(const arc_contact *contact) {
   return arc_model_definition(arc_contact_model(contact));
 }
 
-/* contact.stick: list of the stick zones from left to right; in 3-D their fraction of the contact
- * area */
+/* contact.stick: list of the stick zones from left to right; in 3-D the stick fraction of the
+ * contact area */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
@@ -88,7 +88,7 @@ static int contact_model(lua_State *L) {
   return 1;
 }
 
-/* Writes the position of the largest pressure, or "" if it is at the centre. */
+/* Writes the position of the largest pressure as text, or "" if the position is the centre. */
 static void show_peak(const arc_contact *contact, const arc_contact_result *solved, char *text,
                       size_t size) {
   arc_error error = {0};
@@ -250,7 +250,7 @@ static int contact_slip(lua_State *L) {
 
 /* --- the calls that created a contact --------------------------------------------------------- */
 
-/* Pushes a shallow copy of the table at `index`, or an empty table. */
+/* Pushes a shallow copy of the table at `index`, or an empty table if the value is not a table. */
 static void push_copy(lua_State *L, int index) {
   lua_newtable(L);
   if (!lua_istable(L, index)) return;
@@ -261,9 +261,9 @@ static void push_copy(lua_State *L, int index) {
   }
 }
 
-/* Stores a record with the contact on top of the stack. It has the definition at index `given`, the
- * record of the previous contact at index `from` (0: none), and the update of the run whose worn
- * shape is used. */
+/* Stores a record of the call in the contact on top of the stack. The record has the definition
+ * at index `given`, the record of the previous contact at index `from` (0: none), and the update
+ * of the wear object in `worn`. */
 static void keep_call(lua_State *L, int given, int from) {
   lua_createtable(L, 0, 3);
   push_copy(L, given);
@@ -280,9 +280,10 @@ static void keep_call(lua_State *L, int given, int from) {
   lua_setiuservalue(L, -2, 2);
 }
 
-/* Module contact_record: record(contact) returns { given=, update=, from= }. given: the arguments
- * of contact{} or contact:move{}; update: the update of the run in `worn` at that time, or nil;
- * from: the record of the contact before the move, or nil. */
+/* Module contact_record: record(contact) returns { given=, update=, from= }. given: the
+ * arguments of contact{} or contact:move{}; update: the number of updates that the run in `worn`
+ * had when the contact was created, or nil; from: the record of the contact before the move, or
+ * nil. */
 static int contact_record(lua_State *L) {
   box_check(L, 1, &contact_class, "contact_record");
   lua_getiuservalue(L, 1, 2);
@@ -304,12 +305,13 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
                               .load = def->load,
                               .material = {model->material[0], model->material[1]}};
   arc_hertz hertz = {0};
-  const arc_status status = arc_hertz_of(&pair, &hertz, error); /* checks the ranges */
+  const arc_status status =
+      arc_hertz_of(&pair, &hertz, error); /* this call also checks the ranges */
   if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }
 
-/* Pushes the shape of the contact: the shape of the worn object if this is on the same model,
+/* Pushes the shape of the contact: the shape of the object `worn` if it has the same model,
  * otherwise a new shape. */
 static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, double load) {
   arc_wear_def def = arc_wear_default();
@@ -317,7 +319,7 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, dou
   def.refresh = 0;
   def.load = load;
   def.alpha = 1;
-  def.procedure = ARC_NSP; /* for one position */
+  def.procedure = ARC_NSP; /* wear at a single position of the plate */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
     return worn_push_shape(L, worn, model, &def, "contact");
@@ -329,7 +331,8 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* Arguments of a new contact: shape and definition, or a previous contact and its motion. */
+/* Arguments of a new contact: either a shape and a definition, or a previous contact and its
+ * motion. */
 typedef struct request {
   const arc_shape *shape;
   const arc_contact_def *def;
@@ -337,7 +340,8 @@ typedef struct request {
   const arc_motion_def *motion;
 } request;
 
-/* Pushes the requested contact. The value at `holder` keeps its model alive. */
+/* Pushes a box with the requested contact. The value at `holder` keeps the contact's model
+ * alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_contact *contact = NULL;

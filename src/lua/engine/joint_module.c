@@ -1,5 +1,6 @@
-/* Module `archard.sphere`: ball joints of the engine, for scripts/joint, which checks the user's
- * arguments. A gait is a list of 15 numbers per increment: rotation, rotation vector, load. */
+/* Module `archard.sphere`: ball joints of the engine. It is used by scripts/joint, which checks
+ * the user's arguments. A gait is a list of 15 numbers per increment: rotation matrix, rotation
+ * vector, load. */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
@@ -237,7 +238,7 @@ static int sphere_set(lua_State *L) {
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
-/* The user's functions (indices on the stack), and the name of a function that failed. */
+/* Stack indices of the user's functions, and the name of a function that failed. */
 typedef struct called {
   lua_State *L;
   int k, alpha, creep;
@@ -245,7 +246,8 @@ typedef struct called {
   const char *failed;
 } called;
 
-/* Pushes a function and its argument table. Returns 0 if a function has already failed. */
+/* Pushes a function and its argument table. Returns 0 without pushing if a function has already
+ * failed. */
 static int push_function(called *c, int function, double cycles) {
   if (c->failed) return 0;
   lua_pushvalue(c->L, function);
@@ -312,8 +314,8 @@ static int push_record(lua_State *L, const arc_joint_record *r) {
   return 1;
 }
 
-/* State of sphere_update and sphere_advance. Their arguments are (joint, gait, k, alpha, cycles,
- * record, ..., creep). */
+/* State of a call of sphere_update or sphere_advance. The Lua arguments of these functions are
+ * (joint, gait, k, alpha, cycles, record, ..., creep). */
 typedef struct worn {
   box *holder;
   arc_joint_wear_def def;

@@ -82,8 +82,8 @@ static int measure_sawtooth(lua_State *L) {
 
 /* --- measures of each body -------------------------------------------------------------------- */
 
-/* Reads the names of the bodies from the model table at index 1. For nil the bodies are the default
- * ones. */
+/* Reads the names of the bodies from the model table at index 1. If it is nil, the bodies have
+ * the default names. */
 static arc_model_def read_names(lua_State *L) {
   arc_model_def def = {0};
   if (lua_istable(L, 1) || lua_isuserdata(L, 1)) body_read_names(L, 1, &def);
@@ -97,15 +97,16 @@ static int measure_bodies(lua_State *L) {
   return 1;
 }
 
-/* by_body(model, upper, lower, where) returns a table of the two numbers by body, like w.depth. */
+/* by_body(model, upper, lower, where) returns a table by body of the numbers `upper` and
+ * `lower`, like w.depth. */
 static int measure_by_body(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_by_body(L, &def, luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checkstring(L, 4));
   return 1;
 }
 
-/* columns(model, history, where) returns the history; its columns then also have the names of the
- * bodies. */
+/* columns(model, history, where) returns the history after it has added aliases of the columns
+ * with the names of the bodies. */
 static int measure_columns(lua_State *L) {
   const arc_model_def def = read_names(L);
   luaL_checktype(L, 2, LUA_TTABLE);

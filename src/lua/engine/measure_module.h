@@ -6,9 +6,10 @@
 
 #include <lua.h>
 
-/* Push { x=, h= }, the sum of both depths (Eq. 31), or { x=, value= }, the cylinder's part of the
- * sum (Eq. 30), at the plate's points. Temporary buffers stay below the table on the stack. Return
- * 1. */
+/* measure_push_combined pushes { x=, h= }, the sum of both depths (Eq. 31).
+ * measure_push_partition pushes { x=, value= }, the cylinder's part of the sum (Eq. 30). Both
+ * are at the plate's points. Temporary buffers stay below the table on the stack. The functions
+ * return 1. */
 int measure_push_combined(lua_State *L, arc_depths cylinder, arc_depths plate);
 int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate);
 

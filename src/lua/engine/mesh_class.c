@@ -13,9 +13,9 @@
 #include <string.h>
 
 typedef struct mesh_view {
-  arc_model *model; /* the model, with one reference of its own */
-  arc_mesh mesh;    /* the model's mesh, or a shallow copy with worn nodes */
-  double *xy;       /* [mm] worn nodes; NULL: nodes of the model */
+  arc_model *model; /* the model, of which the view owns one reference */
+  arc_mesh mesh;    /* mesh of the model, or its shallow copy with worn nodes */
+  double *xy;       /* [mm] worn nodes; NULL: the model's nodes are used */
 } mesh_view;
 
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where) {
@@ -71,7 +71,8 @@ static int mesh_body(lua_State *L) {
   return 1;
 }
 
-/* Pushes a list of node numbers, which start at 0 in C and at 1 in Lua; -1 (no node) becomes 0. */
+/* Pushes a list of node numbers, which are increased by 1 because they start at 0 in C and at 1
+ * in Lua. Hence -1 (no node) becomes 0. */
 static int push_numbers(lua_State *L, const int *numbers, int count) {
   lua_createtable(L, count, 0);
   for (int i = 0; i < count; i++) {
@@ -93,14 +94,15 @@ static int mesh_elements(lua_State *L) {
   return 1;
 }
 
-/* mesh:surface() returns the nodes that may be in contact, by increasing x. */
+/* mesh:surface() returns the numbers of the nodes that may be in contact, sorted by increasing
+ * x. */
 static int mesh_surface(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->surface_node, mesh->surface);
 }
 
-/* mesh:box() returns the nodes of the wear box: for each surface node rows + 1 nodes from the
- * surface inwards. */
+/* mesh:box() returns the numbers of the nodes of the wear box. Each surface node has rows + 1
+ * nodes, listed from the surface inwards. */
 static int mesh_box(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
@@ -164,8 +166,8 @@ static void push_quality(lua_State *L, arc_quality quality) {
   strict_table(L, "mesh:quality");
 }
 
-/* mesh:quality() returns the worst value of each shape measure over all elements, and in the field
- * box the worst values over the wear box. */
+/* mesh:quality() returns the worst value of each shape measure over all elements. The field
+ * `box` of the result has the worst values over the wear box. */
 static int mesh_quality(lua_State *L) {
   push_quality(L, arc_mesh_quality(self(L), NULL));
   push_quality(L, arc_mesh_box_quality(self(L), NULL));
@@ -173,7 +175,7 @@ static int mesh_quality(lua_State *L) {
   return 1;
 }
 
-/* Writes the columns node, x, y. */
+/* Writes a CSV file with the columns node, x and y. */
 static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh,
                             arc_error *error) {
   static const char *const names[] = {"node", "x", "y"}, *const units[] = {"", "mm", "mm"};

@@ -1,5 +1,5 @@
-/* Class model: two bodies, meshed and condensed. Equal definitions share one model
- * (model_share.c). */
+/* Class model: two bodies with meshes and condensed stiffness matrices. Equal definitions share
+ * one model (model_share.c). */
 #include "lua/base/array.h"
 #include "lua/engine/bodies.h"
 #include "lua/base/call.h"
@@ -36,8 +36,8 @@ static void check_fineness(lua_State *L, int index, args_location location, arc_
   lua_pop(L, 1);
 }
 
-/* Replaces names of bodies in mesh.zone of the definition on top of the stack (a copy) by
- * body_names. */
+/* Replaces the names of bodies in the field mesh.zone by body_names. The definition on top of
+ * the stack is a copy. */
 static void rename_zones(lua_State *L, args_location location, const arc_model_def *def) {
   const int top = lua_gettop(L);
   if (args_get(L, top, "mesh") == LUA_TTABLE && args_get(L, top + 1, "zone") == LUA_TTABLE) {
@@ -55,7 +55,7 @@ static void rename_zones(lua_State *L, args_location location, const arc_model_d
 /* Pushes a copy of the table at `index` without the fields upper and lower, which body_read
  * reads. */
 static void push_without_bodies(lua_State *L, int index, args_location location) {
-  /* For other values this call raises an error. */
+  /* If the value is not a table, this call raises the error. */
   if (!lua_istable(L, index)) args_read(L, index, location, arc_model_settings, NULL);
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -64,7 +64,8 @@ static void push_without_bodies(lua_State *L, int index, args_location location)
   lua_setfield(L, -2, "lower");
 }
 
-/* Reads the table at `index` into the definition. nil changes nothing. */
+/* Reads the table at `index` into the definition. If the value is nil, the definition is not
+ * changed. */
 static void read_definition(lua_State *L, int index, args_location location, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
   arc_model_def called = *def;
@@ -77,8 +78,8 @@ static void read_definition(lua_State *L, int index, args_location location, arc
   check_fineness(L, index, location, &def->mesh);
 }
 
-/* Prepares reading a table of mesh settings. If it has a size or fineness, the values derived from
- * the size become "auto". Other values are kept. */
+/* Prepares reading a table of mesh settings. If the table has a size or a fineness, the values
+ * that were derived from the old size become "auto". Other values are kept. */
 static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
   const int size = args_given(L, at, "size"), fineness = args_given(L, at, "fineness");
   if (!size && !fineness) return;
@@ -105,8 +106,8 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 
 /* --- imported meshes -------------------------------------------------------------------------- */
 
-/* Frees two imported meshes. They belong to a box until the model becomes their owner, so that Lua
- * errors leak nothing. */
+/* Frees two imported meshes. A box owns them until the model becomes their owner, so that a Lua
+ * error leaks no memory. */
 static void free_given(void *thing) {
   arc_mesh **given = thing;
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
@@ -141,7 +142,7 @@ static arc_mesh **push_meshes(lua_State *L, args_location location) {
   return given;
 }
 
-/* Reads all fields of the table at `index` except `mesh`, which is a text. */
+/* Reads all fields of the table at `index` except the field `mesh`, which is a text here. */
 static void read_beside_mesh(lua_State *L, int index, args_location location, arc_model_def *def) {
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -150,8 +151,9 @@ static void read_beside_mesh(lua_State *L, int index, args_location location, ar
   lua_pop(L, 1);
 }
 
-/* Pushes the model of the table at `index` if its field `mesh` is a text. Otherwise pushes nothing
- * and returns NULL. The file is read at each call, because it may have changed. */
+/* If the field `mesh` of the table at `index` is a text, pushes and returns the model with the
+ * imported meshes. Otherwise pushes nothing and returns NULL. The file is read at each call,
+ * because it may have changed. */
 static arc_model *push_of_mesh(lua_State *L, int index, args_location location) {
   if (!lua_istable(L, index)) return NULL;
   index = lua_absindex(L, index);
@@ -333,7 +335,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   pair_add_layers(text, def, body, "\n    layer   ");
 }
 
-/* Pushes the description of two half-spaces, which have no meshes. */
+/* Pushes the description of a model of two half-spaces, which have no meshes. */
 static int push_half_spaces(lua_State *L, const arc_model_def *def) {
   char line[200];
   luaL_Buffer text;

@@ -1,5 +1,6 @@
-/* Models with equal definitions (and equal imported meshes) are built once and shared. A weak table
- * in the registry refers to the existing models. The most recent model is kept alive. */
+/* Models with equal definitions (and equal imported meshes) are built once and shared. A weak
+ * table in the registry refers to all existing models. The registry also keeps the most recent
+ * model alive. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
@@ -7,7 +8,7 @@
 
 #include <stdio.h>
 
-static const char cache_key = 0, last_key = 0; /* their addresses are registry keys */
+static const char cache_key = 0, last_key = 0; /* registry keys by their addresses */
 
 /* --- building and sharing --------------------------------------------------------------------- */
 
@@ -52,8 +53,9 @@ static void push_key(lua_State *L, const arc_model_def *def, arc_mesh *const *gi
   luaL_pushresult(&text);
 }
 
-/* Pushes the weak table that maps keys to holders. A holder is a hidden box. It is a user value of
- * the model boxes of scripts, so it is alive as long as any of them. */
+/* Pushes the weak table that maps keys to holders. A holder is a hidden box with a shared model.
+ * The model boxes of scripts have the holder as a user value, so the holder exists as long as
+ * any of these boxes. */
 static void push_cache(lua_State *L) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &cache_key) == LUA_TTABLE) return;
   lua_pop(L, 1);
@@ -76,7 +78,7 @@ static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* build without display */
+  lua_pushnil(b->L); /* nil: build without a display */
 }
 
 static void tell(building *b, int arguments) {
@@ -128,7 +130,8 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   end_build(L, holder, model, &shown, status, &error, where);
 }
 
-/* Pushes the holder of the model with this definition, from the cache or new. */
+/* Pushes the holder of the model with the definition `def`. The holder is from the cache if it
+ * exists there, otherwise new. */
 static void push_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                         const char *where) {
   push_cache(L);

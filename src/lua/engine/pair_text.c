@@ -9,7 +9,8 @@
 /* Indentation of lines below a label in the text of a run. */
 static const char *const indent = "\n            ";
 
-/* Adds "E 200000 MPa nu 0.3", and the text `before` and the wear coefficient if this is > 0. */
+/* Adds a text such as "E 200000 MPa nu 0.3". If the wear coefficient is > 0, also adds `before`
+ * and the coefficient. */
 static void add_material(luaL_Buffer *to, arc_material material, const char *before) {
   char text[100];
   snprintf(text, sizeof text, "%.31s%sE %.6g MPa nu %.6g", material.name,

@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Pressures and positions count as equal up to these relative differences. */
+/* Two pressures are regarded as equal if their relative difference is at most `alike`, two
+ * positions if it is at most `same_position`. */
 static const double alike = 1e-3, same_position = 1e-6;
 
 static size_t largest(const arc_array *p) {

@@ -23,7 +23,7 @@ static void set_text(lua_State *L, const char *name, const char *text) {
   lua_setfield(L, -2, name);
 }
 
-/* Sets a bound of a range if it is finite. */
+/* Sets field `name` to a bound of a range. An infinite bound is omitted. */
 static void set_bound(lua_State *L, const char *name, double value) {
   if (!isfinite(value)) return;
   array_set_number(L, name, value);
@@ -58,7 +58,8 @@ static void set_values(lua_State *L, const arc_setting *s) {
     lua_pop(L, 1);
 }
 
-/* Sets the description of the valid values, without the unit, which has a field of its own. */
+/* Sets the field for the description of the valid values. The unit is omitted, because it has a
+ * field of its own. */
 static void set_type(lua_State *L, const arc_setting *s) {
   arc_setting bare = *s;
   char text[240];
@@ -66,7 +67,8 @@ static void set_type(lua_State *L, const arc_setting *s) {
   set_text(L, "type", arc_setting_expected(&bare, text, sizeof text));
 }
 
-/* Pushes the table of one setting. `path` is its name with the prefix of its groups. */
+/* Pushes the table that describes one setting. `path` is the name of the setting with the names
+ * of its groups before it. */
 static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   lua_newtable(L);
   set_text(L, "path", path);
@@ -89,8 +91,9 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
-/* Appends the settings of a list to the table on top of the stack. The settings of a group follow
- * the group, unless they are those of a class, which lists them itself. */
+/* Appends the settings of a list to the table on top of the stack. The settings of a group
+ * follow the group, unless the group is a class, because the settings of a class are listed
+ * under the class. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {
@@ -106,7 +109,7 @@ static void add_list(lua_State *L, const char *prefix, const arc_setting *list) 
   }
 }
 
-/* Pushes the table settings, which has a list of settings for each definition. */
+/* Pushes a table with one list of settings for each definition. */
 static void push_definitions(lua_State *L) {
   lua_newtable(L);
   for (int i = 0; i < DEFINITIONS; i++) {

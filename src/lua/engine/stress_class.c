@@ -1,4 +1,4 @@
-/* The stress object of a contact. It has a table of nodal arrays for each body. */
+/* The stress object of a contact, which has a table of nodal arrays for each body. */
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
@@ -48,8 +48,8 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   lua_replace(L, -2);
 }
 
-/* Returns item `position` of array `name` of the table on top of the stack, or NaN if it is not a
- * number (scripts can change the table). */
+/* Returns item `position` of the array `name` in the table on top of the stack. Returns NaN if
+ * the item is not a number, because scripts can change the table. */
 static double element_of(lua_State *L, const char *name, lua_Integer position) {
   double value = NAN;
   if (lua_getfield(L, -1, name) == LUA_TTABLE) {
@@ -78,8 +78,8 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   return best;
 }
 
-/* Pushes a line with the largest value of one stress in the table on top of the stack, and its
- * position. */
+/* Pushes a line of text with the largest value of one stress in the table on top of the stack,
+ * and the position of this value. */
 static void push_largest(lua_State *L, const char *label, const char *stress) {
   char line[160];
   lua_Integer at = largest_of(L, stress);
@@ -105,7 +105,7 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   lua_gettable(L, -2);
   const arc_contact *contact =
       lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
-  lua_pop(L, 2); /* kept alive by the table */
+  lua_pop(L, 2); /* the weak table's entry keeps the contact alive */
   return contact;
 }
 
@@ -134,8 +134,9 @@ static int stress_tostring(lua_State *L) {
   return 1;
 }
 
-/* Metamethod __index of stress objects: returns a body for an alias, or the `contact`. `contact` is
- * not stored as a field, so that a loop over the object visits only the bodies. */
+/* Metamethod __index of stress objects: returns the table of a body for an alias of its name, or
+ * the contact for `contact`. The contact is not stored as a field, so that a loop over the
+ * object visits only the bodies. */
 static int stress_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);

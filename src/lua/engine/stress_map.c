@@ -1,5 +1,5 @@
-/* Stresses in half-spaces: contact:stress{ y= }, { z= } or { x= } returns maps of a plane or of a
- * section. */
+/* Stresses in half-spaces: contact:stress{ y= } returns maps of a horizontal plane,
+ * contact:stress{ z= } and { x= } return maps of a vertical section. */
 #include "archard/space.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -48,7 +48,7 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
   return c;
 }
 
-/* Grid points of the window. Row i is at x[i * nz], column j at z[j]. */
+/* Grid points of the window. Row i of the grid is at x[i * nz], column j at z[j]. */
 typedef struct window {
   const double *x, *z;
   size_t nx, nz;
@@ -99,8 +99,8 @@ static size_t locate(lua_State *L, const char *where, const cut *c, const double
   return i;
 }
 
-/* Pushes maps over the line of the section (x or z) and the depth, from the lowest depth to the
- * surface. */
+/* Pushes maps over the depth and the coordinate along the section (x or z). The depths are
+ * sorted from the deepest point to the surface. */
 static void push_section(lua_State *L, const arc_contact *contact, const cut *c, const window *w,
                          const double *x, const double *z, const char *where) {
   const size_t n = w->nx * w->nz, along = c->axis == 'z' ? w->nx : w->nz;

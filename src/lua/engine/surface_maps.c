@@ -16,7 +16,7 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
                 "meshes");
 }
 
-/* Grid points of a map. Row i is at x[i * nz], column j at z[j]. */
+/* Grid points of a map. Row i of the grid is at x[i * nz], column j at z[j]. */
 typedef struct lattice {
   const double *x, *z;
   size_t nx, nz;

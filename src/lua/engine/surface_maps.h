@@ -11,9 +11,9 @@
 void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_body body,
                       const char *name, const char *unit);
 
-/* Pushes the section { x=, NAME=, ... } of a body at the position in the table at `index`, { z = 0
- * } or { x = 0 } (default z = 0). `names` ends with NULL. Field x is the coordinate along the
- * section. In a section at constant x it contains z, which is also field z. */
+/* Pushes the section { x=, NAME=, ... } of a body. The table at `index`, { z = 0 } or { x = 0 },
+ * is its position (default z = 0). `names` ends with NULL. Field x is the coordinate along the
+ * section. For a section at constant x this coordinate is z, and the section also has a field z. */
 void surface_push_section(lua_State *L, int index, const char *where, const arc_array *arrays,
                           size_t count, arc_body body, const char *const *names);
 

@@ -88,7 +88,7 @@ static arc_model_def names_of_model(lua_State *L, int index) {
   return def;
 }
 
-/* Replaces the table by body on top of the stack by a copy with the keys body_names. */
+/* Replaces the table by body on top of the stack by a copy whose keys are body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
   push_usual_names(L, -1, (args_location){where, "worn."}, &def);
@@ -173,7 +173,7 @@ static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body,
   return type != LUA_TNIL;
 }
 
-/* Subtracts the smallest depth from all depths and returns it. */
+/* Subtracts the smallest depth from all depths and returns the smallest depth. */
 static double split_even(double *depth, int count) {
   double even = depth[0];
   for (int i = 1; i < count; i++)

@@ -1,5 +1,5 @@
-/* The field `worn` in three dimensions. For each body it has a function (x, z) -> depth or a map of
- * depths, which are sampled at the first cells of the run. */
+/* The field `worn` of 3-D models. For each body it has a function (x, z) -> depth or a map of
+ * depths. Their values are sampled at the initial cells of the run. */
 #include "archard/space.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -29,13 +29,14 @@ int worn_is_map(lua_State *L, int index) {
 
 /* --- maps of depths --------------------------------------------------------------------------- */
 
-/* Depths on a uniform grid, x-major. The depth is 0 outside the grid. */
+/* Depths on a uniform grid, with the index of z fastest. The depth is 0 outside the grid. */
 typedef struct depth_map {
   size_t nx, nz;
   const double *x, *z, *h;
 } depth_map;
 
-/* Reads the map at `index`, which was checked at its creation. The buffers stay on the stack. */
+/* Reads the map at `index` without checks, because it was checked when it was created. The
+ * buffers stay on the stack. */
 static depth_map push_depth_map(lua_State *L, int index, args_location location) {
   depth_map m;
   size_t count;
@@ -102,7 +103,7 @@ static double call_depth(lua_State *L, int index, const char *where, arc_body bo
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Pushes the value of a body from the table at `worn`. Returns its type. */
+/* Pushes the value for a body from the table at `worn`. Returns the Lua type of this value. */
 static int push_body(lua_State *L, int worn, const arc_model_def *def, arc_body body,
                      const char *where) {
   push_usual_names(L, worn, (args_location){where, "worn."}, def);
@@ -156,7 +157,7 @@ static arc_status wear_body(lua_State *L, int worn, arc_shape *shape, const arc_
   return status;
 }
 
-/* Fills the box with a shape. Its window has at least these half widths. */
+/* Fills the box with a new shape, whose window has at least the half widths `half`. */
 static arc_status fill(lua_State *L, box *holder, int worn, arc_model *model,
                        const arc_wear_def *def, const double half[2], const char *where,
                        arc_error *error) {
@@ -171,7 +172,8 @@ static arc_status fill(lua_State *L, box *holder, int worn, arc_model *model,
   return status;
 }
 
-/* If a function is not 0 at the edge of the window, the window is enlarged, up to three times. */
+/* Pushes a new shape. If the depth of a function is not 0 at the edge of the window, enlarges
+ * the window and repeats, up to three times. */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where) {
   enum { most_windows = 4 };
