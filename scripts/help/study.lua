@@ -230,8 +230,8 @@ return {
   { "calibration.high", kind = "field", text = "Upper ends of the confidence intervals." },
   { "calibration.confidence", kind = "field", text = "Confidence level of the intervals." },
   { "calibration.band", kind = "field",
-    text = "For a list of distances: tables { distance=, value=, low=, high= } by name, with the mean "
-      .. "coefficient between two measurements at the middle distance." },
+    text = "For a list of distances: confidence ranges band.k, band.alpha and so on, tables { distance=, value=, "
+      .. "low=, high= } with the mean coefficient between two measurements at their middle distance." },
   { "calibration.mean", kind = "field",
     text = "For a list of distances: mean coefficients over the whole distance, with spread, low and high." },
   { "calibration.points", kind = "field", text = "Number of distances." },

@@ -113,8 +113,8 @@ return {
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',
-    text = 'Numbers of wear{} or model{}, by the names of study{ vary= }: "cylinder.E", "lower.layer1.k"; "E" and '
-      .. '"nu" of both bodies. If bodies have their own coefficients, these replace k and alpha by default.' },
+    text = 'Numbers of wear{} or model{} whose effect is computed, with the names of study{ vary= }: "cylinder.E", '
+      .. '"lower.layer1.k"; "E" and "nu" change both bodies. If bodies have their own coefficients, these replace k and alpha by default.' },
   { "wear.sensitivity{over}", type = "a share of the number from 0 to 0.5", default = "0.24",
     text = "For results that jump: half the range of the slope as a share of the number (smaller near the "
       .. "limits of the number). 0: local derivatives, also for results that jump." },

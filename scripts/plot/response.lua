@@ -56,7 +56,7 @@ local function points_of(study, options)
         by = options.by and setting_of(study, case, options.by),
         y = naming.get(case, options.y) or case.last and case.last[options.y] }
       if type(point.y) ~= "number" then
-        check.fail(where, ("field 'y': the cases have no number '%s'%s"):format(options.y,
+        check.fail(where, ("field 'y': the cases have no numeric result or setting '%s'%s"):format(options.y,
           check.hint(options.y, keys(case.last or {}))))
       end
       points[#points + 1] = point

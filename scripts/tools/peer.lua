@@ -73,7 +73,7 @@ local function show(cases)
   io.write("| CPU seconds an increment (+) |")
   for _, c in ipairs(cases) do io.write((" %.1g / %.1f |"):format(c.ours.seconds, c.theirs.seconds)) end
   io.write("\n\n(*) CalculiX extrapolates pressures to nodes from points within the elements: too much at the edge of a scar.\n",
-    "(+) archard: of a whole run, wear and new geometry included; CalculiX: of two, reading and writing included.\n")
+    "(+) archard: mean of a whole run, with wear and new geometry; CalculiX: mean of two increments, with reading and writing of files.\n")
 end
 
 local function run_of(definition)

@@ -56,7 +56,7 @@ typedef struct arc_ticks {
   int decimals;     /* decimals of the mantissa (7 in 7e-4) */
   int decades;      /* decades between labels of a logarithmic axis; 0: chosen by gnuplot */
   int first, last;  /* range of a logarithmic axis: 10^first to 10^last */
-  int parts;        /* labels between powers of ten: 1 all multiples, 3 multiples 2 and 5 */
+  int parts;        /* labels between powers of ten: 1: at all multiples, 3: at 2 and 5 */
   int bare;         /* true: labels are powers of ten without mantissa */
   int exponent;     /* exponent of the largest number of a linear axis */
   double low, high; /* first and last tick of a linear axis, in steps */

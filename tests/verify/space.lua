@@ -74,8 +74,8 @@ local rigid = model{ geometry = "3-D", upper = body.ball{ radius = 10, E = 2e8 }
 local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
 within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid, stroke 1: ball")
 within(both.depth.block, 2.9974e-4, 0.002, "groove")
--- The pressure of rigid bodies ends within a cell, which may be the neighbouring cell with another
--- BLAS: 0.0125 / 0.16505.
+-- The edge of the pressure between rigid bodies is known to one cell only, and rounding, as of another
+-- BLAS, can move the edge by a cell: tolerance 0.0125 / 0.16505.
 within(both.half_width, 0.16505, 0.076, "half width along, to a cell")
 within(both.half_width_z, 0.18231, 0.076, "half width across, to a cell")
 within(run(10, 1, 0, 1320, { model = rigid }):map("block"):at(0, 0), (0.75 * 1.32e-4 / math.sqrt(20)) ^ (2 / 3), 0.005,

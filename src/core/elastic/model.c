@@ -21,7 +21,7 @@ typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
   double *profile[ARC_BODIES]; /* heights of the definition's profiles */
-  long version;                /* last version number of a compliance */
+  long version; /* version of the newest compliance; the next one gets the next number */
 } elastic_model;
 
 static const elastic_model *meshed(const arc_model *model) {

@@ -33,8 +33,8 @@ typedef struct body_map {
 body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                            double near_s, double near_d);
 
-/* Computes the position [mm] of the logical point (i, j) in units. Mirrored points are exact mirror
- * images, except for the height of the surface. */
+/* Computes the position [mm] of the logical point (i, j); i and j count units of the finest cells.
+ * Mirrored points are exact mirror images, except for the height of the surface. */
 void arc_body_map_point(const body_map *map, double i, double j, double xy[2]);
 
 /* Returns the physical width [mm] of one unit at logical depth j; in solid arcs it shrinks towards

@@ -28,7 +28,8 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
   double sum = 0;
   for (int i = 0; i < c->count[body]; i++) {
     if (!(c->p[body][i] >= 0) || !isfinite(c->f[body][i]))
-      return arc_fail(error, ARC_NUMERIC, "contact: pressure %g MPa at x = %g mm of the %s",
+      return arc_fail(error, ARC_NUMERIC,
+                      "contact: expected a pressure >= 0, got %g MPa at x = %g mm of the %s",
                       c->p[body][i], c->x[body][i], arc_body_name(body));
     sum += across(c, body, i);
   }

@@ -14,7 +14,7 @@ typedef struct sweep {
   double cycles, alpha;
   double *was;              /* state of the joint before the update */
   double *gain[ARC_BODIES]; /* [sites] wear to be removed at the end of an explicit update */
-  double *shear, *mean;     /* [sites][3], [sites]; results of this cycle */
+  double *shear, *mean;     /* [sites][3] sums for the cross-shear, [sites] mean pressure */
   double *k, *loss, *share; /* [sites] coefficient; k N p |s| of an instant [mm]; cross-shear */
   arc_joint_record record;
 } sweep;

@@ -35,7 +35,8 @@ static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *d
   return ARC_OK;
 }
 
-/* Returns the change of both bodies' coefficients between two records, over the larger k. */
+/* Returns the larger of the changes of both bodies' wear coefficients between two records, divided
+ * by the larger k. */
 static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   const double c = fabs(a->k * a->alpha - b->k * b->alpha);
   const double p = fabs(a->k * (1 - a->alpha) - b->k * (1 - b->alpha)), k = fmax(a->k, b->k);

@@ -14,8 +14,8 @@ static lua_Number next_update(const arc_wear *wear) {
 
 /* --- interruption ----------------------------------------------------------------------------- */
 
-/* Raises "interrupted" with the present position of the run after Ctrl-C, because the progress bar
- * is erased. */
+/* Raises "interrupted" after Ctrl-C. The message has the position of the run, which the erased
+ * progress bar no longer shows. */
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[80];
   const arc_wear_record *last = arc_wear_last(wear);
