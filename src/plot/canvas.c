@@ -6,11 +6,11 @@
 
 #include "plot/figure.h"
 
-/* Kinds of canvas. Of two terminals of one kind the better one is first. Font sizes are in the unit
- * of the terminal, for 100 pixels per inch. */
+/* Kinds of canvas. If two terminals produce one file format, the better terminal is first. Font
+ * sizes are in the unit of the terminal, for 100 pixels per inch. */
 typedef struct kind {
   const char *ending, *terminal, *options, *family;
-  double points, unit; /* usual font size; size of one point */
+  double points, unit; /* default font size; size of one point [terminal units] */
   int text, vector;
 } kind;
 
@@ -34,8 +34,8 @@ static const char *ending_of(const char *file) {
   return dot && (!slash || dot > slash) ? dot + 1 : "";
 }
 
-/* Returns the first available kind with this file ending, and with this terminal unless it is
- * NULL. */
+/* Returns the first available kind with the file ending `ending`. If `terminal` is not NULL, the
+ * kind must also have this terminal. */
 static const kind *find_kind(const char *ending, const char *terminal, const arc_gnuplot *session) {
   for (int i = 0; i < KINDS; i++)
     if (strcasecmp(kinds[i].ending, ending) == 0 &&
@@ -55,7 +55,8 @@ static arc_status no_terminal(const arc_plot_output *output, const char *ending,
                   "this gnuplot cannot draw %s. On Debian: apt-get install gnuplot-nox", ending);
 }
 
-/* Returns the ending of the output: "" for commands only, NULL for an unknown ending. */
+/* Returns the ending of the output: "" if only the commands are written, NULL if the ending is
+ * unknown. */
 static const char *output_ending(const arc_plot_output *output) {
   if (output->medium == ARC_PLOT_TEXT) return "txt";
   if (output->medium == ARC_PLOT_SIXEL) return "sixel";
@@ -84,14 +85,15 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
 }
 
 enum { USUAL_DPI = 100, USUAL_POINTS = 11 };
-static const double PAPER_LINE = 1.44; /* terminal's unit 0.5 pt; 0.72 pt for pixels */
+static const double PAPER_LINE =
+    1.44; /* line width in units of 0.5 pt, equal to 0.72 pt in pixel formats */
 
 static int is_paper(const arc_canvas *canvas) {
   return strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0;
 }
 
-/* Fonts, lines and marks grow with the number of pixels per inch. Paper formats are measured in
- * inches and need no such factor. */
+/* Chooses the size of fonts, lines and marks. They grow with the number of pixels per inch.
+ * Paper formats are measured in inches, so their sizes do not depend on this number. */
 static void choose_letters(const arc_plot_output *output, const kind *found, arc_canvas *canvas) {
   double points = output->points > 0 ? output->points : USUAL_POINTS;
   double inches =
@@ -137,7 +139,8 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   return ARC_OK;
 }
 
-/* The canvas for dots has two columns and four rows of dots in each character. */
+/* Writes the size of the canvas. On the canvas for Braille dots each character has two columns
+ * and four rows of dots. */
 static void size_words(const arc_canvas *canvas, arc_text *script) {
   if (is_paper(canvas))
     arc_text_format(script, " size %gin,%gin", canvas->width / canvas->inch,
@@ -159,8 +162,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* The scale is set for each picture, because a terminal keeps its last settings. Only cairo
- * terminals have a scale of marks. */
+/* Writes the scale of lines and marks. It is written for each picture, because a terminal keeps
+ * its last settings. Only cairo terminals have a scale of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

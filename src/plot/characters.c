@@ -1,8 +1,9 @@
-/* Pictures in characters: reads gnuplot's output into cells, adds the curves as Braille dots, and
- * writes the cells. For Braille dots gnuplot draws twice. The first picture has axes and texts on
- * the grid of characters. The second has only the curves, on a grid where each character is one
- * dot. gnuplot clips the curves and draws steps and logarithmic axes. The only escape sequences of
- * its character terminal are colours, ESC [ ... m. */
+/* Pictures in characters: reads gnuplot's output into cells, adds the curves as Braille dots,
+ * and writes the cells. For Braille dots gnuplot draws two pictures. The first picture has axes
+ * and texts on the grid of characters. The second picture has only the curves, on a finer grid
+ * where each character is one dot. In this method gnuplot itself clips the curves and draws
+ * steps and logarithmic axes. The only escape sequences of its character terminal are colours,
+ * ESC [ ... m. */
 #include "plot/characters.h"
 
 #include <stdlib.h>
@@ -10,11 +11,11 @@
 
 #include "plot/figure.h"
 
-/* Circle, square, triangle and diamond, first filled, then open. */
+/* Marks of curves: circle, square, triangle and diamond, first filled, then open. */
 static const char marks[ARC_DOT_MARKS][4] = {"\342\227\217", "\342\226\240", "\342\226\262",
                                              "\342\227\206", "\342\227\213", "\342\226\241",
                                              "\342\226\263", "\342\227\207"};
-static const char dash[] = "\342\240\222"; /* two dots in the middle: a line in the key */
+static const char dash[] = "\342\240\222"; /* two dots at half height, for a line in the key */
 
 enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
 
@@ -31,7 +32,7 @@ typedef struct screen {
 
 /* --- reading a picture ------------------------------------------------------------------------ */
 
-/* Returns the length of the colour sequence at `bytes`, or 0 if there is none. */
+/* Returns the length of the escape sequence for a colour at `bytes`, or 0 if there is none. */
 static size_t sequence(const char *bytes, size_t left, int *colour) {
   if (left < 3 || bytes[0] != '\033' || bytes[1] != '[') return 0;
   const char *end = memchr(bytes, 'm', left);
@@ -52,7 +53,8 @@ static void set_cell(cell *c, const char *bytes, int length, int colour) {
   c->colour = colour;
 }
 
-/* Copies each character into its cell. Without cells it only counts rows and columns. */
+/* Copies each character of the picture into its cell. If the screen has no cells yet, only
+ * counts rows and columns. */
 static void scan(const char *picture, size_t length, screen *s) {
   size_t row = 0, column = 0, rows = 0, columns = 0;
   int colour = NO_COLOUR;
@@ -89,13 +91,14 @@ static const cell *dot_at(const screen *s, size_t row, size_t column) {
   return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
 }
 
-/* Returns the mark for a character, or NULL. */
+/* Returns the mark that the character `c` in gnuplot's picture represents, or NULL if it
+ * represents no mark. */
 static const char *mark_of(char c) {
   return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
 }
 
-/* Sets a cell to the Braille character of its eight dots, in their most frequent colour. A mark
- * among the dots replaces the whole character. */
+/* Sets a cell to the Braille character of its eight dots. Its colour is the most frequent colour
+ * of the dots. If one of the dots is a mark, the cell shows the mark instead. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const char *mark = NULL;
@@ -126,8 +129,8 @@ static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size
   return found;
 }
 
-/* Adds the dots to a cell of the picture. The curves in the picture are black, so a coloured line
- * or mark in it belongs to the key. */
+/* Replaces a cell of the picture by dots if it is blank or part of a curve. Curves are black in
+ * the picture, so a coloured line or mark in the picture belongs to the key. */
 static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
   if (!c->length || c->colour == BLACK || is_point_on_frame(dots, c, row, column))
     set_dots(dots, row, column, c);
@@ -141,8 +144,8 @@ static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
 
 typedef struct writer {
   arc_text *out;
-  int colour;    /* present colour of the output */
-  size_t lines;  /* pending line breaks */
+  int colour;    /* colour that was written last */
+  size_t lines;  /* line breaks that are not written yet */
   int something; /* true after the first line that is not empty */
 } writer;
 
@@ -157,7 +160,7 @@ static void write_colour(writer *w, int colour) {
 
 static void write_cell(writer *w, const cell *c) {
   static const char lines[] =
-      "=*#&$%@="; /* marks of black, red, green, yellow, blue, magenta, cyan, white */
+      "=*#&$%@="; /* characters for black, red, green, yellow, blue, magenta, cyan, white lines */
   write_colour(w, c->colour);
   if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))
     arc_text_add(w->out, &lines[c->colour], 1);

@@ -4,14 +4,13 @@
 
 #include "plot/text.h"
 
-/* Appends the picture without form feeds, blanks at line ends, empty lines at both ends and
- * superfluous colour changes. With colours gnuplot draws every curve with + - and |. Here each
- * colour has the mark of the picture without colours, so that curves differ also for colour-blind
- * readers. Each line ends without colour.
- *
- * `dots`, unless NULL, is gnuplot's picture of the curves alone, with twice the columns and four
- * times the rows. Its dots are added as Braille characters, eight dots to a character, where
- * `picture` is blank or black. Black in `picture` marks the curves. Marks of points are kept. */
+/* Appends the picture without form feeds, blanks at line ends, empty lines at its start and end,
+ * and superfluous colour changes. With colours, gnuplot draws every curve with + - and |. This
+ * function gives each colour its own character (as in pictures without colours), so that
+ * colour-blind readers can distinguish curves. The colour is reset at each line end. If `dots`
+ * is not NULL, it is gnuplot's picture of only the curves, with twice the columns and four times
+ * the rows. Where `picture` is blank or black, the dots are added as Braille characters of eight
+ * dots. Black in `picture` means a curve. Marks of points are kept. */
 void arc_characters(const char *picture, size_t length, const char *dots, size_t dots_length,
                     arc_text *out);
 

@@ -7,9 +7,10 @@
 
 #include "plot/figure.h"
 
-static const double BEYOND = 0.025, MARGIN = 0.04; /* fractions of the range */
+static const double BEYOND = 0.025,
+                    MARGIN = 0.04; /* extensions of an axis, as fractions of its range */
 
-/* Reverses an axis with both ends by the order of its ends. */
+/* Returns an axis that is reversed by the order of its two ends, without the flag `reverse`. */
 static arc_plot_axis turned_round(arc_plot_axis axis) {
   double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
   axis.min = high, axis.max = low, axis.reverse = 0;
@@ -18,7 +19,8 @@ static arc_plot_axis turned_round(arc_plot_axis axis) {
 
 /* --- logarithmic axes ------------------------------------------------------------------------- */
 
-/* Returns the greatest of 1, 2 and 5 times the powers of ten that is not above the value. */
+/* Returns the greatest number of the form 1, 2 or 5 times a power of ten that is not above the
+ * value. */
 static double step_below(double value) {
   double power = pow(10, floor(log10(value) + 1e-9)), share = value / power * (1 + 1e-9);
   return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
@@ -30,7 +32,8 @@ static double step_above(double value) {
   return below / power < 1.5 ? 2 * power : below / power < 3 ? 5 * power : 10 * power;
 }
 
-/* Extends low..high to the positive values of the curves along x (along = 0) or y. */
+/* Extends the range low..high so that it includes the positive values of the curves along x
+ * (`along` 0) or along y (`along` 1). */
 static void positive_reach(const arc_plot_panel *panel, int along, double *low, double *high) {
   for (size_t i = 0; i < panel->curve_count; i++)
     for (size_t j = 0; j < panel->curves[i].count; j++) {
@@ -40,12 +43,14 @@ static void positive_reach(const arc_plot_panel *panel, int along, double *low, 
     }
 }
 
-/* Sets both ends of a logarithmic axis for these values. Ends set by the user are kept. */
+/* Sets both ends of a logarithmic axis for values from `low` to `high`. Ends that the user set
+ * are kept. */
 static void set_log(arc_plot_axis *axis, double low, double high) {
   if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
   double from = step_below(low), to = step_above(high);
   if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
-  double bottom = axis->min, top = axis->max; /* 1e-9: ticks at the ends are inside */
+  double bottom = axis->min,
+         top = axis->max; /* 1e-9: small extension, so that ticks at the ends are drawn */
   if (isnan(bottom)) bottom = (isnan(top) || from < top ? from : top / 10) * (1 - 1e-9);
   if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
   axis->min = axis->reverse ? top : bottom;

@@ -40,9 +40,9 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* A polygon is divided into four triangles about its middle, where the value is the mean of the
- * corners. With only two triangles contour lines would be jagged. For a triangular polygon one of
- * the four has no area, and the values stay linear. */
+/* A polygon is divided into four triangles that share its middle point. The value at this point
+ * is the mean of the corners. With only two triangles, contour lines would be jagged. If the
+ * polygon is a triangle, one of the four triangles has no area, and the values stay linear. */
 enum { TRIANGLES = 4 };
 
 static void triangle_of(const arc_plot_field *field, size_t polygon, int which, corner t[3]) {
@@ -63,8 +63,8 @@ static double twice_area(const corner t[3]) {
   return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
 }
 
-/* Computes the point where the level cuts an edge. Returns 0 if there is none. An end exactly on
- * the level counts as above. */
+/* Computes the point where the value on an edge is `level`. Returns 0 if there is no such point.
+ * A corner exactly on the level is regarded as above the level. */
 static int cut(corner a, corner b, double level, corner *point) {
   if ((a.value < level) == (b.value < level)) return 0;
   double share = (level - a.value) / (b.value - a.value);
@@ -72,9 +72,9 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-/* Positions of the numbers on contour lines. The number is at the segment that is farthest from the
- * frame, from the numbers of lower levels and from the next line. Distances are fractions of the
- * box. */
+/* Positions of the numbers on contour lines. The number of a level is at the segment that is
+ * farthest from the frame, from the numbers of lower levels and from the next contour line.
+ * Distances are fractions of the box. */
 enum { MOST_NUMBERS = 40 };
 
 typedef struct numbers {
@@ -82,12 +82,12 @@ typedef struct numbers {
   corner placed[MOST_NUMBERS];
   int count;
   double step;  /* difference between levels */
-  double least; /* minimum clearance of a number */
+  double least; /* minimum distance of a number to other items */
   corner best;  /* best position on the present level */
   double clearance;
 } numbers;
 
-/* Returns the distance to the next contour line, from the gradient in the triangle. */
+/* Estimates the distance to the next contour line from the gradient in the triangle `t`. */
 static double spacing_of(const numbers *n, const corner t[3]) {
   const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
   const double a = t[1].value - t[0].value, b = t[2].value - t[0].value;
@@ -96,8 +96,8 @@ static double spacing_of(const numbers *n, const corner t[3]) {
   return n->step / hypot(along_x * width, along_y * height);
 }
 
-/* Returns the distance to the frame or to another number. The distance to a number is halved,
- * because both numbers need the space. */
+/* Returns the smallest distance of `p` to the frame and to other numbers. Distances to numbers
+ * are halved, because each of the two numbers needs half of the space. */
 static double clearance_of(const numbers *n, corner p) {
   const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
   const double u = (p.x - n->box->x0) / width, v = (p.y - n->box->y0) / height;
@@ -159,7 +159,7 @@ typedef struct raster {
   double *values;
 } raster;
 
-/* Computes the first and last sample that can lie between the coordinates a and b. */
+/* Computes the first and last sample between the coordinates a and b. */
 static void samples_between(double a, double b, double start, double step, int count, int *first,
                             int *last) {
   double u = (a - start) / step, v = (b - start) / step;

@@ -1,11 +1,11 @@
-/* Marks on lines of Braille dots. Such lines have no dashes that distinguish them without
- * colours. */
+/* Adds marks to lines of Braille dots, because these lines have no dashes that could distinguish
+ * them without colours. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "plot/figure.h"
 
-enum { MARKS = 5 }; /* on each curve */
+enum { MARKS = 5 }; /* number of marks on each curve */
 
 static size_t titled(const arc_plot_panel *panel) {
   size_t count = 0;
@@ -18,7 +18,7 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   if (curve->style != ARC_PLOT_LINES && curve->style != ARC_PLOT_STEPS) return 0;
   for (size_t i = 0; i < curve->count; i++)
     if (!isfinite(curve->x[i]) || !isfinite(curve->y[i]))
-      return 0; /* edge of a mesh, row of a surface */
+      return 0; /* interrupted: an edge of a mesh or a row of a surface */
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 
@@ -28,7 +28,7 @@ static double place(const arc_plot_axis *axis, double low, double high, double v
 }
 
 typedef struct point {
-  double x, y, u, v; /* u, v: position in the frame */
+  double x, y, u, v; /* u, v: position as fractions of the frame */
 } point;
 
 static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
@@ -37,15 +37,16 @@ static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
                  place(&panel->y, box->y0, box->y1, curve->y[i])};
 }
 
-/* Returns the length between two points in the frame, or 0 if one is outside. */
+/* Returns the distance between two points as a fraction of the frame, or 0 if the second point
+ * is outside. */
 static double length(point a, point b) {
   int seen = a.u >= -1e-9 && a.u <= 1 + 1e-9 && b.u >= -1e-9 && b.u <= 1 + 1e-9;
   double all = hypot(b.u - a.u, b.v - a.v);
   return seen && isfinite(all) ? all : 0;
 }
 
-/* Returns the position of a mark, as a fraction of the length of the curve. It depends on the
- * series, so that marks of coinciding curves do not overlap. */
+/* Returns the position of a mark, as a fraction of the length of the curve. The position depends
+ * on the number of the series, so that marks of coinciding curves do not overlap. */
 static double share_of(int mark, int series) {
   return (mark + (series + 0.5) / ARC_DOT_MARKS) / MARKS;
 }
@@ -66,7 +67,8 @@ static void write_marks(const arc_plot_panel *panel, const arc_plot_curve *curve
     }
     gone += step;
   }
-  /* gnuplot 5.4 crashes on character marks without points */
+  /* One point is written in any case, because gnuplot 5.4 crashes on character marks without
+   * points. */
   if (all == 0) arc_text_format(out, "%.17g %.17g\n", curve->x[0], curve->y[0]);
 }
 

@@ -14,7 +14,8 @@
 #include "plot/picture.h"
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
-/* `reset` clears gnuplot's error number, so the number is saved before. */
+/* Resets gnuplot between figures. `reset` clears gnuplot's error number, so the number is saved
+ * before. */
 static const char anew[] = ARC_GNUPLOT_NOTE_FAILURE "reset\nundefine $*\n";
 
 static arc_status no_memory(arc_error *error) {
@@ -50,7 +51,7 @@ static void write_script(const arc_plot_figure *frames, size_t count, const arc_
   arc_text_word(script, anew);
 }
 
-/* Writes the commands without a terminal, which the user chooses. */
+/* Writes a script for the user. It sets no terminal, because the user chooses the terminal. */
 static arc_status user_script(const arc_plot_figure *figure, const arc_canvas *canvas,
                               arc_text *script) {
   arc_text_word(script, "# Draw with: gnuplot -p this-file\n");
@@ -95,9 +96,9 @@ typedef struct drawing {
   arc_canvas canvas;
 } drawing;
 
-/* Writes a long script to a temporary file and replaces it by a command that loads the file,
- * because gnuplot reads its standard input byte by byte. If no file can be written, the script is
- * unchanged. */
+/* Writes a long script to a temporary file and replaces the script by a command that loads this
+ * file, because gnuplot reads its standard input slowly, byte by byte. If no file can be
+ * written, the script stays unchanged. */
 static void through_file(arc_text *script, arc_atomic_file **temporary) {
   const char *folder = getenv("TMPDIR");
   arc_error ignored;
@@ -131,7 +132,8 @@ static arc_status ask(drawing *d, const arc_canvas *canvas, const char *temporar
   return status;
 }
 
-/* Draws only the curves a second time, at the resolution of dots, and adds them to the picture. */
+/* Draws only the curves a second time, at the resolution of Braille dots, and adds them to the
+ * picture in characters. */
 static arc_status refine(drawing *d, const char *words, size_t length, arc_text *picture,
                          arc_error *error) {
   arc_canvas dots = d->canvas;
@@ -144,7 +146,8 @@ static arc_status refine(drawing *d, const char *words, size_t length, arc_text 
   return status;
 }
 
-/* Draws, and stores gnuplot's output in `picture`. Pictures in characters are cleaned. */
+/* Draws the figures and stores gnuplot's output in `picture`. Pictures in characters are cleaned
+ * by arc_characters. */
 static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_error *error) {
   char *reply = NULL;
   size_t length = 0;
@@ -159,7 +162,8 @@ static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_
   return status == ARC_OK && picture->failed ? no_memory(error) : status;
 }
 
-/* Writes the file: characters and commands from here, all other formats by gnuplot. */
+/* Writes the output file. Pictures in characters and commands are written by this program, all
+ * other formats by gnuplot. */
 static arc_status fill_place(drawing *d, const arc_atomic_file *temporary, arc_error *error) {
   arc_text text = {0};
   arc_status status;

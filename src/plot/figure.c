@@ -48,7 +48,8 @@ static void widen_y(const arc_plot_curve *curve, size_t j, arc_plot_box *box) {
   widen(curve->y[j] + bar, &box->y0, &box->y1);
 }
 
-/* Points outside the range of x do not affect the range of y, as in gnuplot. */
+/* Computes the extent of a panel's data. As in gnuplot, points outside the range of x do not
+ * affect the range of y. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel) {
   arc_plot_box box = {NAN, NAN, NAN, NAN};
   for (size_t i = 0; i < panel->curve_count; i++)
@@ -92,7 +93,7 @@ static int inside(const arc_plot_axis *axis, double value) {
   return isfinite(value) && !(value < low) && !(value > high);
 }
 
-/* Returns the error in the points of a curve, or NULL. */
+/* Returns a text that describes why a curve cannot be drawn, or NULL if it can be drawn. */
 static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *curve) {
   arc_plot_axis open_x = panel->x, open_y = panel->y;
   open_x.min = open_x.max = open_y.min = open_y.max = NAN;
@@ -106,8 +107,8 @@ static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *
   return drawable == 0 ? "has no positive point for the logarithmic axis" : NULL;
 }
 
-/* This check is needed because gnuplot accepts any word as a colour and draws unknown colours in
- * black. */
+/* Returns true if gnuplot knows the colour. gnuplot itself would accept any word as a colour and
+ * draw an unknown colour in black. */
 static int is_colour(const char *colour) {
   static const char names[] = " " ARC_PLOT_COLOURS " ";
   char word[24];

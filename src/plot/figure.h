@@ -9,21 +9,21 @@
 typedef struct arc_canvas {
   const char *terminal; /* gnuplot's terminal; NULL for a script of the user */
   int text;             /* 1: characters, 0: pixels */
-  int ascii, colour;    /* settings of pictures in characters */
+  int ascii, colour;    /* true: only ASCII characters; true: with colours */
   int grey;             /* true: greys instead of colours (pixels only) */
   int window;           /* true for an interactive window */
   int vector;           /* true for a vector format, where polygons increase the file size */
   int width, height;    /* size in characters or pixels */
-  double columns, rows; /* the size in characters of the font */
-  int fine, dots;       /* fine: curves are drawn as Braille dots; dots: the canvas of the dots */
+  double columns, rows; /* size of the canvas in characters of the font */
+  int fine, dots;       /* fine: curves become Braille dots; dots: this canvas has the dots */
   double points;        /* font size in the unit of gnuplot's terminal */
   double scale;         /* scale of lines and marks */
   double inch;          /* pixels per inch */
   const char *family;   /* font family */
 } arc_canvas;
 
-/* The eight marks of curves in pictures of Braille dots, from ARC_DOT_MARK on. The levels of a
- * field have other characters. */
+/* The characters from ARC_DOT_MARK on represent the eight marks of curves in pictures of Braille
+ * dots. The levels of a field use other characters. */
 enum { ARC_DOT_MARK = 'A', ARC_DOT_MARKS = 8 };
 
 /* Axis ranges of a panel. On a reversed axis the first end is larger than the second. */
@@ -31,8 +31,8 @@ typedef struct arc_plot_box {
   double x0, x1, y0, y1;
 } arc_plot_box;
 
-/* Frame of a panel in fractions of the canvas from its lower left corner, and its inner size in
- * characters. */
+/* Frame of a panel in fractions of the canvas, measured from the lower left corner of the
+ * canvas, and its inner size in characters. */
 typedef struct arc_plot_frame {
   double left, right, bottom, top;
   double columns, rows;
@@ -62,9 +62,9 @@ typedef struct arc_ticks {
   double low, high; /* first and last tick of a linear axis, in steps */
 } arc_ticks;
 
-/* Computes about `most` ticks for an axis from..to (in either order). The labels of arc_ticks_up
- * are above each other. The labels of arc_ticks_across are side by side in `columns` characters,
- * with at least two characters between them. */
+/* Computes about `most` ticks for an axis from..to (the ends may be in any order). arc_ticks_up
+ * is for labels above each other. arc_ticks_across is for labels side by side in `columns`
+ * characters, with at least two characters between them. */
 arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double most);
 arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
                            double columns);
@@ -72,59 +72,62 @@ arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, do
 /* Returns the width of a panel's title [characters]. */
 double arc_panel_columns(const arc_writer *w);
 
-/* Computes the grid of the panels, by default about square. */
+/* Computes the numbers of rows and columns of the panels. By default the grid is about square. */
 void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
 
-/* Chooses the canvas of an output from the terminals of the running gnuplot (`session` NULL: from
- * all terminals). Errors: ARC_ARGUMENT, ARC_MISSING. */
+/* Chooses the canvas of an output from the terminals of the running gnuplot, or from all known
+ * terminals if `session` is NULL. Errors: ARC_ARGUMENT, ARC_MISSING. */
 arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
                              const arc_gnuplot *session, arc_canvas *canvas, arc_error *error);
 
-/* Writes the command that sets the terminal. `animation` has additional options, or is "". */
+/* Writes the command that sets the terminal. `animation` is a text of additional options, or "". */
 void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_text *script);
 
 /* Writes the commands of a figure that has been checked. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
 
-/* Write a command with a quoted text of the user. arc_writer_words does not change a name.
- * arc_writer_label shows subscripts, superscripts and Greek letters. */
+/* Write a command with a quoted text of the user. arc_writer_words writes the text unchanged,
+ * for names. arc_writer_label shows subscripts, superscripts and Greek letters. */
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after);
 void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after);
 
-/* Write a title wrapped at `columns` characters, and return the number of its lines. */
+/* arc_writer_title writes a title wrapped at `columns` characters. arc_title_lines returns the
+ * number of its lines. */
 void arc_writer_title(arc_writer *w, const char *before, const char *words, double columns,
                       const char *after);
 int arc_title_lines(const char *words, double columns);
 
-/* Titles beside the frame at the ends of their curves. The first function returns their width
- * [characters], the second writes them. */
+/* Titles of curves that are written to the right of the frame, at the ends of the curves.
+ * arc_labels_width returns their width [characters], arc_labels_write writes them. */
 double arc_labels_width(const arc_plot_panel *panel);
 void arc_labels_write(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                       double rows);
 
-/* Computes the range of the colour scale of curves: the range of their values, or the range of the
- * panel's value axis. Returns 0 if no curve is coloured by value, or in pictures of characters. */
+/* Computes the range of the colour scale of curves: the range of the panel's value axis if the
+ * user set it, otherwise the range of the curves' values. Returns 0 if no curve is coloured by
+ * its value, or for pictures in characters. */
 int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double range[2]);
 
-/* Returns the colour number (from 1) of the curve at a position in its panel. */
+/* Returns the colour number (from 1) of the curve at index `position` of its panel. */
 int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position);
 
-/* arc_dot_marked returns true if a line of Braille dots has marks (`panel` NULL: in any panel). The
- * next functions write the data of the marks within the box and their part of the plot command. */
+/* arc_dot_marked returns true if a line of Braille dots has marks (`panel` NULL: in any panel).
+ * arc_dot_marks_block writes the data of the marks within the box. arc_dot_marks_words writes
+ * the part of the plot command for the marks. */
 int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve);
 void arc_dot_marks_block(arc_writer *w, size_t number, const arc_plot_box *box);
 void arc_dot_marks_words(arc_writer *w, size_t number);
 
-/* Writes settings, data and plot command of one panel. `framed`: 1 uses the margins of `frame`, 0
- * the margins of gnuplot. */
+/* Writes settings, data and plot command of one panel. `framed` is 1 for the margins of `frame`,
+ * and 0 for gnuplot's default margins. */
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
 
-/* Returns the length of the longest tick label of the y axis, for a frame of `rows` rows
- * [characters]. */
+/* Returns the length [characters] of the longest tick label of the y axis, for a frame with a
+ * height of `rows` rows. */
 size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows);
 
-/* Returns the width needed to the right of a frame with this width [characters]. 0: gnuplot's
- * default. */
+/* Returns the width [characters] needed to the right of a frame that is `columns` characters
+ * wide. 0 means gnuplot's default. */
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
 /* Returns true if all panels share one key; index of a title in this key; height of the key
@@ -135,19 +138,19 @@ double arc_look_key_rows(const arc_writer *w);
 /* Returns the height of the key below a panel [rows]. */
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel);
 
-/* Collects the distinct titles of all curves. Without memory it sets the failed flag of the
- * text. */
+/* Collects the distinct titles of all curves. If memory is exhausted, sets the failed flag of
+ * the output text. */
 void arc_look_collect(arc_writer *w);
 
 /* Defines the numbered colours and marks. */
 void arc_look_series(arc_writer *w);
 
-/* Writes the style of the curve at `position` of its panel into a plot command. */
+/* Writes the style of the curve at index `position` of its panel into a plot command. */
 void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position);
 
-/* arc_look_bars_apart returns true if a curve has too many points for gnuplot's error bars, which
- * are interrupted around each point. Then arc_look_bars writes the style of bars drawn before the
- * points. */
+/* arc_look_bars_apart returns true if a curve has too many points for gnuplot's error bars,
+ * which have a gap around each point. For such a curve, arc_look_bars writes the style of
+ * separate bars that are drawn before the points. */
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve);
 void arc_look_bars(arc_writer *w, const arc_plot_panel *panel, size_t position);
 
@@ -165,26 +168,26 @@ arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
  * axes to 1, 2 or 5 times a power of ten. */
 void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
 
-/* Sets the same range in panels with the same y label, unless the user set one. */
+/* Sets the same y range in all panels with the same y label, unless the user set a range. */
 void arc_plot_share(arc_plot_panel *panels, size_t count);
 
-/* Computes the range of the field's values inside the box, or returns the range of the panel's
- * value axis. */
+/* Computes the range of the field's values inside the box. If the user set the range of the
+ * panel's value axis, returns that range. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
 
 /* Returns a round step for about `levels` contour lines in a range. Contour lines are at multiples
  * of the step. */
 double arc_field_step(const double range[2], int levels);
 
-/* Writes contour lines as rows of segments, and their numbers as rows x, y, value. Each line has at
- * most one number. A number is at least 1.3 text rows (of the frame's `rows`) away from the next
- * line or number. Returns the number of segments. */
+/* Writes contour lines as rows of segments, and their numbers as rows x, y, value. Each line has
+ * at most one number. A number is at least 1.3 text rows away from the next line or number,
+ * where the frame has a height of `rows` rows. Returns the number of segments. */
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
                           const double range[2], int levels, double rows, arc_text *lines,
                           arc_text *labels);
 
-/* Samples the field at the centres of columns x rows equal cells of the box. The first row is at
- * y0; samples outside the polygons are NaN. */
+/* Samples the field at the centres of the cells of a grid of columns x rows equal cells in the
+ * box. The first row is at y0. Samples outside the polygons are NaN. */
 void arc_field_raster(const arc_plot_field *field, const arc_plot_box *box, int columns, int rows,
                       double *values);
 

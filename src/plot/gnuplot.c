@@ -1,6 +1,6 @@
-/* A session with gnuplot: start, version, commands and replies, restart. gnuplot continues after an
- * error. So every list of commands ends by printing a marker line with the error number; the output
- * before this line is the answer. */
+/* A session with gnuplot: start, version, commands and replies, restart. gnuplot continues after
+ * an error. Therefore every list of commands ends with a command that prints a marker line with
+ * the error number. The output before this line is the answer. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,8 +70,8 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name) {
 
 /* --- commands and answers --------------------------------------------------------------------- */
 
-/* Returns the readable end of an error output of gnuplot. The output is the command, a caret, then
- * "line 0: MESSAGE" or "\"file\" line 7: MESSAGE". */
+/* Returns the readable last part of gnuplot's error output. The output contains the command, a
+ * caret, and then "line 0: MESSAGE" or "\"file\" line 7: MESSAGE". */
 static const char *last_words(arc_text *errors) {
   if (!errors->data) return "no reason given";
   size_t end = errors->length;
@@ -100,8 +100,9 @@ static arc_status missing(const arc_gnuplot *session, arc_error *error) {
                   remedy);
 }
 
-/* Ends the process after a failed exchange and sets the error. Exit status 127 means that there is
- * no such program: a shell returns it, and so does a spawn call that cannot report the error. */
+/* Ends the process after a failed exchange and sets the error. Exit status 127 means that there
+ * is no such program: a shell returns this status, and also a spawn call that cannot report the
+ * error. */
 static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end end,
                          arc_error *error) {
   char ending[64];
@@ -159,7 +160,7 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
   arc_text question = {0};
   arc_text_word(&question, "reset errors\narchard_failed = 0\nset print '-'\n");
   arc_text_add(&question, commands, count);
-  /* a picture may end without line break, so one is printed before the marker line */
+  /* A line break is printed before the marker line, because a picture may end without one. */
   arc_text_format(&question, "\nprint ''\nprint sprintf('%s%%d>>', archard_failed + GPVAL_ERRNO)\n",
                   mark);
   if (question.failed) {
@@ -193,7 +194,8 @@ static arc_status spawn(arc_gnuplot *session, arc_error *error) {
   return status;
 }
 
-/* Reads gnuplot's version and terminals, each on one line of the answer. */
+/* Reads gnuplot's version from the first line of the answer, and its terminals from the second
+ * line. */
 static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_error *error) {
   char *end;
   session->version = strtod(answer->data, &end);
@@ -212,7 +214,7 @@ static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_err
   return ARC_OK;
 }
 
-/* Sets the error when the first answer failed: gnuplot did not start, with advice. */
+/* Sets the error for a failed first answer: gnuplot does not start. The message contains advice. */
 static arc_status failed_start(arc_gnuplot *session, arc_status status, arc_error *error) {
   arc_process_end(&session->process, 0.0);
   if (status != ARC_IO || !error) return status;

@@ -4,7 +4,7 @@
 
 #include "plot/figure.h"
 
-/* A title and its height as a fraction of the height of the frame. */
+/* A curve with a title, and the height of the title as a fraction of the frame's height. */
 typedef struct label {
   size_t curve;
   double height;
@@ -26,7 +26,8 @@ static double share(const arc_plot_axis *axis, double low, double high, double v
   return axis->reverse ? 1 - place : place;
 }
 
-/* Returns the height of the curve at its last point inside the frame. */
+/* Returns the height of the last point of the curve inside the frame, as a fraction of the
+ * frame's height. */
 static double height_of(const arc_plot_panel *panel, const arc_plot_curve *curve,
                         const arc_plot_box *box) {
   double low = fmin(box->x0, box->x1), high = fmax(box->x0, box->x1), height = 0.5;
@@ -42,7 +43,8 @@ static int lower(const void *a, const void *b) {
   return p->curve < q->curve ? -1 : 1;
 }
 
-/* Moves overlapping labels upwards, then all labels down below the top of the frame. */
+/* Moves overlapping labels upwards. Then moves labels that are above the top of the frame down,
+ * in the same order. */
 static void spread(label *labels, size_t count, double gap) {
   for (size_t i = 1; i < count; i++)
     labels[i].height = fmax(labels[i].height, labels[i - 1].height + gap);

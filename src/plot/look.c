@@ -7,8 +7,8 @@
 
 enum { SERIES = 8, KEY_ENTRIES = 8 };
 
-/* These colours are distinct also for colour-blind readers. Pictures in characters use the six
- * colours of the terminal. */
+/* Colours of the curves in pictures of pixels. Colour-blind readers can distinguish them.
+ * Pictures in characters use the six colours of the terminal instead. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
@@ -18,11 +18,12 @@ static const char *const area_greys[SERIES] = {"#404040", "#b0b0b0", "#000000", 
 static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
                                                  "green", "yellow", "blue", "red"};
 
-/* These dashes are distinct without colours. The first is a full line. */
+/* Dash patterns, which can be distinguished without colours. The first pattern is a full line. */
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
                                            "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
-/* Curves of points have open marks, which do not hide other points. */
+/* Numbers of gnuplot's marks. Curves of points have open marks, so that they do not hide other
+ * points. */
 static const int line_marks[SERIES] = {7, 5, 9, 11, 13, 15, 2, 1};
 static const int open_marks[SERIES] = {6, 4, 8, 10, 12, 14, 2, 1};
 
@@ -42,8 +43,8 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, after);
 }
 
-/* A text without subscripts, superscripts or powers is not passed as enhanced text. A long title is
- * broken into lines here. */
+/* Writes the lines of a label. Only a text with subscripts, superscripts or powers (`marked`) is
+ * written as gnuplot's enhanced text. A long text is broken into lines. */
 static void add_label(arc_writer *w, const char *words, double columns, int marked) {
   arc_text shown = {0};
   size_t count = arc_text_line(words, columns);
@@ -155,7 +156,7 @@ static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t posit
   return 0;
 }
 
-/* Returns the number of lines of a key with titles and samples side by side. */
+/* Returns the number of lines of a key whose entries (title and sample) are side by side. */
 static double lines_of_key(size_t titles, size_t longest, double columns) {
   const double in_a_row = fmax(1, floor(columns / ((double)longest + 14)));
   return ceil((double)titles / in_a_row);
@@ -174,7 +175,8 @@ double arc_look_key_rows(const arc_writer *w) {
 double arc_panel_columns(const arc_writer *w) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
-  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* title above the frame */
+  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns /
+         columns; /* width of a title above the frame */
 }
 
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
@@ -191,9 +193,9 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Colour and dash number of a curve, both from 1. Each of the eight colours has its own dash;
- * further curves combine the colours with other dashes. In characters other marks replace the
- * dashes. */
+/* Numbers of the colour and of the dash pattern of a curve, both from 1. Each of the eight
+ * colours has its own dash pattern. Further curves combine the colours with other patterns. In
+ * pictures of characters, other marks replace the dash patterns. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -224,7 +226,7 @@ static int comes_back(const arc_plot_curve *curve) {
   return there && back;
 }
 
-enum { MANY = 60 }; /* number of points; more are drawn as dots */
+enum { MANY = 60 }; /* if a curve has more points, they are drawn as dots */
 
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->error && curve->style == ARC_PLOT_POINTS && curve->count > MANY && !w->canvas->text;
@@ -266,7 +268,7 @@ static unsigned rgb_of(const char *colour) {
   return 0; /* black */
 }
 
-/* Writes a colour, in grey print as a grey of the same luminance (Rec. 601). */
+/* Writes a colour. For print in grey, writes a grey with the same luminance (Rec. 601) instead. */
 static void colour_words(arc_writer *w, const char *colour) {
   unsigned rgb = rgb_of(colour);
   unsigned y = (299 * (rgb >> 16) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255)) / 1000;
@@ -295,19 +297,22 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
-  int chosen = curve->colour && curve->dash == 0; /* a curve with a colour has a full line */
+  int chosen = curve->colour &&
+               curve->dash == 0; /* a curve with its own colour has a full line by default */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
 }
 
-/* In characters a blank separates the title from the sample of its line. */
+/* Writes the title of a curve. In pictures of characters a blank separates the title from the
+ * sample of the line. */
 static void title_words(arc_writer *w, const char *title) {
   arc_text_word(w->out, w->canvas->text && *title ? " title ' '." : " title ");
   arc_writer_label(w, "", title, "");
 }
 
-/* If curves are drawn in Braille dots, each colour has its own mark of points. */
+/* Writes the mark of the points if curves are drawn in Braille dots, where each colour has its
+ * own mark. */
 static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t position) {
   int marked = curve->error || curve->style == ARC_PLOT_POINTS;
   if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
@@ -316,8 +321,8 @@ static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t positi
                     ARC_DOT_MARK + pen_of(w, curve, position).series - 1);
 }
 
-/* Draws a curve in black where Braille dots will replace it. Its entry in the key has the
- * colour. */
+/* Draws a curve in black at the cells that Braille dots will replace later. Its entry in the key
+ * has the curve's colour. */
 static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t position) {
   arc_plot_curve sample = panel->curves[position];
   style_words(w, panel, &sample);
@@ -352,7 +357,8 @@ void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position)
 
 /* --- the key of all panels -------------------------------------------------------------------- */
 
-/* Returns the first curve with a title, which sets the style of all curves with this title. */
+/* Returns the first curve with the title. The style of this curve is used for all curves with
+ * the same title. */
 static const arc_plot_curve *first_of(const arc_writer *w, size_t title, size_t *position) {
   *position = 0;
   for (size_t p = 0; p < w->figure->panel_count; p++)
@@ -378,7 +384,7 @@ void arc_look_draw_key(arc_writer *w) {
     const arc_plot_curve *curve = first_of(w, i, &position);
     arc_text_word(w->out, i ? ", NaN" : " NaN");
     arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
-    sample.error = NULL; /* no bars at NaN */
+    sample.error = NULL; /* the sample in the key is at NaN and has no error bars */
     if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
     if (curve && arc_dot_marked(w, NULL, curve)) sample.style = ARC_PLOT_LINESPOINTS;
     look(w, NULL, &sample, position);

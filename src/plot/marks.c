@@ -1,6 +1,6 @@
-/* Subscripts, superscripts and Greek letters in titles. Recognised are a single letter before _ and
- * digits after ^, but no forms that occur in names of files or columns. Other characters that
- * gnuplot would interpret are escaped. */
+/* Subscripts, superscripts and Greek letters in titles. A subscript requires a single letter
+ * before _, a superscript requires digits after ^. Forms that occur in names of files or columns
+ * are not changed. Other characters that gnuplot would interpret are escaped. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +11,8 @@ static int is_letter(unsigned char c) {
   return isalpha(c) || c >= 0x80;
 }
 
-/* Returns the number of bytes of the accents that end at `at` (U+0300 to U+036F), which belong to
- * the letter before them. */
+/* Returns the number of bytes of the combining accents (U+0300 to U+036F) that end at `at`. They
+ * belong to the letter before them. */
 static size_t accents_before(const char *words, const char *at) {
   size_t length = 0;
   while (at - length >= words + 2) {
@@ -24,8 +24,8 @@ static size_t accents_before(const char *words, const char *at) {
   return length;
 }
 
-/* Returns the number of bytes of the letter that ends at `at`, if it begins a word and so can have
- * a subscript. Otherwise returns 0. */
+/* Returns the number of bytes of the letter that ends at `at` if this letter is a single letter,
+ * which can have a subscript. Otherwise returns 0. */
 static size_t symbol_before(const char *words, const char *at) {
   size_t length = 1 + accents_before(words, at);
   while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
@@ -36,8 +36,8 @@ static size_t symbol_before(const char *words, const char *at) {
   return isalnum(c) || c == '_' || c >= 0x80 ? 0 : length;
 }
 
-/* Returns the number of lowered or raised bytes after the _ or ^ at `at`, or 0 if it is an ordinary
- * character. */
+/* Returns the number of bytes of the subscript or superscript after the _ or ^ at `at`. Returns
+ * 0 if the _ or ^ is an ordinary character. */
 static size_t marked(const char *words, const char *at) {
   size_t count = 0;
   if (at == words) return 0;
@@ -99,7 +99,8 @@ typedef struct letter {
   const char *name, *utf8;
 } letter;
 
-/* Returns the letter whose name follows the backslash and ends there, or NULL. */
+/* Returns the Greek letter whose complete name is at `name`, after a backslash. Returns NULL if
+ * there is no such letter. */
 static const letter *letter_at(const char *name) {
   static const letter letters[] = {
       {"alpha", "\316\261"},   {"beta", "\316\262"},  {"gamma", "\316\263"}, {"delta", "\316\264"},

@@ -33,8 +33,8 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
   arc_writer_label(w, "", a->label ? a->label : "", "\n");
 }
 
-/* Writes title and y label. Characters cannot be rotated, so the y label is above its axis and the
- * title one line higher. */
+/* Writes the title and the y label. Characters cannot be rotated, so in a picture of characters
+ * the y label is above its axis and the title is one line higher. */
 static void heading(arc_writer *w, const arc_plot_panel *panel) {
   int above = w->canvas->text && panel->y.label;
   arc_writer_title(w, "set title ", panel->title ? panel->title : "", arc_panel_columns(w), "");
@@ -72,7 +72,8 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
   }
   arc_text_format(w->out, "set key on %s nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
-  if (place == ARC_PLOT_KEY_BELOW && framed) /* gnuplot's default is the edge of the canvas */
+  if (place == ARC_PLOT_KEY_BELOW &&
+      framed) /* otherwise gnuplot would put the key at the edge of the canvas */
     arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
                     (frame->left + frame->right) / 2,
                     frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
@@ -150,8 +151,8 @@ static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) 
   arc_text_word(w->out, ") enhanced\n");
 }
 
-/* Writes the numbers of a linear axis with the power of ten of the largest number: 0.5e-8 beside
- * 1.0e-8. */
+/* Writes the tick labels of a linear axis. All labels have the power of ten of the largest
+ * number, such as 0.5e-8 beside 1.0e-8. */
 static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks) {
   const int decimals = ticks->exponent - (int)floor(log10(ticks->step) + 1e-9);
   arc_text_format(w->out, "set %stics add ('0' 0", axis);
@@ -162,8 +163,8 @@ static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks)
   arc_text_word(w->out, ")\n");
 }
 
-/* Sets tick positions so that numbers do not overlap, which gnuplot does not check. In a window
- * gnuplot chooses them, because the user may zoom. */
+/* Sets tick positions at which the numbers do not overlap, because gnuplot does not check this.
+ * In a window gnuplot chooses the positions, because the user may zoom. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
   tic_format(w, axis, &ticks);
   if (ticks.decades && !w->canvas->window) {
@@ -222,7 +223,8 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
   return longest;
 }
 
-/* Returns the width of the half of the last number of the x axis that is outside the frame. */
+/* Returns the width by which the last number of the x axis extends beyond the frame, about half
+ * of the number. */
 static double half_number(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   arc_plot_box box = arc_plot_extent(panel);
   arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
@@ -239,8 +241,8 @@ double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double 
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 
-/* Sets border and grid lines. A field has no grid, which would cover it. Characters have neither
- * setting. */
+/* Sets border and grid lines. A field has no grid, because the grid would cover it. Pictures in
+ * characters do not use these settings. */
 static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
   if (w->canvas->text) return;
   arc_text_word(w->out, panel->field ? "unset grid\nset border 15\n"
@@ -250,11 +252,12 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- field ------------------------------------------------------------------------------------ */
 
-/* Writes the colour palette. It depends on whether the values have one sign or both; for both signs
- * white is at zero. */
+/* Writes the colour palette. One palette is for values of one sign, another for values of both
+ * signs, with white at zero. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
   static const char *const palettes[][2] = {
-      /* fields of one sign, of both signs, and curves, where light colours would not be visible */
+      /* in this order: fields of one sign, fields of both signs, and curves (without light
+       * colours, which would be hardly visible) */
       {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
        "0 '#f7f7f7', 1 '#303030'"},
       {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",
@@ -272,7 +275,8 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
                    " offset 1,0\n");
 }
 
-/* Samples of the field. The grid has as many cells as can be distinguished. */
+/* Samples of the field on a grid. The grid has as many cells as a reader can distinguish in the
+ * picture. */
 typedef struct grid {
   int columns, rows;
   double *values;
@@ -296,8 +300,8 @@ static int level_of(double value, const double range[2]) {
   return isnan(share) ? -1 : (int)fmin(LEVELS - 1, fmax(0, floor(share * LEVELS)));
 }
 
-/* Writes one datablock of points for each level. The first point of a block is outside the frame,
- * because gnuplot 5.4 crashes on character marks without points. */
+/* Writes one datablock of points for each level. Each block begins with a point outside the
+ * frame, because gnuplot 5.4 crashes if a plot of character marks has no points. */
 static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
                          const double range[2]) {
   double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
@@ -312,7 +316,7 @@ static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_
   }
 }
 
-/* Six digits exceed the resolution of the colours. */
+/* Writes the samples as an image. Six digits are more exact than the resolution of the colours. */
 static void image_block(arc_writer *w, size_t number, const grid *g) {
   arc_text_format(w->out, "$f%zu << END\n", number);
   for (int n = 0; n < g->columns * g->rows; n++) {
@@ -332,7 +336,8 @@ static void image_words(arc_writer *w, size_t number, const grid *g, const arc_p
   arc_text_word(w->out, " with image notitle");
 }
 
-/* Writes the plot command of the levels, the highest first, for the order in the key. */
+/* Writes the plot command of the levels. The highest level is first, so that it is also first in
+ * the key. */
 static void text_levels(arc_writer *w, size_t number, const double range[2]) {
   double step = (range[1] - range[0]) / LEVELS;
   for (int k = LEVELS - 1; k >= 0; k--) {
@@ -355,8 +360,8 @@ static void curve_blocks(arc_writer *w, size_t number) {
   }
 }
 
-/* Writes the contour lines and their numbers. Returns the number of segments, 0 if there is nothing
- * to plot. */
+/* Writes the contour lines and their numbers. Returns the number of segments, or 0 if there are
+ * no contour lines. */
 static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *box,
                             const arc_plot_frame *frame, const double range[2]) {
   const arc_plot_panel *panel = &w->figure->panels[number];
@@ -373,8 +378,8 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
   return count;
 }
 
-/* Hides everything except the curves in the picture of dots. Settings that affect the position of
- * the curves are kept. */
+/* Hides everything except the curves, for the picture of dots. Settings that affect the position
+ * of the curves are kept. */
 static void hide_words(arc_writer *w, const arc_plot_panel *panel) {
   arc_text_word(w->out, "set title ''\nset xlabel ''\nset ylabel ''\nunset label\nunset key\n"
                         "unset border\n");
@@ -416,7 +421,8 @@ static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_
   arc_text_word(w->out, "\n");
 }
 
-/* Computes the range of colours of a field. For values of both signs zero is in its middle. */
+/* Computes the range of the colours of a field. If the values have both signs, the range is
+ * symmetric about zero. */
 static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]) {
   range[0] = range[1] = 0;
   if (!panel->field) return;
@@ -428,7 +434,8 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
   }
 }
 
-/* Returns the range shown by gnuplot, where automatic ends of y extend to the next tick. */
+/* Returns the range that gnuplot shows. Automatic ends of the y axis are extended to the next
+ * tick. */
 static arc_plot_box to_ticks(const arc_writer *w, const arc_plot_panel *panel, double rows) {
   arc_plot_box box = arc_plot_extent(panel);
   double step = ticks_of_y(w, panel, &box, rows).step;

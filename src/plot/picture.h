@@ -5,7 +5,7 @@
 #include "archard/base.h"
 
 /* Checks the first and last bytes of a picture, because gnuplot does not report a full disk. The
- * format follows from the ending of `file`. ARC_IO: the picture is incomplete. */
+ * format is determined by the ending of `file`. Errors: ARC_IO if the picture is incomplete. */
 arc_status arc_picture_check(const char *path, const char *file, arc_error *error);
 
 #endif

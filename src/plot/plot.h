@@ -42,9 +42,9 @@ void arc_gnuplot_close(arc_gnuplot **session);
  * or ended at once, ARC_STOPPED. */
 arc_status arc_gnuplot_start(arc_gnuplot *session, arc_error *error);
 
-/* Return the version and the terminals of the running gnuplot, 0 and "" before the first start. The
- * names of the terminals are separated by blanks, with a blank before the first and after the last.
- * The text is valid until the next start or close. */
+/* Return the version and the terminals of the running gnuplot. Before the first start they
+ * return 0 and "". The names of the terminals are separated by blanks, with a blank before the
+ * first name and after the last name. The text is valid until the next start or close. */
 double arc_gnuplot_version(const arc_gnuplot *session);
 const char *arc_gnuplot_terminals(const arc_gnuplot *session);
 int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);
@@ -52,26 +52,25 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);
 /* Returns the process id of the running gnuplot, or 0. */
 long arc_gnuplot_process(const arc_gnuplot *session);
 
-/* Sends commands and waits for their end. `reply` (may be NULL) receives gnuplot's standard output,
- * terminated by a zero byte; the caller frees it with free(). `length` (may be NULL) is its length
- * without this zero. The commands are in gnuplot's language, so texts of a user must have passed
- * arc_plot_quote.
- *
- * Errors: those of arc_gnuplot_start. ARC_ARGUMENT with gnuplot's message: gnuplot rejects a
- * command. ARC_IO: gnuplot ends or gives no output. After ARC_IO and ARC_STOPPED gnuplot is ended,
- * and the next call starts it again. */
+/* Sends commands and waits for their end. `reply` (may be NULL) receives gnuplot's standard
+ * output, terminated by a zero byte; the caller frees it with free(). `length` (may be NULL) is
+ * its length without the zero byte. The commands are in gnuplot's language, so texts of a user
+ * must have passed arc_plot_quote. Errors: those of arc_gnuplot_start; ARC_ARGUMENT with
+ * gnuplot's message if gnuplot rejects a command; ARC_IO if gnuplot ends or gives no output.
+ * After ARC_IO and ARC_STOPPED gnuplot is ended, and the next call starts it again. */
 arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t count, char **reply,
                            size_t *length, arc_error *error);
 
-/* Returns a text as a gnuplot string in double quotes that executes nothing. Double quotes and
- * backslashes are escaped, backquotes are written as codes, control characters as blanks, invalid
- * UTF-8 as '?'. If `ascii` is non-zero, other characters are written in ASCII (Greek letters by
- * name). The caller frees it with free(); NULL: out of memory. */
+/* Returns a text as a gnuplot string in double quotes, which cannot execute commands. Double
+ * quotes and backslashes are escaped, backquotes are written as codes, control characters as
+ * blanks, invalid UTF-8 as '?'. If `ascii` is non-zero, characters that are not ASCII are
+ * replaced by ASCII text (Greek letters by their names). The caller frees the result with
+ * free(). NULL: out of memory. */
 char *arc_plot_quote(const char *text, int ascii);
 
 /* --- a figure --------------------------------------------------------------------------------- */
 
-/* X(name, name for the user) */
+/* List of the curve styles: X(C name, name for the user). */
 #define ARC_PLOT_STYLE_LIST(X)                                                                     \
   X(LINES, "lines")                                                                                \
   X(POINTS, "points")                                                                              \
@@ -91,21 +90,21 @@ typedef enum arc_plot_style {
 #define ARC_PLOT_COLOURS                                                                           \
   "black red green blue magenta cyan yellow white grey orange brown purple violet pink navy gold"
 
-/* One curve. A row with NaN or infinity (on a logarithmic axis also a row that is not positive)
- * interrupts the line. */
+/* One curve. The line is interrupted at a row with NaN or infinity, and on a logarithmic axis
+ * also at a value that is not positive. */
 typedef struct arc_plot_curve {
   const double *x, *y; /* [count] */
   size_t count;
   const char *title; /* NULL: no entry in the key */
   arc_plot_style style;
   const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: from `series` */
-  int series;          /* number of the colour and mark, 1 to 8; 0: chosen in turn */
+  int series;          /* number of the colour and mark, 1 to 8; 0: next number in the panel */
   int dash;            /* 1 full line, 2 to 5 dashed; 0: full line */
-  double width;        /* relative to the default; 0: default */
+  double width;        /* line width relative to the default; 0: default */
   const double *error; /* [count] half lengths of error bars in y; NULL: no bars */
   int scaled;          /* true: coloured by `value` on the panel's colour scale; not in the key */
   double value;
-  int labelled; /* true: title beside the frame at the end of the curve; not in the key */
+  int labelled; /* true: title beside the frame, at the curve's end; not in the key */
 } arc_plot_curve;
 
 /* Coloured polygons, each with four corners in circular order; a triangle repeats its last corner.
@@ -122,10 +121,11 @@ typedef struct arc_plot_axis {
   size_t place_count;
   double min, max; /* NaN: from the data; min > max: a reversed axis */
   int log;         /* true: logarithmic, base 10 */
-  int reverse;     /* true: values grow downwards or leftwards; ignored if both ends are set */
+  int reverse;     /* true: values grow downwards or to the left; ignored if min and max are set */
 } arc_plot_axis;
 
-/* X(name, name for the user). Positions in corners are inside the frame. */
+/* List of the positions of the key: X(C name, name for the user). Positions in corners are
+ * inside the frame. */
 #define ARC_PLOT_KEY_LIST(X)                                                                       \
   X(BELOW, "below")                                                                                \
   X(RIGHT, "right")                                                                                \
@@ -144,7 +144,7 @@ typedef enum arc_plot_key {
 typedef struct arc_plot_panel {
   const char *title; /* NULL: no title */
   arc_plot_axis x, y;
-  arc_plot_axis value; /* values of the field or of coloured curves: label and range only */
+  arc_plot_axis value; /* axis of the field's or curves' values: only label and range */
   arc_plot_key key;
   int equal;  /* true: the same scale on both axes */
   int levels; /* number of contour lines of the field */
@@ -158,25 +158,26 @@ typedef struct arc_plot_figure {
   const arc_plot_panel *panels;
   size_t panel_count;
   int rows, columns; /* grid of panels, filled row by row; 0: chosen by the program */
-  int one_key; /* true: one key below all panels; curves with the same title have the same colour */
+  int one_key;       /* true: one key below all panels; equal titles have equal colours */
 } arc_plot_figure;
 
-/* Return an automatic axis without a label, an empty panel and an empty figure. */
+/* Return default values: an automatic axis without a label, an empty panel, and an empty figure. */
 arc_plot_axis arc_plot_axis_default(void);
 arc_plot_panel arc_plot_panel_default(void);
 
-/* Checks that a figure is not empty, its ranges, that every curve has a finite point, and the size
- * of the grid. ARC_ARGUMENT names the panel and the curve. */
+/* Checks that a figure is not empty, that its ranges and the size of its grid are valid, and
+ * that every curve has a finite point. Errors: ARC_ARGUMENT; the message names the panel and the
+ * curve. */
 arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 
 /* --- output of a figure ----------------------------------------------------------------------- */
 
 typedef enum arc_plot_medium {
   ARC_PLOT_TEXT,   /* characters, returned */
-  ARC_PLOT_SIXEL,  /* escape codes for a terminal that shows pictures, returned */
-  ARC_PLOT_PNG,    /* the bytes of a png, returned */
+  ARC_PLOT_SIXEL,  /* escape codes for terminals with pictures, returned to the caller */
+  ARC_PLOT_PNG,    /* the bytes of a png picture, returned to the caller */
   ARC_PLOT_WINDOW, /* a window on the screen */
-  ARC_PLOT_FILE    /* format from the ending: png svg pdf eps gif txt gp */
+  ARC_PLOT_FILE    /* a file; its ending sets the format: png svg pdf eps gif txt gp */
 } arc_plot_medium;
 
 typedef struct arc_plot_output {
@@ -194,29 +195,30 @@ typedef struct arc_plot_output {
   const char *family; /* font family; NULL: default */
 } arc_plot_output;
 
-/* Adds gnuplot's error number to a sum. It precedes commands that clear the error number, such as
- * `reset`, so that arc_gnuplot_run detects the error. */
+/* Command that adds gnuplot's error number to a sum. It is written before commands that clear
+ * the error number, such as `reset`, so that arc_gnuplot_run still detects the error. */
 #define ARC_GNUPLOT_NOTE_FAILURE "archard_failed = archard_failed + GPVAL_ERRNO\n"
 
 /* File endings supported by arc_plot_draw, separated by blanks. */
 #define ARC_PLOT_FILE_ENDINGS "png svg pdf eps gif txt gp"
 
-/* Writes the gnuplot commands of a figure, as in .gp files. The caller frees them with free().
- * Errors: ARC_ARGUMENT, ARC_MEMORY. */
+/* Writes the gnuplot commands of a figure, as for a .gp file. The caller frees the commands with
+ * free(). Errors: ARC_ARGUMENT, ARC_MEMORY. */
 arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output *output,
                            char **commands, size_t *length, arc_error *error);
 
-/* Draws a figure. `picture` and `length` receive a picture in characters or for a terminal, which
- * the caller frees with free(); for other media they are NULL and 0. A file is written completely
- * or not at all. Errors: those of arc_plot_check and arc_gnuplot_run. ARC_IO: the file cannot be
- * written. ARC_MISSING: this gnuplot has no suitable terminal. */
+/* Draws a figure. A picture in characters or for a terminal is returned in `picture` and
+ * `length`, and the caller frees it with free(). For other media they are NULL and 0. A file is
+ * written completely; on failure there is no file. Errors: those of arc_plot_check and
+ * arc_gnuplot_run; ARC_IO if the file cannot be written; ARC_MISSING if this gnuplot has no
+ * suitable terminal. */
 arc_status arc_plot_draw(arc_gnuplot *session, const arc_plot_figure *figure,
                          const arc_plot_output *output, char **picture, size_t *length,
                          arc_error *error);
 
-/* Writes the figures as an animated gif with `delay` [s] between pictures, repeated without end.
- * Errors as for arc_plot_draw. ARC_ARGUMENT: the file does not end in gif, or there are no
- * figures. */
+/* Writes the figures as an animated gif that repeats without end. `delay` is the time between
+ * pictures [s]. Errors: those of arc_plot_draw; ARC_ARGUMENT if the file name does not end in
+ * gif or there are no figures. */
 arc_status arc_plot_animate(arc_gnuplot *session, const arc_plot_figure *frames, size_t count,
                             double delay, const arc_plot_output *output, arc_error *error);
 

@@ -135,7 +135,8 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
 
 /* --- plain tables ----------------------------------------------------------------------------- */
 
-/* Returns the position of a column in a plain table: first coordinates, then all others by name. */
+/* Returns the rank of a column name for sorting the columns of a plain table: first the
+ * coordinates, then all other columns by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
   for (int i = 0; i < 4; i++)
@@ -157,8 +158,8 @@ static void insert_name(const char **names, size_t count, const char *name) {
   names[count] = name;
 }
 
-/* Collects the sorted names of the columns of the table at `index`. The table is a copy, which
- * scripts cannot change between counting and collecting. */
+/* Collects the names of the columns of the table at `index` and sorts them. The table is a copy
+ * that scripts cannot change between counting and collecting. */
 static csv_table push_names(lua_State *L, int index) {
   size_t columns = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
@@ -179,7 +180,8 @@ static csv_table push_names(lua_State *L, int index) {
   return table;
 }
 
-/* Returns the unit of a column with this name in tables of the program, or NULL. */
+/* Returns the unit that a column with this name has in the program's own tables, or NULL if the
+ * name is unknown. */
 static const char *unit_of(const char *name) {
 #define KNOWN(name, unit, range, rule, text) {#name, unit},
   static const char *const known[][2] = {{"x", "mm"},
@@ -207,12 +209,12 @@ static int is_own(lua_State *L, int index) {
   return own;
 }
 
-/* Sets the known units of columns in a table of the program. */
+/* Sets the known units of the columns, for a table that is a result of the program. */
 static void set_own_units(csv_table table) {
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
 
-/* Sets the units from the table { name = unit } at `index`. nil sets none. */
+/* Sets the units from the table { name = unit } at `index`. If the value is nil, sets no units. */
 static void read_units(lua_State *L, int index, csv_table table) {
   if (lua_isnil(L, index)) return;
   if (!lua_istable(L, index))
@@ -271,9 +273,9 @@ static const char *csv_path(lua_State *L) {
               "a file name with the extension .csv, .txt, .dat or .tsv, or without extension");
 }
 
-/* csv(object, path, units) writes a file. The object is a wear or contact object, a stress or a
- * table of arrays; the units by column name are optional. Returns the name of the file, for a
- * stress two names. */
+/* csv(object, path, units) writes a file. The object is a wear, contact or stress object, or a
+ * table of arrays. The table `units` has the units by column name and is optional. Returns the
+ * file name, or two names for a stress object. */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);
   const char *path = csv_path(L);

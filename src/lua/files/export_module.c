@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the file name at index 2, which stays on the stack. A name without extension gets the
- * first of the extensions. */
+/* Returns the file name at index 2, which stays on the stack. If the name has no extension, the
+ * first item of `endings` is added. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -30,8 +30,8 @@ static const char *path_ending(lua_State *L, const char *where, const char *cons
   args_refuse(L, (args_location){where, ""}, "path", expected);
 }
 
-/* Returns the contact of the object at index 1, or NULL, and pushes a value that keeps the contact
- * alive. The contact of a run has the plate at x = 0. */
+/* Pushes a value that keeps the contact of the object at index 1 alive, and returns the contact,
+ * or NULL if the object has none. The contact of a run is computed with the plate at x = 0. */
 static const arc_contact *push_contact(lua_State *L, const char *where) {
   const arc_contact *of_stress = stress_contact(L, 1, where);
   if (of_stress || !(box_test(L, 1, &wear_class) || box_test(L, 1, &contact_class))) {
@@ -122,7 +122,7 @@ static int export_vtk(lua_State *L) {
 
 /* --- input decks ------------------------------------------------------------------------------ */
 
-/* Pushes the contact of the model at index 1 under the default load. */
+/* Pushes a contact of the model at index 1, solved with the default load. */
 static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
   lua_pushcfunction(L, luaopen_archard_contact);
   lua_call(L, 0, 1);
@@ -177,8 +177,8 @@ static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], con
   return push_and_free(L, text, strlen(text));
 }
 
-/* msh(model or mesh object, path) writes a Gmsh file, with both bodies of a model, and returns its
- * name. Without a path it returns the text. */
+/* msh(model or mesh object, path) writes a Gmsh file and returns its name. The file of a model
+ * has the meshes of both bodies. Without a path, msh returns the text of the file. */
 static int export_msh(lua_State *L) {
   static const char where[] = "export.msh";
   static const char *const endings[] = {".msh", NULL};
@@ -207,8 +207,8 @@ static int export_msh(lua_State *L) {
 
 /* --- text files and the sandbox --------------------------------------------------------------- */
 
-/* write(where, path, text) writes a complete file. On failure it raises an error of `where`, and
- * there is no file. */
+/* write(where, path, text) writes a complete file. On failure it raises an error in the name of
+ * `where` and there is no incomplete file. */
 static int files_write(lua_State *L) {
   size_t length;
   const char *where = luaL_checkstring(L, 1);
@@ -219,7 +219,8 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
-/* read(where, path) returns the text of a regular file, or raises an error of `where`. */
+/* read(where, path) returns the text of a regular file. On failure it raises an error in the
+ * name of `where`. */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
   const char *path = path_argument(L, 2, where, "file");
@@ -240,14 +241,14 @@ static int files_is_there(lua_State *L) {
   return 1;
 }
 
-/* number(value) returns the shortest text from which the same number is read. */
+/* number(value) returns the shortest text that is read back as exactly the same number. */
 static int files_number(lua_State *L) {
   lua_pushstring(L, arc_number_to_text(luaL_checknumber(L, 1)).text);
   return 1;
 }
 
-/* find(name, "read" or "write") returns the path to use for a file name. Returns nil and the reason
- * if there is no such file, or the sandbox does not allow it. */
+/* find(name, "read" or "write") returns the path of the file `name`. Returns nil and the reason
+ * if there is no such file, or if the sandbox does not allow this use. */
 static int files_find(lua_State *L) {
   static const char *const uses[] = {"read", "write", NULL};
   char path[PATH_MAX];
@@ -259,8 +260,8 @@ static int files_find(lua_State *L) {
   return 2;
 }
 
-/* confine(folder, least) restricts reading to `folder` and the working folder. Writing is allowed
- * only in the working folder, while its disk has `least` free bytes. */
+/* confine(folder, least) restricts reading to `folder` and the working folder. Writing is
+ * allowed only in the working folder, and only while its disk has at least `least` free bytes. */
 static int files_confine(lua_State *L) {
   arc_error error = {0};
   const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);
@@ -269,8 +270,8 @@ static int files_confine(lua_State *L) {
   return 0;
 }
 
-/* confined() returns the folder of readable files, or nil without a sandbox, and the minimum of
- * free bytes. */
+/* confined() returns the folder of readable files, or nil if there is no sandbox, and the number
+ * of bytes that must stay free on the disk. */
 static int files_confined(lua_State *L) {
   lua_pushstring(L, confine_folder());
   lua_pushnumber(L, confine_least());

@@ -50,7 +50,8 @@ static int store_open(lua_State *L) {
   return 1;
 }
 
-/* store:publish() renames the temporary file of store.replace to the final name and closes it. */
+/* store:publish() finishes a file begun by store.replace: it renames the temporary file to the
+ * final name and closes it. */
 static int store_publish(lua_State *L) {
   box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
@@ -61,7 +62,8 @@ static int store_publish(lua_State *L) {
   return 0;
 }
 
-/* store.replace(path, kind) returns a new store, which replaces the file when it is published. */
+/* store.replace(path, kind) returns a new store in a temporary file. store:publish replaces the
+ * file `path` by this file. */
 static int store_replace(lua_State *L) {
   const char *path = path_argument(L, 1, "store.replace", "file");
   const char *kind = luaL_checkstring(L, 2);
@@ -76,7 +78,7 @@ static int store_replace(lua_State *L) {
 
 /* --- the file as a whole ---------------------------------------------------------------------- */
 
-/* Defines a method without arguments that calls one function of the store. */
+/* Defines a Lua method of a store that has no arguments and calls one function of the engine. */
 #define PLAIN(name, call)                                                                          \
   static int store_##name(lua_State *L) {                                                          \
     arc_error error = {0};                                                                         \
@@ -94,13 +96,13 @@ static int store_rollback(lua_State *L) {
   return 0;
 }
 
-/* store:info(name) returns the text of a note, or nil. */
+/* store:info(name) returns the text of the note `name`, or nil if there is none. */
 static int store_info(lua_State *L) {
   arc_error error = {0};
   char *text = NULL;
   arc_status status = arc_store_info(self(L, "store:info"), luaL_checkstring(L, 2), &text, &error);
   error_check(L, status, &error, "store:info", -1);
-  lua_pushstring(L, text); /* nil for NULL */
+  lua_pushstring(L, text); /* pushes nil if `text` is NULL */
   free(text);
   return 1;
 }
@@ -163,8 +165,8 @@ static void push_case(lua_State *L, const arc_case *one) {
   if (isfinite(one->seconds)) array_set_number(L, "seconds", one->seconds);
 }
 
-/* Pushes the list of cases. The cases are passed as light userdata, so that the caller can free
- * them after a Lua error. */
+/* Pushes the list of cases. The address of the cases is passed as light userdata, so that the
+ * caller can free them if this function raises an error. */
 static int push_cases(lua_State *L) {
   const arc_case *cases = lua_touserdata(L, 1);
   size_t count = (size_t)lua_tointeger(L, 2);

@@ -109,8 +109,8 @@ int store_save(lua_State *L) {
 
 /* --- history and surfaces --------------------------------------------------------------------- */
 
-/* Calls `push` with the block and its length under lua_pcall and frees the block. The value stays
- * on top of the stack. */
+/* Calls `push` by lua_pcall with the block and its length, and then frees the block. The result
+ * of `push` (or the error) stays on top of the stack. */
 static int push_and_free(lua_State *L, lua_CFunction push, void *block, size_t count) {
   lua_pushcfunction(L, push);
   lua_pushlightuserdata(L, block);
@@ -208,8 +208,8 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   list[count] = (arc_setting){.name = NULL};
 }
 
-/* Checks that the user passes functions for exactly the settings that were functions in the saved
- * run. Pushes the holder of the functions, or nil. */
+/* Checks that the user passes functions for exactly those settings that were functions in the
+ * saved run. Pushes the holder of the functions, or nil if there are none. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_location location = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
@@ -268,7 +268,7 @@ int store_note_saved(lua_State *L) {
   return 0;
 }
 
-/* Stores the last record of a run as its results. */
+/* Stores the values of the last record of a run as the results of the case. */
 static arc_status write_results(arc_store *store, const arc_wear_record *last, arc_error *error) {
   const arc_value values[] = {
 #define RESULT(column, unit, range, rule, text)                                                    \
@@ -303,7 +303,8 @@ int wear_save(lua_State *L) {
   return 1;
 }
 
-/* Returns the number of the only case. Raises an error if the file has several cases or none. */
+/* Returns the number of the only case in the file. Raises an error if the file has several cases
+ * or no case. */
 static int only_case(lua_State *L, arc_store *store) {
   arc_error error = {0};
   arc_case *cases;
@@ -333,8 +334,9 @@ static int is_of_joint(lua_State *L, arc_store *store) {
   return joint;
 }
 
-/* Pushes a joint's run from a file of its own (`id` 0) or from case `id` of a study. Pushes nil if
- * it is a run of the engine. Path and functions are at indices 1 and 3. */
+/* Pushes a joint's run from a file with one run (`id` 0) or from case `id` of a study. Pushes
+ * nil if the stored run is not a joint's. The path is at index 1, the table of functions at
+ * index 3. */
 static int open_joint(lua_State *L, int id) {
   script_require(L, "archard.joint.file");
   lua_getfield(L, -1, id > 0 ? "open_case" : "open");

@@ -7,7 +7,8 @@
 
 /* --- writing named values --------------------------------------------------------------------- */
 
-/* Reads the value on top of the stack. The numbers of an array stay below it on the stack. */
+/* Reads the value on top of the stack. If it is an array, its numbers stay on the stack below
+ * the value. */
 static arc_value read_value(lua_State *L, const char *name, const char *where) {
   arc_value value = {.kind = ARC_VALUE_NUMBER, .name = name};
   switch (lua_type(L, -1)) {
@@ -43,7 +44,7 @@ static size_t count_fields(lua_State *L, int index) {
 void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use use, int index,
                         const char *where) {
   arc_error error = {0};
-  args_push_copy(L, index); /* scripts cannot change the copy after counting */
+  args_push_copy(L, index); /* a copy, which scripts cannot change after counting */
   index = lua_gettop(L);
   size_t capacity = count_fields(L, index), count = 0;
   arc_value *values = lua_newuserdatauv(L, (capacity + 1) * sizeof *values, 0);
@@ -99,7 +100,7 @@ static int see(void *context, const arc_value *value) {
   lua_pushvalue(L, -2);
   lua_pushlightuserdata(L, &value);
   if (lua_pcall(L, 2, 0, 0) == LUA_OK) return 0;
-  return 1; /* the error value is on top of the stack */
+  return 1; /* stop: the error value is on top of the stack */
 }
 
 void store_push_values(lua_State *L, arc_store *store, int id, arc_value_use use,

@@ -19,9 +19,10 @@ static const char session_name[] = "archard.gnuplot session";
 static const char *const styles[] = {ARC_PLOT_STYLE_LIST(WORD) NULL};
 static const char *const keys[] = {ARC_PLOT_KEY_LIST(WORD) NULL};
 
-enum { MOST_PARTS = 100000 }; /* most figures, panels, or curves */
+enum { MOST_PARTS = 100000 }; /* largest number of figures, panels or curves */
 
-/* State of reading: the table of anchors, and the numbers of panel and curve for messages. */
+/* State of reading a figure: the table that keeps memory alive, and the numbers of the present
+ * panel and curve for messages. */
 typedef struct reader {
   lua_State *L;
   int anchors; /* stack index of the table that keeps memory and strings alive */
@@ -75,7 +76,8 @@ static int read_flag(reader *r, const char *name) {
   return flag;
 }
 
-/* Returns the index of a word in a NULL-terminated list, 0 if the field is nil. */
+/* Returns the index of the word in field `name` within the NULL-terminated list `choices`.
+ * Returns 0 if the field is nil. */
 static int read_choice(reader *r, const char *name, const char *const *choices) {
   const char *word = read_string(r, name);
   for (int i = 0; word && choices[i]; i++)
@@ -162,8 +164,8 @@ static const arc_plot_field *read_field(reader *r) {
   return field;
 }
 
-/* Reads the ticks of the axis on top of the stack from the field places = { at = { numbers }, words
- * = { labels } }. */
+/* Reads the user's ticks for the axis on top of the stack. The field has the form places = { at
+ * = { numbers }, words = { labels } }. */
 static void read_places(reader *r, arc_plot_axis *axis) {
   if (lua_getfield(r->L, -1, "places") == LUA_TTABLE) {
     axis->places = read_column(r, "at", &axis->place_count);
@@ -266,7 +268,8 @@ static arc_gnuplot *session_of(lua_State *L) {
   return *box;
 }
 
-/* Returns nil, the message and the name of the status, like functions of the io library. */
+/* Returns nil, the message and the name of the status, as functions of the io library do on
+ * failure. */
 static int failed(lua_State *L, const arc_error *error) {
   lua_pushnil(L);
   lua_pushstring(L, error->message);

@@ -1,7 +1,7 @@
-/* Module `archard.least_squares`: nonlinear least squares (Levenberg-Marquardt with a trust region)
- * and singular values, for scripts/fit. No other file uses GSL's fits. GSL calls Lua functions.
- * Each of these calls is protected. Its error is raised again after GSL has returned and its memory
- * is freed. */
+/* Module `archard.least_squares`: nonlinear least squares (Levenberg-Marquardt with a trust
+ * region) and singular values, for scripts/fit. No other file uses GSL's fits. GSL calls Lua
+ * functions through this module. Each call is protected, and an error is raised again only after
+ * GSL has returned and its memory is freed. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -68,7 +68,8 @@ static int evaluate(callback *call, const char *name, const gsl_vector *x, doubl
   return call->failed ? GSL_EBADFUNC : GSL_SUCCESS;
 }
 
-/* The vectors and matrices that GSL allocates here are contiguous. */
+/* Computes the residuals. The memory of `f` is used as an array, because the vectors and
+ * matrices that GSL allocates here are contiguous. */
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f) {
   return evaluate(context, "residuals", x, f->data, f->size);
 }
@@ -152,7 +153,7 @@ static int svd(lua_State *L) {
 
 int luaopen_archard_least_squares(lua_State *L) {
   static const luaL_Reg functions[] = {{"solve", solve}, {"svd", svd}, {NULL, NULL}};
-  gsl_set_error_handler_off(); /* GSL returns a status instead of aborting */
+  gsl_set_error_handler_off(); /* otherwise GSL would abort instead of returning a status */
   luaL_newlib(L, functions);
   return 1;
 }

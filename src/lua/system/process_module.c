@@ -25,7 +25,8 @@
 
 extern char **environ;
 
-/* Longest line and longest stored standard error of a worker [bytes], and limits of a pool. */
+/* LINE: longest line [bytes]; WORDS: longest stored standard error of a worker [bytes]; the
+ * others are limits of a pool. */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
@@ -46,13 +47,13 @@ typedef struct pool {
 
 /* --- one worker ------------------------------------------------------------------------------- */
 
-/* Starts a worker. Returns 0 or an errno. `ends` are the connections for input, output and errors;
- * the child has end [0] of the first and [1] of the other two. */
+/* Starts a worker. Returns 0 or an errno. `ends` are the channels for input, output and errors.
+ * The child process uses end [0] of the first channel and end [1] of the other two. */
 static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  int idle = 0; /* this process and idle workers share the remaining memory equally */
+  int idle = 0; /* this process and the idle workers get equal parts of the memory */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
   arc_child_def def = {"/proc/self/exe",
                        p->arguments,
@@ -133,9 +134,9 @@ static const box_class pool_class = {.name = "pool",
                                      .destroy = destroy_pool,
                                      .value = sizeof(pool)};
 
-/* Environment variables of workers, which BLAS, OpenMP and glibc read before main. Workers have one
- * thread. They keep freed memory, because returning it to the system costs a tenth of the time of
- * short cases. */
+/* Environment variables of workers. BLAS, OpenMP and glibc read them before main. Workers have
+ * only one thread. They keep freed memory, because returning it to the system would cost a tenth
+ * of the time of short cases. */
 static const char *const of_workers[] = {"OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1",
                                          "MALLOC_TRIM_THRESHOLD_=268435456",
                                          "MALLOC_MMAP_THRESHOLD_=33554432"};
@@ -198,7 +199,8 @@ static int processors(void) {
   return count > 0 ? (int)count : 1;
 }
 
-/* Returns the largest number of workers. In a sandbox it is at most the number of processors. */
+/* Returns the largest allowed number of workers. In a sandbox it is at most the number of
+ * processors. */
 static int most_workers(void) {
   return confine_folder() && processors() < MOST_WORKERS ? processors() : MOST_WORKERS;
 }
@@ -231,8 +233,8 @@ static int pool_count(lua_State *L) {
   return 1;
 }
 
-/* pool:send(worker, line) sends a line to the worker and starts the worker if it does not run.
- * pool:wait returns the answer, or the end of the worker. */
+/* pool:send(worker, line) sends a line to a worker. If the worker does not run, it is started
+ * first. pool:wait later returns the worker's answer, or reports that the worker has ended. */
 static int pool_send(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:send")->thing;
   lua_Integer which = luaL_checkinteger(L, 2);
@@ -247,8 +249,8 @@ static int pool_send(lua_State *L) {
   char text[1001];
   memcpy(text, line, length);
   text[length] = '\n';
-  /* The line fits into the socket's buffer. If sending fails, the worker has ended or is ending,
-   * and pool:wait reports it. */
+  /* send does not block, because the line fits into the socket's buffer. If sending fails, the
+   * worker has ended or is ending, and pool:wait reports its end. */
   if (send(w->input, text, length + 1, MSG_NOSIGNAL) < 0) arc_child_close(&w->input);
   return 0;
 }
@@ -262,8 +264,8 @@ static int read_some(int descriptor, char *to, size_t bytes, size_t *count) {
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/* Stores the last bytes that the worker wrote on standard error. A closed stream is not polled any
- * more, because poll would always report it. */
+/* Stores the last bytes that the worker wrote on standard error. After its end the stream is
+ * closed here, because poll would report it at each call. */
 static void hear(worker *w) {
   char text[WORDS];
   size_t count = 1;
@@ -299,7 +301,8 @@ static void split_lines(lua_State *L, int which, worker *w) {
   w->filled = left;
 }
 
-/* Appends { worker=, ended=, words= } for a worker whose output is closed. */
+/* Appends { worker=, ended=, words= } to the list on top of the stack for a worker whose output
+ * is closed. */
 static void add_end(lua_State *L, int which, worker *w) {
   hear(w);
   const int status = end_worker(w);
@@ -325,28 +328,30 @@ static void attend(lua_State *L, int which, worker *w) {
   if (!open) add_end(L, which, w);
 }
 
-/* Kills the workers after an interrupt, because no Lua code runs after it. */
+/* Ends all workers after an interrupt, because no Lua code that could end them runs after the
+ * interrupt. */
 static void check_interrupt(lua_State *L, pool *p) {
   if (!interrupt_pending(NULL)) return;
   end_all(p);
   luaL_error(L, "interrupted");
 }
 
-/* Converts the seconds at `index` to milliseconds for poll. */
+/* Returns the number of seconds at `index`, converted to milliseconds for poll. */
 static int wait_argument(lua_State *L, int index) {
   const double seconds = luaL_checknumber(L, index);
   luaL_argcheck(L, seconds >= 0 && seconds <= 1e6, index, "expected 0 to 1e6 seconds");
   return (int)(1000 * seconds);
 }
 
-/* pool:wait(seconds) returns a list of { worker=, line= } and { worker=, ended=, words= }, where
- * words is the end of standard error. After the timeout the list is empty. */
+/* pool:wait(seconds) returns a list of { worker=, line= } for answers and { worker=, ended=,
+ * words= } for ended workers. `words` is the last part of the worker's standard error. After the
+ * timeout the list is empty. */
 static int pool_wait(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:wait")->thing;
   const int wait = wait_argument(L, 2);
   struct pollfd ready[2 * MOST_WORKERS];
   check_interrupt(L, p);
-  for (int i = 0; i < p->count; i++) { /* poll ignores negative descriptors */
+  for (int i = 0; i < p->count; i++) { /* closed: poll ignores negative descriptors */
     ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
     ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
   }
@@ -366,8 +371,8 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
-/* process.pause(seconds, stand) waits. An interrupt ends it with the error "STAND: interrupted", or
- * "interrupted" without `stand`. */
+/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "STAND:
+ * interrupted", where STAND is the text `stand`, or with "interrupted" if there is no `stand`. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
@@ -384,15 +389,16 @@ static int process_report(lua_State *L) {
   return 0;
 }
 
-/* process.make_folder(path) returns true, even if the folder already exists, or nil and the reason
- * of the failure. */
+/* process.make_folder(path) creates a folder. Returns true, even if the folder already exists,
+ * or nil and the reason of the failure. */
 static int process_make_folder(lua_State *L) {
   const char *name = path_argument(L, 1, "folder", "path");
   char path[PATH_MAX];
   struct stat there;
   arc_error error = {0};
   size_t length = strlen(name);
-  while (length > 1 && name[length - 1] == '/') length--; /* the folder "name/" need not exist */
+  while (length > 1 && name[length - 1] == '/')
+    length--; /* removes final slashes, because the folder "name/" need not exist */
   name = lua_pushlstring(L, name, length);
   const arc_status status = arc_file_find(name, ARC_FILE_WRITE, path, &error);
   error_check(L, status, &error, "folder", -1);
@@ -406,7 +412,7 @@ static int process_make_folder(lua_State *L) {
   return 2;
 }
 
-/* process.program() returns the path of this program, or nil. */
+/* process.program() returns the path of this program, or nil if it is unknown. */
 static int process_program(lua_State *L) {
   char path[4096];
   const ssize_t length = readlink("/proc/self/exe", path, sizeof path);

@@ -32,7 +32,8 @@ static int fill_random(const points *p) {
   return 0;
 }
 
-/* Latin hypercube: one point in each of `count` intervals of every axis, in random order. */
+/* Fills a Latin hypercube: each axis is divided into `count` intervals, and each interval
+ * contains exactly one point, in random order. */
 static int fill_latin(const points *p) {
   size_t *slice = malloc(p->count * sizeof *slice);
   if (!slice) return -1;

@@ -22,15 +22,16 @@ static int term_is_terminal(lua_State *L) {
   return 1;
 }
 
-/* Returns the number in an environment variable, or `otherwise` if it is not from 1 to 9999. */
+/* Returns the number in the environment variable `name`, or `otherwise` if the variable is not a
+ * number from 1 to 9999. */
 static int environment_number(const char *name, int otherwise) {
   const char *text = getenv(name);
   long number = text ? strtol(text, NULL, 10) : 0;
   return number > 0 && number < 10000 ? (int)number : otherwise;
 }
 
-/* size(stream) returns the columns and lines of the terminal. If these are unknown, it returns
- * COLUMNS and LINES, or 80 and 24. */
+/* size(stream) returns the columns and lines of the terminal. If the terminal does not report
+ * them, returns the environment variables COLUMNS and LINES, or 80 and 24. */
 static int term_size(lua_State *L) {
   struct winsize size = {0};
   int columns = 0, lines = 0;

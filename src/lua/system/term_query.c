@@ -24,8 +24,8 @@ static struct {
 
 /* --- reading the reply ------------------------------------------------------------------------ */
 
-/* Returns the length of a reply at `bytes`, ESC _ ... ESC \ or ESC [ ? ... c. Returns 0 if it is
- * not a reply, -1 if it is incomplete. */
+/* Returns the length of the terminal's reply at `bytes`, which has the form ESC _ ... ESC \ or
+ * ESC [ ? ... c. Returns 0 if there is no reply, and -1 if the reply is incomplete. */
 static int answer_at(const unsigned char *bytes, size_t left) {
   if (bytes[0] != 033) return 0;
   if (left < 3) return left == 2 && bytes[1] != '_' && bytes[1] != '[' ? 0 : -1;
@@ -52,8 +52,8 @@ static void keep(unsigned char key) {
   if (asked.count < MOST_KEYS) asked.typed[asked.count++] = key;
 }
 
-/* Separates replies from typed keys. Returns the number of processed bytes. Sets *finished at the
- * DA1 reply. */
+/* Separates the terminal's replies from typed keys. Returns the number of processed bytes. Sets
+ * *finished if the reply to DA1 was found. */
 static size_t sort_out(const unsigned char *bytes, size_t count, int *finished) {
   size_t i = 0;
   while (i < count) {
@@ -107,7 +107,8 @@ static int may_query(void) {
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
-/* Pushes all typed keys back into the input of the terminal, or none if the system forbids it. */
+/* Pushes all typed keys back into the input of the terminal. If the system forbids this, pushes
+ * no keys. */
 static void give_back(void) {
   if (asked.count > 0 && ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[0]) == 0) {
     for (size_t i = 1; i < asked.count; i++) ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[i]);
@@ -115,7 +116,8 @@ static void give_back(void) {
   }
 }
 
-/* Sends the query. Canonical input and echo are off, but Ctrl-C still sends its signal. */
+/* Sends the query to the terminal. Line buffering and echo are switched off before, but Ctrl-C
+ * still sends its signal. */
 static void ask(const struct termios *before) {
   struct termios raw = *before;
   raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);

@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The size is fixed, because warnings may occur in code that must not raise errors. */
+/* The collected warnings. The size is fixed, because warnings may occur in code that must not
+ * raise errors. */
 static struct {
   char text[1000];
   int continued, full;

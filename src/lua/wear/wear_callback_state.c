@@ -1,5 +1,5 @@
-/* The state object that is the argument of the user's functions. It is one object, reused for every
- * call, that reads the present record. It is not readable after the call. */
+/* The state object that is the argument of the user's functions. The object reads the present
+ * record and is reused for every call. It cannot be read after the call. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -13,8 +13,8 @@ enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
-/* Returns the state at index 1. Checks the size as well, because a script may have set this
- * metatable on another userdata. */
+/* Returns the state at index 1. Also checks the size, because a script may have set the
+ * metatable of states on another userdata. */
 static const callback_state *place_of(lua_State *L) {
   const callback_state *state = luaL_checkudata(L, 1, kind);
   luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);

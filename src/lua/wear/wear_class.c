@@ -8,8 +8,8 @@
 
 /* --- construction ----------------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones that the run needs. The contact of worn surfaces may be
- * wider at the start, so the whole run is considered. */
+/* Computes the half widths of the zones that the run needs. The whole run is considered, because
+ * the contact of worn surfaces may be wider at the start than at the end. */
 static arc_status needed_zones(const void *definition, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
   const wear_request *request = definition;
@@ -21,7 +21,7 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
   return status;
 }
 
-/* Pushes and returns the shape at the start of the run, NULL if it is unworn. */
+/* Pushes and returns the shape at the start of the run, or NULL for an unworn start. */
 static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
                                    const arc_wear_def *def) {
   box *other = box_test(L, worn, &wear_class);
@@ -39,8 +39,8 @@ static void keep_functions(lua_State *L, int index) {
   lua_setiuservalue(L, -2, RUN_FUNCTIONS);
 }
 
-/* Pushes a new run that starts with the worn shape at `worn`. The value at `holder` keeps its model
- * alive. */
+/* Pushes a new run that starts with the shape defined by the value at `worn`. The value at
+ * `holder` keeps the run's model alive. */
 static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
                            const wear_request *request, arc_error *error) {
   const arc_shape *start = push_start(L, worn, model, &request->def);
@@ -72,8 +72,7 @@ static void refuse_layers(lua_State *L, const arc_model_def *model) {
     }
 }
 
-/* Raises an error if the user sets k or alpha although the bodies have wear coefficients of their
- * own. */
+/* Raises an error if the user sets k or alpha although each body has its own wear coefficient. */
 static void check_coefficients(lua_State *L, const wear_request *request,
                                const arc_model_def *model) {
   arc_wear_def def = request->def;
@@ -87,8 +86,8 @@ static void check_coefficients(lua_State *L, const wear_request *request,
               args_show_number(L, model->material[ARC_PLATE].k));
 }
 
-/* Constructor wear{ model=, k=, alpha=, load=, stroke=, ... }, the metamethod __call of the table
- * `wear`. */
+/* Constructor wear{ model=, k=, alpha=, load=, stroke=, ... }. It is the metamethod __call of
+ * the table `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
@@ -124,7 +123,8 @@ void wear_note_saved(box *made) {
   made->tag = rows_of(made);
 }
 
-/* Pushes the run's model. After remeshing it may differ from the model in the run's user value. */
+/* Pushes the model of the run. After remeshing the model may differ from the model that is the
+ * user value of the run's box. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear) {
   lua_getiuservalue(L, index, RUN_MODEL);
   const box *kept = box_test(L, -1, &model_class);
@@ -158,15 +158,15 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* wear:set{ load=, alpha=, ..., mesh={...} } changes these settings, keeps all others and returns
- * the wear object. */
+/* wear:set{ load=, alpha=, ..., mesh={...} } changes the settings in the table, keeps all other
+ * settings and returns the wear object. */
 static int wear_set(lua_State *L) {
   static const char where[] = "wear:set";
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   wear_request request = wear_request_read(L, 2, 1);
-  box_self_idle(L, &wear_class, where); /* a function may have closed the run */
+  box_self_idle(L, &wear_class, where); /* again: a function of the user may have closed the run */
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};

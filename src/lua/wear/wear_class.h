@@ -7,8 +7,9 @@
 /* Returns the run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
-/* wear_is_saved returns true if the present state of the run is saved in a file; wear_note_saved
- * marks it as saved. The box stores the number of saved rows of the history. */
+/* wear_is_saved returns true if the present state of the run is saved in a file. wear_note_saved
+ * marks the present state as saved. Both use the number of saved rows of the history, which is
+ * stored in the box. */
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
@@ -16,26 +17,28 @@ void wear_note_saved(box *made);
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles;                        /* end of the run in cycles; 0: given as a distance */
-  double distance_before, cycle_before; /* [mm], [cycles] present position of a changed run */
-  int own_steps; /* true: the user set scheme or jump, or the run is changed */
-  int own_k;     /* true: the user set k or alpha, or the run is changed */
-  int worn;      /* true: the run starts on worn surfaces */
-  int functions; /* stack index of the holder of the user's functions, or of nil */
+  double cycles; /* end of the run [cycles]; 0: the end is a distance */
+  double distance_before,
+      cycle_before; /* [mm], [cycles] present position of a run changed by set */
+  int own_steps;    /* true: the user set scheme or jump, or set changes the run */
+  int own_k;        /* true: the user set k or alpha, or set changes the run */
+  int worn;         /* true: the run starts on worn surfaces */
+  int functions;    /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
 /* Reads and checks the definition table at `index` (or nil), except the fields model and worn.
- * Other settings are those of the run in the box at index `changed`, or the defaults (0). Buffers
- * of arrays stay on the stack. */
+ * Settings that are not in the table have the values of the run in the box at index `changed`,
+ * or the defaults if `changed` is 0. Buffers of arrays stay on the stack. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* Returns the definition completed for a model, with `cycles` converted to a distance. */
+/* Returns the definition of the request, completed for a model. `cycles` is converted to a
+ * distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` ------------------------------------------------------ */
 
-/* Reads `loading` from the table at `index` into the definition. Blocks without a load have
- * def->load. Returns false if the field is nil or false. Buffers stay on the stack. */
+/* Reads the field `loading` of the table at `index` into the definition. A block without a load
+ * gets def->load. Returns false if the field is nil or false. Buffers stay on the stack. */
 int loading_read(lua_State *L, int index, args_location location, arc_wear_def *def);
 
 /* Returns the largest load of all blocks [N]. */
@@ -95,11 +98,13 @@ void run_push_model(lua_State *L, int index, const arc_wear *wear);
  * the table returns the text. */
 void record_push(lua_State *L, const arc_wear_record *record);
 
-/* Push a text: one aligned line for a record, or a table with a header for `count` records. */
+/* record_push_line pushes a record as one line of text. record_push_lines pushes `count` records
+ * as a text table of aligned lines with a header. */
 void record_push_line(lua_State *L, const arc_wear_record *record);
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count);
 
-/* Push the history, or `count` records, as a table of arrays by column name. */
+/* history_push pushes the history of a run, records_push_columns `count` records. The result is
+ * a table of arrays by column name. */
 void history_push(lua_State *L, const arc_wear *wear);
 void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count);
 

@@ -14,8 +14,8 @@ static const arc_setting series_fields[] = {
     {.name = NULL},
 };
 
-/* Reads { distance=, value= } if the setting is a table; its buffers stay on the stack. Other
- * values remove the series. The engine checks the numbers. */
+/* If the value of the setting is a table { distance=, value= }, reads it as a series, whose
+ * buffers stay on the stack. Any other value removes the series. The engine checks the numbers. */
 static void push_series(lua_State *L, int index, args_location location, const arc_setting *s,
                         arc_wear_def *def) {
   arc_series *series = (arc_series *)(void *)((char *)def + s->series);
@@ -45,8 +45,9 @@ static void read_all_series(lua_State *L, int index, args_location location, arc
 
 /* --- cycles and distance ---------------------------------------------------------------------- */
 
-/* Distributes `cycles`, the total of all blocks of loading. The last block gets the remaining
- * cycles if it has no `cycles`. Without a distance the run ends after all blocks. */
+/* Distributes `cycles`, which is the total for all blocks of loading. If the last block has no
+ * `cycles`, it gets the remaining cycles. If the user gave no distance, the run ends after all
+ * blocks. */
 static void share_cycles(lua_State *L, args_location location, wear_request *request,
                          int distance_given) {
   arc_wear_def *def = &request->def;
@@ -86,7 +87,7 @@ static void refuse_changes(lua_State *L, int index, args_location location) {
           s->name);
 }
 
-/* Raises an error if the new end of a changed run is before its present position. */
+/* Raises an error if a changed run would end before its present position. */
 static void check_ahead(lua_State *L, args_location location, const wear_request *request) {
   const double cycles = request->cycles, distance = request->def.distance;
   if (cycles > 0 && cycles < request->cycle_before)
@@ -113,8 +114,8 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_loc
   return request;
 }
 
-/* Applies new loading, which defines the motion. The nominal load of a new run is the largest load,
- * unless the user sets it. */
+/* Applies a new loading, which also defines the motion. The nominal load of a new run becomes
+ * the largest load of the loading, unless the user set a load. */
 static void settle_loading(lua_State *L, int index, args_location location, wear_request *request,
                            int changed) {
   if (args_given(L, index, "stroke"))
@@ -135,7 +136,8 @@ static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int cha
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (!(changed && s->forms & ARC_FIXED)) list[count++] = *s;
-  if (changed) list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* read by wear_class.c */
+  if (changed)
+    list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* field of wear:set, read by wear_class.c */
   list[count] = (arc_setting){.name = NULL};
 }
 
@@ -146,7 +148,7 @@ static void read_cycles(lua_State *L, int index, args_location location, wear_re
   lua_pop(L, 1);
 }
 
-/* After a change of the scheme, resets the tolerance unless the user sets it. */
+/* If the user changes the scheme but does not set the tolerance, resets the tolerance. */
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
@@ -171,8 +173,8 @@ static void refuse_both(lua_State *L, int index, args_location location, const c
                   of_couple[i], of_body);
 }
 
-/* Returns the coefficient of a body that the user does not set: the present one in a changed run.
- * For a new run it raises an error. */
+/* Returns the wear coefficient of a body for which the user sets no coefficient. In a changed
+ * run this is the present coefficient. For a new run an error is raised. */
 static double coefficient_now(lua_State *L, args_location location, const wear_request *request,
                               int body) {
   const arc_wear_def *def = &request->def;
@@ -211,7 +213,8 @@ static void read_bodies(lua_State *L, int index, args_location location, wear_re
   lua_replace(L, index);
 }
 
-/* Raises an error for "3-D" and similar names, which are geometries of the model. */
+/* Raises an error if the user sets `geometry` to "3-D" or a similar name, because these are
+ * geometries of the model. */
 static void refuse_space(lua_State *L, int index, args_location location) {
   if (args_get(L, index, "geometry") == LUA_TSTRING)
     for (const char *const *name = arc_space_names; *name; name++)
@@ -223,7 +226,8 @@ static void refuse_space(lua_State *L, int index, args_location location) {
   lua_pop(L, 1);
 }
 
-/* Loads and strokes that vary in a cycle are given in loading. */
+/* Raises an error if the field `name` is a function, because loads and strokes that vary in a
+ * cycle belong in the field `loading`. */
 static void refuse_function(lua_State *L, int index, args_location location, const char *name,
                             const char *expected) {
   if (args_get(L, index, name) == LUA_TFUNCTION) args_refuse(L, location, name, expected);

@@ -1,4 +1,4 @@
-/* The user's functions of a run: storage, calls and errors. */
+/* The functions that the user set in the definition of a run: storage, calls and errors. */
 #include "lua/wear/wear_functions.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indices of the user values of the holder, and of the values on the stack during a call, which
- * have the same order. A function has its index in arc_wear_settings plus 1. State and error
- * follow. */
+/* Indices of the user values of the holder. During a call the values on the stack have the same
+ * order. The index of a function is its index in arc_wear_settings plus 1. The indices of the
+ * state object and the error value follow. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
   STATE = ARC_WEAR_SETTINGS_COUNT + 1,
@@ -23,7 +23,7 @@ static int place_of(const arc_setting *setting) {
 typedef struct wear_functions {
   functions_place now;
   callback_state *state;
-  int vector;     /* true: local_factor is called with arrays of all nodes */
+  int vector;     /* true: local_factor is called once with arrays of all nodes */
   char what[200]; /* description of the failed call */
 } wear_functions;
 
@@ -58,7 +58,7 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
            state->distance, state->cycle);
 }
 
-/* Calls a function of the state that returns a number. */
+/* Calls a function of the user with the state object as argument. The function returns a number. */
 static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
                       double *value) {
   wear_functions *f = context;
@@ -90,8 +90,8 @@ typedef struct local_call {
   double *factor;
 } local_call;
 
-/* Computes the factors node by node. Nodes without pressure do not wear and are omitted. Stack:
- * function, state. */
+/* Computes the factors by one call for each node. Nodes without pressure do not wear and are
+ * omitted. The stack contains the function and the state. */
 static int each_node(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushstring(L, body_names[call->body]);
@@ -126,7 +126,8 @@ static void push_loaded(lua_State *L, const local_call *call, const double *valu
   }
 }
 
-/* Computes the factors by one call for all nodes under pressure. Stack: function, state. */
+/* Computes the factors by one call for all nodes under pressure. The stack contains the function
+ * and the state. */
 static int all_nodes(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushvalue(L, 1);
@@ -246,7 +247,8 @@ static void push_vector(lua_State *L, args_location location) {
     args_refuse(L, inside, "vector", "a function(body, xs, ps, state, zs)");
 }
 
-/* Pushes the function of a setting, or nil. Returns 0 if the table does not have the setting. */
+/* Pushes the user's function for a setting, or nil. Returns 0 if the table at `index` does not
+ * contain the setting. */
 static int push_given(lua_State *L, int index, const arc_setting *s, args_location location,
                       int *vector) {
   const int type = args_get(L, index, s->name), local = place_of(s) == LOCAL;
@@ -263,7 +265,8 @@ static int push_given(lua_State *L, int index, const arc_setting *s, args_locati
   return 1;
 }
 
-/* Sets the function pointer of a setting in the definition, or sets it to NULL. */
+/* Sets the function pointer of a setting in the definition. The pointer is NULL if the user gave
+ * no function. */
 static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
   if (place_of(s) == LOCAL)
     def->local_factor = given ? call_local_factor : NULL;

@@ -59,9 +59,9 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 /* --- measures --------------------------------------------------------------------------------- */
 
 typedef struct measure {
-  const char *group, *name; /* field, and key in its table (or NULL) */
+  const char *group, *name; /* field of the run, and its subfield (or NULL) */
   int column;
-  int grows; /* true: never decreases, so the target must exceed the present value */
+  int grows; /* true: it never decreases; the target must exceed its value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name
@@ -107,7 +107,8 @@ static void check_group(lua_State *L, const char *group) {
   lua_pop(L, 1);
 }
 
-/* Replaces the table at index 2 by a copy in which the keys of the group are body_names. */
+/* Replaces the table at index 2 by a copy. In the field `group` of the copy, names of bodies are
+ * replaced by body_names. */
 static void use_usual_names(lua_State *L, const arc_wear *wear, const char *group) {
   const arc_model_def *def = arc_model_definition(arc_wear_model(wear));
   const args_location location = {where, strcmp(group, "volume") == 0 ? "volume." : "depth."};

@@ -36,8 +36,8 @@ typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
   args_location location;
-  size_t given, count;    /* number of times in the user's arrays, and of sampled times */
-  const double *from, *t; /* times of the user's arrays and sampled times, 0 to 1 */
+  size_t given, count;    /* number of times: in the user's arrays, and sampled */
+  const double *from, *t; /* times from 0 to 1: of the user's arrays, and sampled */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
@@ -77,8 +77,8 @@ static size_t values_in(const reading *r, const char *name) {
   return length;
 }
 
-/* Sets the sampled times of the block: uniform increments if the user sets `increments`, otherwise
- * the times t, or uniform times for the arrays. */
+/* Sets the sampled times of the block. If the user sets `increments`, the times are uniform;
+ * otherwise they are the times `t`, or uniform times for the user's arrays if there is no `t`. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
   static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
@@ -134,8 +134,9 @@ static void sample_function(const reading *r, const char *name, double *value) {
   }
 }
 
-/* Samples `name` at the block's times into a buffer, which is appended to the list at `holder`. A
- * number is constant in time. If the field is nil, the value is `constant` (NaN: error). */
+/* Samples the field `name` at the block's times into a buffer and appends the buffer to the list
+ * at `holder`. A number is constant in time. If the field is nil, all values are `constant`; if
+ * `constant` is NaN, an error is raised. */
 static const double *sample(const reading *r, int holder, const char *name, double constant) {
   lua_State *L = r->L;
   const int top = lua_gettop(L);
@@ -177,8 +178,9 @@ static int read_periodic(const reading *r) {
   return periodic;
 }
 
-/* Returns the field that drives the lower body: x, tangential or rotation. Without any of these, it
- * is rotation for a rotating load (load_angle), otherwise x. */
+/* Returns the name of the field that drives the lower body: x, tangential or rotation. If the
+ * block has none of these fields, returns "rotation" for a rotating load (load_angle), otherwise
+ * "x". */
 static const char *drive_of(const reading *r) {
   static const char *const drives[] = {"x", "tangential", "rotation", NULL};
   const char *found = NULL;

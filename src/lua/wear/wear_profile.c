@@ -11,7 +11,8 @@
 
 #include <stdlib.h>
 
-/* Returns the body at index 2; the upper body for nil or none. */
+/* Returns the body that the value at index 2 names. If the value is nil or none, returns the
+ * upper body. */
 static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where) {
   return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
 }
@@ -30,7 +31,8 @@ static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const 
   return *held;
 }
 
-/* wear:profile(body, { z = 0 } or { x = 0 }) returns { x=, h=, y= }. Also for wear:pressure. */
+/* Pushes the table { x=, h=, y= } for wear:profile(body, { z = 0 } or { x = 0 }). wear:pressure
+ * also uses this function. */
 static int push_section(lua_State *L, const arc_wear *wear, const char *where,
                         const char *const *names) {
   size_t count;
@@ -81,7 +83,8 @@ int wear_profile(lua_State *L) {
   return 1;
 }
 
-/* Pushes and returns the contact of a run in the reference configuration. */
+/* Pushes and returns the contact of a run in the reference configuration (plate at x = 0,
+ * nominal load). */
 static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const char *where) {
   arc_error error = {0};
   arc_contact *contact = NULL;
@@ -101,7 +104,8 @@ int wear_contact(lua_State *L) {
   return 1;
 }
 
-/* wear.p_average: the largest pressure of wear:contact(), averaged over the default length. */
+/* wear.p_average: the largest pressure of wear:contact() after averaging over the default
+ * length. */
 int wear_p_average(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear");
   lua_settop(L, 1);
@@ -109,7 +113,7 @@ int wear_p_average(lua_State *L) {
   return 1;
 }
 
-/* Pushes { x=, p= } of a run without meshes. */
+/* Pushes the pressures { x=, p= } of a run whose bodies have no meshes. */
 static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
   static const char *const names[] = {"x", "p"};
   arc_error error = {0};
@@ -125,7 +129,7 @@ static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
   strict_table(L, "pressure");
 }
 
-/* wear:pressure(body) returns { x=, p= } of wear:contact(). */
+/* wear:pressure(body) returns the pressures { x=, p= } of wear:contact(). */
 int wear_pressure(lua_State *L) {
   static const char *const names[] = {"p", NULL};
   const arc_wear *wear = wear_self(L, "wear:pressure");

@@ -30,7 +30,7 @@ void record_push(lua_State *L, const arc_wear_record *record) {
   strict_module(L, "record");
 }
 
-/* Writes the partition of the depth (alpha-tilde), or "-" without wear. */
+/* Writes the partition of the depth (alpha-tilde), or "-" if there is no wear. */
 static const char *show_partition(const arc_wear_record *record, char *text, size_t size) {
   if (isfinite(record->depth_partition))
     snprintf(text, size, "%5.3f", record->depth_partition);
@@ -39,7 +39,8 @@ static const char *show_partition(const arc_wear_record *record, char *text, siz
   return text;
 }
 
-/* Returns the number of decimals of a cycle, because adaptive steps may end within a cycle. */
+/* Returns the number of decimals for printing a cycle. A decimal is needed if an adaptive step
+ * ended within a cycle. */
 static int cycle_digits(double cycle) {
   return cycle == floor(cycle) || cycle >= 1000 ? 0 : 1;
 }

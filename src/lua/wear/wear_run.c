@@ -41,7 +41,8 @@ static int count_argument(lua_State *L, int index, const char *where) {
   return (int)value;
 }
 
-/* Pushes the record after the updates from row `first` of the history. Its text is these rows. */
+/* Pushes the last record. Its text shows the rows of the history from row `first` on, which are
+ * the updates of this call. */
 static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);
@@ -81,8 +82,8 @@ static void warn_finished(lua_State *L, const arc_wear *wear) {
   lua_warning(L, text, 0);
 }
 
-/* wear:step(n) computes n steps and returns the last record. It has no effect at the end of the
- * distance. */
+/* wear:step(n) computes n steps and returns the last record. At the end of the run's distance it
+ * has no effect. */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
   lua_settop(L, 2);
@@ -110,7 +111,7 @@ int wear_step(lua_State *L) {
 typedef struct run_call {
   lua_State *L;
   int progress, stop_when; /* stack indices of the functions; 0: none */
-  const char *asked;       /* name of the function that requested the stop */
+  const char *asked;       /* name of the function that requested the end of the run */
   const char *failed;      /* name of the function that raised the error on top of the stack */
   functions_call functions;
 } run_call;
@@ -134,8 +135,8 @@ static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
 }
 
-/* Stops also after an error of a function, because the engine would ignore the error in a predictor
- * step. */
+/* Returns true if the engine must stop. An error of a function must also stop it here, because
+ * in a predictor step the engine would ignore the error. */
 static int is_to_stop(void *context) {
   return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
@@ -148,17 +149,17 @@ static int after_step(void *context, const arc_wear *wear) {
   return call_user(call, call->stop_when, "stop_when") || progress;
 }
 
-/* Pushes the progress display of a run to `goal` [mm]. archard.lib.run_progress returns nil for no
- * display. */
+/* Pushes the function that displays the progress of a run to `goal` [mm].
+ * archard.lib.run_progress returns nil if there is no display. */
 static void push_display(lua_State *L, double goal) {
   lua_pushvalue(L, 1);
   lua_pushnumber(L, goal);
   if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
-  lua_pushnil(L); /* the run continues without display */
+  lua_pushnil(L); /* nil: the run continues without a display */
 }
 
-/* Pushes the progress function. Returns its index, or 0 if there is none. */
+/* Pushes the progress function. Returns its stack index, or 0 if there is no function. */
 static int push_progress_function(lua_State *L, double goal) {
   int type = args_get(L, 2, "progress");
   if (type == LUA_TFUNCTION) return lua_gettop(L);
@@ -170,7 +171,8 @@ static int push_progress_function(lua_State *L, double goal) {
   return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
 }
 
-/* Calls the function on top of the stack without the interrupt hook, so that it completes. */
+/* Calls the function on top of the stack without the interrupt hook, so that an interrupt cannot
+ * stop it. */
 static void call_undisturbed(lua_State *L) {
   lua_Hook hook = lua_gethook(L);
   int mask = lua_gethookmask(L), count = lua_gethookcount(L);
@@ -179,7 +181,8 @@ static void call_undisturbed(lua_State *L) {
   if (hook) lua_sethook(L, hook, mask, count);
 }
 
-/* Calls the built-in display once without argument, which means that the run has ended. */
+/* Calls the built-in display a last time, without an argument, which means that the run has
+ * ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
   if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
@@ -201,7 +204,8 @@ static void warn_not_reached(lua_State *L, const arc_wear *wear, const wear_goal
   }
 }
 
-/* Pushes the run and, if there were several end conditions, the name of the one that ended it. */
+/* Pushes the run. If there were several end conditions, also pushes the name of the condition
+ * that ended the run. */
 static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
   lua_pushvalue(L, 1);
   if (goals->count == 0 && !goals->stop_when) return 1;
@@ -210,8 +214,8 @@ static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *c
 }
 
 /* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } returns the wear
- * object. With end conditions other than the distance, it also returns the one that ended the
- * run. */
+ * object. If there are end conditions other than the distance, it also returns the name of the
+ * condition that ended the run. */
 int wear_run(lua_State *L) {
   static const char where[] = "wear:run";
   arc_error error = {0};

@@ -1,5 +1,5 @@
-/* Methods of the class wear written in Lua. Each of them calls the function that a module of
- * scripts/ returns, with the object and the other arguments. */
+/* Methods of the class wear that are written in Lua. Each method loads a module of scripts/,
+ * which returns a function, and calls this function with the object and the other arguments. */
 #include "lua/base/scripts.h"
 #include "lua/wear/wear_class.h"
 

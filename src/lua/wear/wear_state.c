@@ -31,7 +31,8 @@ static const arc_model_def *pair_of(lua_State *L) {
 
 /* --- the state -------------------------------------------------------------------------------- */
 
-/* Functions that read the columns of the last record. Some fields below replace a column. */
+/* Functions that return the columns of the last record as fields. Some fields defined below
+ * replace the column with the same name. */
 #define COLUMN_FIELD(name, unit, range, rule, text) NUMBER_FIELD(wear_column, name, last(L)->name)
 ARC_WEAR_COLUMNS(COLUMN_FIELD)
 #undef COLUMN_FIELD
@@ -53,7 +54,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* 3-D: only the depth along y */
+  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* 3-D has only the depth along y */
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
@@ -87,12 +88,13 @@ static int wear_saved(lua_State *L) {
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
-/* Load of the reference configuration. The column load_reference is the load of the last update. */
+/* Field `load`: the load of the reference configuration. The column load_reference is the load
+ * of the last update instead. */
 NUMBER_FIELD(wear, load, def(L)->load)
-/* Stroke of the plate, also for runs with loading. */
+/* Field `stroke`: the stroke of the plate. It is also defined for runs with loading. */
 NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))
 
-/* Pushes the function of a field. Returns 0 if the field is not a function. */
+/* Pushes the user's function for a field. Returns 0 if the field is not a function. */
 static int push_function(lua_State *L, const char *field) {
   lua_settop(L, 1);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
@@ -115,8 +117,8 @@ static int wear_alpha(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
-/* Returns the wear coefficient of one body: the value in the definition, or of the last update if
- * it varies. */
+/* Returns the wear coefficient of one body. It is the value in the definition if the coefficient
+ * is constant, otherwise the value of the last update. */
 static double coefficient(lua_State *L, int of_cylinder) {
   const arc_wear_def *d = def(L);
   const arc_wear_record *now = last(L);
@@ -177,7 +179,7 @@ static int wear_functions_given(lua_State *L) {
   return 1;
 }
 
-/* w.loading: the sampled blocks of loading; false for a run with a stroke. */
+/* w.loading: the sampled blocks of loading, or false if the run has a stroke instead. */
 static int wear_loading(lua_State *L) {
   const arc_wear_def *settings = def(L);
   if (settings->blocks == 0)
@@ -187,7 +189,8 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-/* w.procedure: the procedure in use, even if the definition has "auto". */
+/* w.procedure: the procedure that the run uses. If the definition has "auto", this is the chosen
+ * procedure. */
 static int wear_procedure(lua_State *L) {
   lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
   return 1;
@@ -246,8 +249,8 @@ const luaL_Reg wear_fields[] = {
 
 /* --- printed summary -------------------------------------------------------------------------- */
 
-/* Writes a value such as "100 N". After a change by wear:set it writes "100 N until now, 20 N from
- * here on". A record value of NaN is unknown. */
+/* Writes a value such as "100 N". If wear:set has changed the value since the last record,
+ * writes "100 N until now, 20 N from here on". The record's value is NaN if it is unknown. */
 static const char *show_course(double record, double set, const char *unit, char *text,
                                size_t size) {
   if (fabs(record - set) > 1e-9 * fmax(fabs(record), fabs(set)))
@@ -257,7 +260,7 @@ static const char *show_course(double record, double set, const char *unit, char
   return text;
 }
 
-/* Returns a value of the last update, NaN before the first update. */
+/* Returns `value`, which belongs to the last update, or NaN if there was no update yet. */
 static double of_update(const arc_wear_record *record, double value) {
   return record->update > 0 ? value : NAN;
 }
@@ -270,7 +273,7 @@ static const char *show_coefficient(double record, double number, const arc_seri
   return show_course(record, number, unit, text, size);
 }
 
-/* Writes the motion: "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
+/* Writes the motion as text: "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
 static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const int blocks = arc_wear_definition(wear)->blocks;
   const double travel = arc_wear_travel(wear);
@@ -343,7 +346,7 @@ static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
-/* Writes k. A constant k is written in both units. */
+/* Writes the wear coefficient k as text. A constant k is written in both units. */
 static const char *show_k(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_wear_record *now = arc_wear_last(wear);
@@ -398,8 +401,8 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   pair_add_all_layers(text, model);
 }
 
-/* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". With layers these are the values at the
- * exposed surfaces. */
+/* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". For bodies with layers these are the
+ * coefficients of the layers at the surfaces. */
 static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const double upper = arc_wear_open_k(wear, ARC_UPPER), lower = arc_wear_open_k(wear, ARC_LOWER);
@@ -432,7 +435,8 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   add_others(text, settings);
 }
 
-/* Writes the position of the largest pressure, or "" if there is nothing to show. */
+/* Writes the position of the largest pressure as text, or "" if the pressure at the centre is as
+ * large or no surfaces are available. */
 static void show_peak(const arc_wear *wear, char *text, size_t size) {
   arc_error error = {0};
   arc_array *arrays = NULL;
@@ -471,7 +475,7 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   luaL_addstring(text, line);
 }
 
-/* Adds the friction results of the last cycle of a run with friction. */
+/* Adds the friction results of the last cycle if the run has friction. */
 static void add_rubbing(luaL_Buffer *text, const arc_wear_record *record) {
   char line[200], slips[40] = "gross slip";
   if (record->update == 0 || !(record->largest_shear > 0)) return;
