@@ -107,8 +107,8 @@ static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *
   return drawable == 0 ? "has no positive point for the logarithmic axis" : NULL;
 }
 
-/* Returns true if gnuplot knows the colour. gnuplot itself would accept any word as a colour and
- * draw an unknown colour in black. */
+/* Returns true if the colour is in gnuplot's list. gnuplot itself would accept any word as a colour
+ * and draw an unknown colour in black. */
 static int is_colour(const char *colour) {
   static const char names[] = " " ARC_PLOT_COLOURS " ";
   char word[24];

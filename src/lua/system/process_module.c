@@ -371,8 +371,8 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
-/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "STAND:
- * interrupted", where STAND is the text `stand`, or with "interrupted" if there is no `stand`. */
+/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted",
+ * after the text `stand` and a colon if it is given. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
