@@ -139,7 +139,7 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls the function `name` of the session module for its end with the value on top of the stack
+/* Calls the function `name` of the script that ends sessions with the value on top of the stack
  * and replaces this value by the result. On failure the result is nil. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);

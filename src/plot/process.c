@@ -1,7 +1,6 @@
-/* A child process and the exchange of data with it.
- *
- * Input and output are one socket, because writing to a socket can avoid SIGPIPE, so that the
- * caller's signal handlers stay unchanged. */
+/* A child process and the exchange of data with it. The child's standard input and output are
+ * one socket. Writing to a socket can avoid the signal SIGPIPE, so the caller's signal handlers
+ * need not be changed. */
 #include "plot/process.h"
 #include "system/child.h"
 
@@ -23,7 +22,7 @@ static double seconds(void) {
 /* --- start of a process ----------------------------------------------------------------------- */
 
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
-  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0] of this process, [1] of the child */
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0]: end of this process, [1]: of the child */
   pid_t pid = 0;
   int opened = arc_child_channel(talk, 1), failed = opened;
   if (!failed) failed = opened = arc_child_channel(errors, 0);
@@ -49,8 +48,8 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
 
 enum { BLOCK = 1 << 16 };
 
-/* Reads the available bytes. Returns their number, 0 if none are available now, or -1 if the child
- * has closed its end. */
+/* Reads the available bytes. Returns the number of bytes, 0 if no bytes are available now, or -1
+ * if the child has closed its end. */
 static ssize_t take(int descriptor, arc_text *text) {
   char block[BLOCK];
   ssize_t got = read(descriptor, block, sizeof block);
@@ -60,8 +59,8 @@ static ssize_t take(int descriptor, arc_text *text) {
   return got;
 }
 
-/* Sends as many bytes as possible now. Returns their number, 0 if none can be sent, or -1 on
- * failure. */
+/* Sends as many bytes as possible without waiting. Returns the number of bytes, 0 if none can be
+ * sent now, or -1 on failure. */
 static ssize_t give(int descriptor, const char *bytes, size_t count) {
   ssize_t sent = send(descriptor, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR ? 0 : -1;
@@ -76,8 +75,8 @@ static int finished(const arc_text *answer, const char *mark) {
   return strncmp(answer->data + start, mark, strlen(mark)) == 0;
 }
 
-/* Waits for data, at most 0.1 s, and transfers it. Returns the number of bytes, or -1 if the child
- * has ended. */
+/* Waits for data, at most 0.1 s, and transfers the data in both directions. Returns the number
+ * of bytes, or -1 if the child has ended. */
 static long one_round(arc_process *process, arc_exchange *exchange, size_t *sent) {
   struct pollfd watched[2] = {{process->talk, POLLIN, 0}, {process->errors, POLLIN, 0}};
   if (*sent < exchange->length) watched[0].events |= POLLOUT;
@@ -132,9 +131,9 @@ arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchan
 
 /* --- end of a process ------------------------------------------------------------------------- */
 
-/* Checks without reaping the process, so that its exit status remains for arc_process_end. An open
- * socket is no proof that the process runs, because another program that it started may have the
- * socket open. */
+/* Returns true if the process runs. The check does not reap the process, so that its exit status
+ * is kept for arc_process_end. An open socket does not prove that the process runs, because
+ * another program that it started may have the socket open. */
 int arc_process_alive(const arc_process *process) {
   if (process->pid <= 0) return 0;
   siginfo_t info = {.si_pid = 0};
@@ -144,13 +143,14 @@ int arc_process_alive(const arc_process *process) {
          !(watched.revents & (POLLHUP | POLLERR | POLLNVAL));
 }
 
-/* Waits for the end of the process, at most `patience` [s]. Returns true if it has ended. */
+/* Waits for the end of the process, at most `patience` [s]. Returns true if the process has
+ * ended. */
 static int wait_for(pid_t pid, double patience, int *how) {
   double until = seconds() + patience;
   for (;;) {
     pid_t got = waitpid(pid, how, WNOHANG);
     if (got == pid) return 1;
-    if (got < 0 && errno != EINTR) { /* reaped by another caller */
+    if (got < 0 && errno != EINTR) { /* another caller has already reaped the process */
       *how = -1;
       return 1;
     }

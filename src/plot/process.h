@@ -16,19 +16,19 @@ typedef struct arc_process {
 
 #define ARC_PROCESS_NONE ((arc_process){0, -1, -1})
 
-/* Starts `argv[0]` as arc_child_start() does. ARC_MISSING: there is no such program. ARC_IO: any
- * other failure. After a failure no descriptor is open. */
+/* Starts `argv[0]` as arc_child_start() does. After a failure no descriptor is open. Errors:
+ * ARC_MISSING if there is no such program, ARC_IO for any other failure. */
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error);
 
-/* Largest size of a reply, and of its error output [bytes]. */
+/* Largest size of a reply, and also of the output on standard error [bytes]. */
 enum { ARC_EXCHANGE_MOST = 64 << 20 };
 
 /* A request to a process, and its reply. */
 typedef struct arc_exchange {
   const char *question;
   size_t length;
-  const char *last_line; /* prefix of the last line of the reply */
-  double patience;       /* [s] limit without data in any direction */
+  const char *last_line; /* text with which the last line of the reply begins */
+  double patience;       /* [s] longest time without data in either direction */
   arc_stop_fn should_stop;
   void *stop_context;
   arc_text answer; /* output: the reply including its last line; freed by the caller */
@@ -51,8 +51,9 @@ arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchan
 /* Returns true while the process runs and reads its input. */
 int arc_process_alive(const arc_process *process);
 
-/* Closes the input of the process, waits up to `patience` [s] for its end, then kills its group.
- * Returns its status in the form of waitpid(), or -1 if it is unknown. */
+/* Closes the input of the process and waits for its end, at most `patience` [s]. If it has not
+ * ended then, kills its process group. Returns its status in the form of waitpid(), or -1 if the
+ * status is unknown. */
 int arc_process_end(arc_process *process, double patience);
 
 #endif

@@ -1,6 +1,6 @@
-/* Writes a figure as gnuplot commands. A single panel has gnuplot's margins. Several panels have
- * margins in fractions of the canvas, computed in characters, so that their frames align for
- * numbers of any length. */
+/* Writes a figure as gnuplot commands. A single panel has gnuplot's margins. The margins of
+ * several panels are computed in characters and written as fractions of the canvas, so that the
+ * frames align for tick labels of any length. */
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static margins margins_of(const arc_writer *w, double columns, double wide) {
   return r;
 }
 
-/* Returns the number of rows for the keys below the panels. */
+/* Returns the number of rows that the keys below the panels need. */
 static double own_keys(const arc_writer *w) {
   double lines = 0;
   for (size_t i = 0; i < w->figure->panel_count; i++)
@@ -52,8 +52,8 @@ static double own_keys(const arc_writer *w) {
   return lines > 0 ? lines + 0.2 : 0;
 }
 
-/* Returns the left margin. It is the same for all panels, from the longest number of all, so that
- * frames align. */
+/* Returns the left margin. All panels have the same left margin, computed from the longest tick
+ * label of all panels, so that the frames align. */
 static double left_of_frames(const arc_writer *w, double least, double rows) {
   int labelled = 0;
   size_t longest = 0;
@@ -144,14 +144,14 @@ static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas
   memcpy(panels, figure->panels, figure->panel_count * sizeof *panels);
   arc_plot_share(panels, figure->panel_count);
   for (size_t i = 0; i < figure->panel_count; i++) arc_plot_clear(canvas, &panels[i]);
-  /* a single panel without a title shows the title of the figure */
+  /* A single panel without a title has the title of the figure. */
   if (figure->panel_count == 1 && !panels->title) panels->title = figure->title;
   shown.panels = panels;
   write_panels(&shown, canvas, script);
   free(panels);
 }
 
-/* Numbers are written in the C locale, because gnuplot reads numbers with a decimal point. */
+/* Writes the commands in the C locale, because gnuplot reads numbers with a decimal point. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script) {
   locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
   if (!c) {

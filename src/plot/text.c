@@ -1,7 +1,7 @@
-/* Growing texts and the quoting of user texts. In double quotes gnuplot runs text between
- * backquotes as shell commands, and a line break ends the command, so both are written as character
- * codes. In single quotes gnuplot 5.4 reads some pairs of quotes as the end of one text and the
- * beginning of the next. */
+/* Growing texts and the quoting of user texts. In double quotes, gnuplot runs a text between
+ * backquotes as a shell command, and a line break ends the gnuplot command. Therefore both are
+ * written as character codes. Single quotes are not used, because gnuplot 5.4 reads some pairs
+ * of quotes as the end of one text and the beginning of the next. */
 #include "plot/text.h"
 
 #include <stdarg.h>
@@ -45,7 +45,7 @@ void arc_text_format(arc_text *text, const char *format, ...) {
   if (length >= 0 && (size_t)length < sizeof line)
     arc_text_add(text, line, (size_t)length);
   else
-    text->failed = 1; /* only for numbers and short texts of this program */
+    text->failed = 1; /* too long: this function is only for numbers and short texts */
 }
 
 void arc_text_free(arc_text *text) {
@@ -53,7 +53,8 @@ void arc_text_free(arc_text *text) {
   memset(text, 0, sizeof *text);
 }
 
-/* Returns the code point at `bytes` and its length; -1 and length 1 for invalid UTF-8. */
+/* Returns the code point at `bytes` and sets its length. For invalid UTF-8 returns -1 with
+ * length 1. */
 static long code_point(const unsigned char *bytes, size_t *length) {
   static const long smallest[] = {0, 0, 0x80, 0x800, 0x10000};
   size_t count = bytes[0] < 0x80           ? 1
@@ -74,7 +75,7 @@ static long code_point(const unsigned char *bytes, size_t *length) {
   return code;
 }
 
-/* Returns the ASCII text that replaces a character. */
+/* Returns the ASCII text that replaces the character with this code point. */
 static const char *spelled(long code) {
   static const struct {
     long code;
@@ -99,7 +100,7 @@ static int is_control(long code) {
          code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/* Appends a byte within double quotes. */
+/* Appends a byte of a text in double quotes, escaped if necessary. */
 static void add_byte(arc_text *text, char byte) {
   if (byte == '"' || byte == '\\')
     arc_text_add(text, (char[]){'\\', byte}, 2);

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* A text initialised with zeros. If memory runs out, `failed` is set and later additions have no
- * effect. */
+/* A text that grows. It must be initialised with zeros. If memory is exhausted, `failed` is set
+ * and later additions have no effect. */
 typedef struct arc_text {
   char *data; /* zero-terminated; NULL if empty */
   size_t length, capacity;
@@ -28,15 +28,15 @@ int arc_text_marked(const char *words);
 /* Appends a text in which names such as \alpha are replaced by Greek letters. */
 void arc_text_greek(arc_text *text, const char *words);
 
-/* Appends a text as gnuplot's enhanced text, without quotes. Subscripts and superscripts
- * (archard/plot.h) become gnuplot's marks; other special characters are escaped. */
+/* Appends a text in the syntax of gnuplot's enhanced text, without quotes. Subscripts and
+ * superscripts (archard/plot.h) become gnuplot's marks. Other special characters are escaped. */
 void arc_text_enhanced(arc_text *text, const char *words);
 
-/* Returns the number of characters (not bytes) of a UTF-8 text, 0 for NULL. */
+/* Returns the number of characters (not bytes) of a UTF-8 text. For NULL returns 0. */
 size_t arc_text_characters(const char *words);
 
-/* Returns the number of bytes in the first line of a text wrapped at `columns` characters, after a
- * comma, colon or blank. */
+/* Returns the number of bytes in the first line of a text that is wrapped at `columns`
+ * characters. A line ends after a comma, colon or blank. */
 size_t arc_text_line(const char *words, double columns);
 
 void arc_text_free(arc_text *text);

@@ -1,5 +1,5 @@
-/* Chooses round tick values with short labels that do not overlap. gnuplot would write 0.000000001
- * instead of 1e-09, and numbers that overlap. */
+/* Chooses round tick values with short labels that do not overlap. Without these values gnuplot
+ * would write 0.000000001 instead of 1e-09, and labels that overlap. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,8 @@
 /* Digits beyond MOST_DIGITS are rounding errors of doubles. */
 enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
-/* Returns 1, 2 or 5 times a power of ten, such that the span has at most `steps` steps. */
+/* Returns the smallest step of the form 1, 2 or 5 times a power of ten for which the span has at
+ * most `steps` steps. */
 static double round_step(double span, double steps) {
   double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
   double share = rough / power;
@@ -21,15 +22,16 @@ double arc_field_step(const double range[2], int levels) {
   return round_step(range[1] - range[0], levels + 1);
 }
 
-/* Returns the digits needed to distinguish adjacent ticks: 100.001 and 100.002 need six. */
+/* Returns the number of digits needed to distinguish adjacent ticks. For example, 100.001 and
+ * 100.002 need six digits. */
 static int digits_of(double low, double high, double step) {
   double largest = fmax(fabs(low), fabs(high));
   double digits = floor(log10(largest)) - floor(log10(step)) + 1;
   return (int)fmin(MOST_DIGITS, fmax(DIGITS, digits));
 }
 
-/* Returns the length of the longest label. Automatic ends extend to the next tick beyond the
- * data. */
+/* Returns the length of the longest label. The range is extended to the next tick at both ends,
+ * as gnuplot extends automatic ends. */
 static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   char label[40];
   size_t longest = 1;
@@ -61,7 +63,7 @@ static int decimals_of(double value) {
   return (int)(end - point) - 1;
 }
 
-/* Chooses powers of ten if plain numbers would be long and powers are shorter. */
+/* Chooses labels with powers of ten if plain numbers would be long and powers are shorter. */
 static void choose_form(double low, double high, arc_ticks *ticks) {
   double first = floor(low / ticks->step + 1e-9), last = ceil(high / ticks->step - 1e-9);
   for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
@@ -87,8 +89,9 @@ static int is_free(double span) {
   return !isfinite(span) || span == 0;
 }
 
-/* If there are few decades, multiples such as 2 and 5 have labels as well. All labels have the same
- * form: 0.0001 beside 1e-05 would be inconsistent. */
+/* Computes the ticks of a logarithmic axis. If the axis has few decades, multiples such as 2 and
+ * 5 also have labels. All labels of an axis have one form, because 0.0001 beside 1e-05 would be
+ * inconsistent. */
 static arc_ticks log_ticks(double low, double high, double most) {
   int first = (int)floor(log10(low) + 1e-9), last = (int)ceil(log10(high) - 1e-9);
   arc_ticks ticks = {.digits = DIGITS,

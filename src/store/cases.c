@@ -10,7 +10,7 @@ const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) N
 
 /* --- list of cases ---------------------------------------------------------------------------- */
 
-/* Sets *found to whether a case with this id exists. */
+/* Sets *found to 1 if a case with the number `id` exists, otherwise to 0. */
 static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
@@ -90,7 +90,8 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status of a case ------------------------------------------------------------------------- */
 
-/* Returns ARC_OK if the case exists, although its status did not change. */
+/* Checks that the case exists after an update that changed no row. Errors: ARC_ARGUMENT if there
+ * is no case `id`. */
 static arc_status find_done(arc_store *store, int id, arc_error *error) {
   int found = 0;
   const arc_status status = find(store, id, &found, error);
@@ -140,7 +141,7 @@ arc_status arc_store_release(arc_store *store, arc_error *error) {
 
 /* --- named values ----------------------------------------------------------------------------- */
 
-/* SQL statements by arc_value_use. */
+/* SQL statements that delete the values of a case, indexed by arc_value_use. */
 static const char *const forget[] = {"DELETE FROM settings WHERE case_id = ?1",
                                      "DELETE FROM definition WHERE case_id = ?1",
                                      "DELETE FROM results WHERE case_id = ?1"};
@@ -153,8 +154,8 @@ static const char *const look_up[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
-/* Sets a text, or the name of a long text, as parameter. `name` must be valid until the query has
- * run. */
+/* Sets a text as parameter of a query. A long text is stored separately, and its name is the
+ * parameter. `name` must be valid until the query has run. */
 static arc_status set_text(arc_store *store, query *q, const char *text, char name[ARC_TEXT_NAME],
                            arc_error *error) {
   const arc_status status = arc_store_put_text(store, text, name, error);
@@ -169,7 +170,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* stored as an integer, numbers never are */
+  case ARC_VALUE_FLAG: /* a flag is stored as an integer, a number never is */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
@@ -204,7 +205,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* Memory of the value in a row; freed by the caller. */
+/* Memory of the value that is read from a row. The caller frees it. */
 typedef struct buffers {
   double *array;
   char *text;
@@ -240,7 +241,7 @@ static int is_path(const char *name) {
   return length > 0 && name[0] != '.' && name[length - 1] != '.' && !strstr(name, "..");
 }
 
-/* Reads the value in a row. */
+/* Reads the name and the value in a row. */
 static arc_status read_value(arc_store *store, query *q, int id, arc_value *value, buffers *to,
                              arc_error *error) {
   if (arc_query_kind(q, 0) != COLUMN_TEXT || !is_path(arc_query_text(q, 0)))

@@ -1,5 +1,5 @@
-/* Names of columns in the file, and parts of SQL texts made from these names. The columns of the
- * history follow from the list in archard/wear.h. A name includes the unit, such as
+/* Names of columns in the file, and parts of SQL texts made from these names. The history has a
+ * column for each item of the list in archard/wear.h. A column name includes the unit, such as
  * half_width_mm. */
 #include "store/store.h"
 
@@ -76,14 +76,16 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings with another column name, because their own name is also a result or a keyword of SQL,
- * or in a model a setting of a run. Rows: prefix, setting, column. */
+/* Settings whose column has another name. Their own name is also the name of a result, a keyword
+ * of SQL, or (for settings of the model) a setting of the run. Each row has prefix, setting,
+ * column. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},
                                          {"model.", "geometry", "model_geometry"}};
 
-/* Returns the column of a setting, for example "mesh_size" for mesh.size. */
+/* Returns the column of a setting. For example, the setting mesh.size has the column
+ * "mesh_size". */
 static column column_of(const char *prefix, const char *path, const arc_setting *s,
                         char name[static 96]) {
   size_t i = 0;
@@ -96,8 +98,8 @@ static column column_of(const char *prefix, const char *path, const arc_setting 
   return (column){name, counted ? "" : s->unit, s->text};
 }
 
-/* Writes the names of the settings that replace this one: its function, its series, or blocks of
- * loading. */
+/* Writes the names of the values that can replace a setting: its function, its series, or the
+ * blocks of loading. */
 static void put_instead(FILE *to, const char *path, unsigned forms) {
   fputs("''", to);
   if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
@@ -105,15 +107,16 @@ static void put_instead(FILE *to, const char *path, unsigned forms) {
   if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
 }
 
-/* Context of a loop over the settings: output, and prefix of the names in the file. */
+/* Context of a loop over the settings: output file, prefix of the names, and function that
+ * writes a setting. */
 typedef struct walk {
   FILE *to;
   const char *prefix;
   void (*put)(struct walk *walk, const char *path, const arc_setting *s);
 } walk;
 
-/* Writes the SQL expression of a setting: its value in the definition, or in the settings of a case
- * without a definition. */
+/* Writes the SQL expression for the value of a setting. The value is from the definition of the
+ * case, or from its settings if the case has no definition. */
 static void put_setting(walk *at, const char *path, const arc_setting *s) {
   char name[96];
   const column c = column_of(at->prefix, path, s, name);
@@ -150,14 +153,14 @@ static void put_settings(FILE *to) {
   put_all(to, put_setting);
 }
 
-/* Writes all byte values in ascending order. */
+/* Writes all byte values from 00 to ff in hexadecimal. */
 static void put_bytes(FILE *to) {
   for (unsigned b = 0; b < 256; b++) fprintf(to, "%02x", b);
 }
 
-/* Writes an SQL expression that decodes a double from its bits, where `bytes` is the list of all
- * byte values. Each LIMIT prevents SQLite from evaluating the inner query again for every use.
- * Subnormal numbers become 0. */
+/* Writes an SQL expression that decodes a double from its bits. `bytes` in the expression is the
+ * list of all byte values. Each LIMIT prevents SQLite from evaluating the inner query again for
+ * every use. Subnormal numbers become 0. */
 static void put_number(FILE *to, const char *array) {
   const int least_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
   fputs("(SELECT CASE WHEN e = 0 THEN f * 0.0 WHEN e = 2047 THEN NULL WHEN e < 1023 THEN f / power"
@@ -219,8 +222,8 @@ static const struct {
              {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
-/* Appends the text that replaces the word at the start of `text`, or the first character if it is
- * no such word. Returns the length replaced. */
+/* If `text` begins with one of the words, appends the text that replaces the word. Otherwise
+ * appends the first character. Returns the number of characters of `text` that were processed. */
 static size_t put_part(FILE *to, const char *text) {
   for (size_t p = 0; p < COUNT(parts); p++) {
     size_t length = strlen(parts[p].word);

@@ -14,10 +14,10 @@
 struct database {
   sqlite3 *handle;
   char *path, *name; /* path of the file, and its name in messages */
-  long long bytes;   /* size of the file and of the attached file when the query was opened */
+  long long bytes;   /* size of the file and of the attached file at the start of the query */
   long long beside;
   arc_lock_kind locks;
-  long long work; /* remaining instructions, in units of WATCH */
+  long long work; /* remaining instructions of the query, in units of WATCH */
 };
 
 struct query {
@@ -37,11 +37,11 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
-  case SQLITE_PERM:  /* returned only by open_guarded */
-  case SQLITE_ERROR: /* missing table or column, as our SQL is correct */
+  case SQLITE_PERM:  /* only open_guarded returns this code */
+  case SQLITE_ERROR: /* missing table or column, because this program's SQL is correct */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
-  case SQLITE_INTERRUPT: /* limit on instructions */
+  case SQLITE_INTERRUPT: /* the limit of instructions was exceeded */
     return ARC_FORMAT;
   case SQLITE_CONSTRAINT:
     return ARC_ARGUMENT;
@@ -121,9 +121,10 @@ static arc_status fail(const database *db, int code, arc_error *error) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Files are not trusted: pages may form cycles, and tables may be views. So the size of the file
- * limits the number of instructions of a query. Our queries need about 50 instructions for a row of
- * 30 bytes, and a few times more for merges. */
+/* Files are not trusted: for example, pages may form cycles, and tables may be views. Therefore
+ * a query has a limit of instructions, which grows with the size of the file. The queries of
+ * this program need about 50 instructions for a row of 30 bytes, and a few times more for
+ * merges. */
 enum { WATCH = 10000, LARGEST_VALUE = 64 << 20 };
 static const long long work_at_least = 10000000, work_a_byte = 100, rows_at_least = 100000;
 
@@ -142,7 +143,8 @@ static void measure(database *db) {
   begin_work(db);
 }
 
-/* Prevents SQLite from executing code in the file: views, triggers, functions with side effects. */
+/* Prevents SQLite from executing code that the file contains: views, triggers, functions with
+ * side effects. */
 static void distrust(database *db) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
@@ -154,17 +156,17 @@ static void distrust(database *db) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* Restricted file system interfaces for SQLite, one for each kind of lock. */
+/* File system interfaces for SQLite with restrictions, one interface for each kind of lock. */
 enum { KINDS = ARC_LOCK_NONE + 1 };
 static const char *const guarded_names[KINDS] = {"archard", "archard-by-name", "archard-alone"};
 static const char *const beneath_names[KINDS] = {"unix", "unix-dotfile", "unix-none"};
 static sqlite3_vfs guarded[KINDS];
 static int (*open_beneath)(sqlite3_vfs *, const char *, sqlite3_file *, int, int *);
 
-/* Opens a file for SQLite, except super-journals, logs and unsafe journals. Such files beside an
- * untrusted file (journals that name another file, links, pipes) could make SQLite delete or write
- * any file, or wait forever. SQLite deletes only files that it could open, and the journal of its
- * own file. */
+/* Opens a file for SQLite, but not super-journals, write-ahead logs and unsafe journals. If such
+ * files (journals that name another file, links, pipes) are beside an untrusted file, SQLite
+ * could delete or write any file, or wait forever. SQLite deletes only files that it could open,
+ * and the journal of its own file. */
 static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
                         int *given) {
   const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
@@ -178,12 +180,12 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* the same function for all kinds of lock */
+  open_beneath = beneath->xOpen; /* equal for all kinds of lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
   own->xOpen = open_guarded;
-  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's locks are folders, which have no owner */
+  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's own locks would be folders, which store no owner */
     own->xSetSystemCall(own, "mkdir", (sqlite3_syscall_ptr)arc_lock_take);
     own->xSetSystemCall(own, "rmdir", (sqlite3_syscall_ptr)arc_lock_leave);
   }
@@ -202,7 +204,7 @@ static int guard(void) {
 
 /* --- lists of numbers ------------------------------------------------------------------------- */
 
-/* Numbers collected from the rows of a group. */
+/* List of the numbers in the rows of an SQL group. */
 typedef struct number_list {
   double *number;
   size_t count, capacity;
@@ -251,8 +253,8 @@ static arc_status configure(database *db, arc_error *error) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   distrust(db);
   if (define_arrays(db->handle) != SQLITE_OK) return fail(db, SQLITE_NOMEM, error);
-  /* SQLite uses a rollback journal, not a log: there is only one file while it is idle, and network
-   * file systems support it */
+  /* The journal is a rollback journal, not a write-ahead log. Therefore the database is a single
+   * file while it is idle, and network file systems are supported. */
   return arc_database_run(
       db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA cell_size_check = ON",
       error);
@@ -271,13 +273,14 @@ static database *new_database(const char *path, const char *name) {
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
-  arc_lock_kind locks = ARC_LOCK_NONE; /* a new file is not shared yet */
+  arc_lock_kind locks = ARC_LOCK_NONE; /* new file: no other process uses it yet */
   arc_status status = create ? ARC_OK : arc_lock_look(path, name, &locks, error);
   if (status != ARC_OK) return status;
   database *db = new_database(path, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
-  /* only one thread uses a store; a lock for every bound value would cost a third of the time */
+  /* SQLite needs no mutex, because only one thread uses a store. A mutex for every parameter
+   * would cost a third of the time. */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
@@ -297,7 +300,7 @@ void arc_database_close(database **db) {
   *db = NULL;
 }
 
-/* Copies a snapshot of `from` into the database of this schema in `to`. */
+/* Copies a snapshot of the database `from` into the schema `schema` of `to`. */
 static arc_status copy(database *to, const char *schema, const database *from, arc_error *error) {
   sqlite3_backup *backup = sqlite3_backup_init(to->handle, schema, from->handle, "main");
   if (backup) sqlite3_backup_step(backup, -1);
@@ -306,8 +309,8 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
-/* The copy is an unnamed database, which SQLite keeps in memory while it is small, then in a hidden
- * file. */
+/* Replaces the database by a copy without a file name. SQLite keeps the copy in memory while it
+ * is small, and later in a hidden file. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
   arc_status status = arc_database_open("", db->name, 1, 1, &made, error);
@@ -323,7 +326,8 @@ arc_status arc_database_copy(database *db, arc_error *error) {
   return status;
 }
 
-/* The path is a parameter of the SQL statement, because it may contain any character. */
+/* Attaches the file `path`. The path is a parameter of the SQL statement, because it may contain
+ * any character. */
 static arc_status attach(database *db, const char *path, arc_error *error) {
   query *q;
   arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
@@ -334,9 +338,9 @@ static arc_status attach(database *db, const char *path, arc_error *error) {
   return status;
 }
 
-/* A temporary copy has no path, so its content is copied. The other file is only read and has its
- * journal in memory: with a journal file, SQLite would treat a change as one of two files and
- * record it in a third file. */
+/* Attaches another database. A temporary copy has no path, so its content is copied instead. The
+ * attached file is only read, and its journal is in memory. With a journal file, SQLite would
+ * regard a change as a change of two files and record it in a third file. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
   const char *path = sqlite3_db_filename(other->handle, "main");
   db->beside = other->bytes;
@@ -403,7 +407,7 @@ void arc_query_set_text(query *q, int index, const char *text) {
 }
 
 void arc_query_set_array(query *q, int index, const double *values, size_t count) {
-  /* an empty array may have a NULL address, which would be stored as NULL */
+  /* The address of an empty array may be NULL, which SQLite would store as the value NULL. */
   const void *bytes = count > 0 ? (const void *)values : "";
   note(q, sqlite3_bind_blob64(q->statement, index, bytes, count * sizeof(double), SQLITE_STATIC));
 }
@@ -478,7 +482,8 @@ void arc_query_array(query *q, int column, double *values, size_t count) {
 
 /* --- the whole file --------------------------------------------------------------------------- */
 
-/* Reports a failed check. Its message may contain an I/O error of the system. */
+/* Reports that the file failed a check. The message of SQLite may instead describe an I/O error,
+ * which is then reported. */
 static arc_status refuse_unsound(const database *db, const char *said, arc_error *error) {
   if (system_error(db, SQLITE_IOERR)) return fail(db, SQLITE_IOERR, error);
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", db->name, said);

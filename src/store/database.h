@@ -7,18 +7,19 @@
 typedef struct database database;
 typedef struct query query;
 
-/* Opens a database. `path` must be absolute, because SQLite gives other names a special meaning
- * ("file:...", ":memory:"), or "" for a temporary database. With `create` the file is created and
- * must not exist. `name` is the name in messages. */
+/* Opens a database. `path` must be an absolute path, or "" for a temporary database. Other names
+ * are not allowed, because SQLite gives them a special meaning ("file:...", ":memory:"). With
+ * `create` the file is created and must not exist. `name` is the name in error messages. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **db, arc_error *error);
 void arc_database_close(database **db);
-/* Replaces the database by a temporary copy, which is deleted when it is closed. */
+/* Replaces the open database by a temporary copy. The copy is deleted when the database is
+ * closed. */
 arc_status arc_database_copy(database *db, arc_error *error);
 /* Attaches another database as schema "other". */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error);
 
-/* Checks all pages of the file. ARC_FORMAT: damaged. */
+/* Checks all pages of the file. Errors: ARC_FORMAT if the file is damaged. */
 arc_status arc_database_check(database *db, arc_error *error);
 
 /* Runs statements without results. */
@@ -32,14 +33,14 @@ int arc_database_in_transaction(const database *db);
 arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error);
 void arc_query_close(query **q);
 
-/* Set a parameter. The next arc_query_step returns any error. Texts and arrays must be valid until
- * then. */
+/* These functions set a parameter. An error is returned by the next arc_query_step. Texts and
+ * arrays must be valid until that call. */
 void arc_query_set_number(query *q, int index, double value);
 void arc_query_set_whole(query *q, int index, long long value);
-void arc_query_set_text(query *q, int index, const char *text); /* NULL: no value */
+void arc_query_set_text(query *q, int index, const char *text); /* text NULL: the value is NULL */
 void arc_query_set_array(query *q, int index, const double *values, size_t count);
 
-/* Computes the next row; *row is 0 after the last one. */
+/* Computes the next row. Sets *row to 0 if there are no more rows. */
 arc_status arc_query_step(query *q, int *row, arc_error *error);
 
 /* Makes a query ready for new parameters. */
@@ -59,7 +60,7 @@ typedef enum column_kind {
 
 int arc_query_columns(const query *q);
 column_kind arc_query_kind(query *q, int column);
-double arc_query_number(query *q, int column); /* NaN for NULL */
+double arc_query_number(query *q, int column); /* NaN if the value is NULL */
 long long arc_query_whole(query *q, int column);
 const char *arc_query_text(query *q, int column); /* "" for NULL; valid until the next step */
 size_t arc_query_array_count(query *q, int column);

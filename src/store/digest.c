@@ -1,6 +1,6 @@
-/* Checksums (FNV-1a, 64 bit) over all data of a finished case. The commit that finishes the case
- * writes its checksum, and reading the case compares it. SQLite detects damage to the structure of
- * a file; checksums detect damage to its values. */
+/* Checksums (FNV-1a, 64 bit) of all data of a finished case. The transaction that finishes the
+ * case stores its checksum, and functions that read the case compare it. SQLite detects damage
+ * to the structure of a file; the checksums detect damage to the values. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@ static const char *const parts[] = {
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
     "SELECT * FROM arrays WHERE case_id = ?1 ORDER BY part, updates, body, name"};
 
-/* Surfaces and state in files before format 5. */
+/* Queries for surfaces and state in files with a format before 5. */
 static const char *const older_parts[] = {
     "SELECT * FROM older_surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM older_state WHERE case_id = ?1 ORDER BY body"};
@@ -28,7 +28,8 @@ uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count) {
   return sum;
 }
 
-/* Adds a value and its type to a checksum, so that 1 and "1" differ. */
+/* Adds a value and its type to a checksum. The type is included so that 1 and "1" have different
+ * checksums. */
 static arc_status add_value(query *q, int column, uint64_t *sum) {
   const column_kind kind = arc_query_kind(q, column);
   const unsigned char tag = (unsigned char)kind;
@@ -66,7 +67,7 @@ static arc_status add_part(arc_store *store, const char *sql, int id, uint64_t *
   return status;
 }
 
-/* Computes the checksum of a case as text. */
+/* Computes the checksum of a case and writes it as text. */
 static arc_status digest_of(arc_store *store, int id, char text[17], arc_error *error) {
   uint64_t sum = ARC_STORE_CHECKSUM;
   arc_status status = ARC_OK;
@@ -92,7 +93,8 @@ static arc_status seal(arc_store *store, int id, arc_error *error) {
   return status;
 }
 
-/* Runs a query for the next case after `after`. Returns its id, or 0 if there is none. */
+/* Runs a query for the next case whose id is greater than `after`. Sets *id to its id, or to 0
+ * if there are no more cases. */
 static arc_status first_case(arc_store *store, const char *sql, int after, int *id,
                              arc_error *error) {
   query *q;
@@ -107,7 +109,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
 
 /* --- cases that need a checksum --------------------------------------------------------------- */
 
-/* SQL condition for a case that needs a checksum. */
+/* SQL condition that is true for cases that must have a checksum. */
 #define NEEDS_ONE                                                                                  \
   "(status = 'done' OR EXISTS (SELECT 1 FROM definition WHERE case_id = id) OR EXISTS (SELECT 1 "  \
   "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM arrays WHERE case_id = id))"
@@ -167,15 +169,15 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
 
 /* --- comparing checksums ---------------------------------------------------------------------- */
 
-/* Queries for the checksum of a case, and 1 if it must have one. For a run (of_run), also data
- * without a case must have one. */
+/* Queries for the checksum of a case, and for 1 if the case must have a checksum. of_run is for
+ * a case whose run is read: it requires a checksum also for data whose case is missing. */
 static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
     "(SELECT case_id FROM definition UNION ALL SELECT case_id FROM history UNION ALL SELECT "
     "case_id FROM arrays) WHERE case_id = ?1";
 
-/* Reads the checksum stored in the file, "" if there is none. */
+/* Reads the checksum of a case from the file. The text is "" if there is no checksum. */
 static arc_status expected_digest(arc_store *store, const char *sql, int id, char text[17],
                                   int *needed, arc_error *error) {
   query *q;
@@ -202,7 +204,8 @@ static arc_status compare(arc_store *store, const char *sql, int id, arc_error *
   return status;
 }
 
-/* Compares in one transaction, because another program may store the case at the same time. */
+/* Compares the checksum within one transaction, because another program may store the case at
+ * the same time. */
 static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
   if (store->verified == id || is_open(store, id)) return ARC_OK;
   int own = 0;

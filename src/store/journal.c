@@ -1,6 +1,7 @@
-/* Checks the journal beside a run file. If a journal ends in a file name and SQLite's magic number,
- * it belongs to a change of several files. SQLite would replay it and delete the file with that
- * name. Archard changes one file at a time, so such a journal is not from archard. */
+/* Checks the journal beside a run file. A journal that ends with a file name and SQLite's magic
+ * number belongs to a change of several files. SQLite would apply the journal and then delete
+ * the file with that name. Archard changes only one file at a time, so it never writes such a
+ * journal. */
 #include "store/journal.h"
 
 #include <errno.h>
@@ -12,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Sizes of the parts at the end of such a journal: length of the name, its checksum, magic
- * number. */
+/* Sizes [bytes] of the last parts of a journal that names another file: length of the name,
+ * checksum of the name, magic number. */
 enum { LENGTH = 4, SUM = 4, MAGIC = 8, TAIL = LENGTH + SUM + MAGIC };
 
 static int names_a_file(int journal, off_t size) {
@@ -23,8 +24,8 @@ static int names_a_file(int journal, off_t size) {
   return memcmp(tail + LENGTH + SUM, magic, MAGIC) == 0 && memcmp(tail, "\0\0\0", LENGTH) != 0;
 }
 
-/* A journal that cannot be opened is harmless unless it is a link, because SQLite cannot open it
- * either. */
+/* Returns true if the journal is safe. A journal that cannot be opened is safe, because SQLite
+ * cannot open it either, except if it is a link. */
 int arc_journal_is_sound(const char *journal) {
   const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   struct stat facts;

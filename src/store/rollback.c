@@ -1,8 +1,9 @@
-/* Ends transactions without a commit: failed transactions and those of readers. */
+/* Ends transactions without a commit, after a failure or after reading. */
 #include "store/store.h"
 
-/* Rolls back, unless SQLite has already done so after a failure. The statement is repeated because
- * it can fail without memory, and an open transaction would lock the file. */
+/* Rolls back the transaction, unless SQLite has already rolled it back after a failure. The
+ * statement is repeated, because it can fail if memory is exhausted, and an open transaction
+ * would lock the file. */
 void arc_store_rollback(arc_store *store) {
   enum { most_tries = 10 };
   store->opened = 0;

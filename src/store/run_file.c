@@ -88,7 +88,7 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
-/* Fails if the journal of a deleted file exists, because SQLite would replay it in the new file. */
+/* Fails if there is a journal without its file. SQLite would apply this journal to the new file. */
 static arc_status check_left(const arc_store *store, arc_error *error) {
   if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -97,7 +97,7 @@ static arc_status check_left(const arc_store *store, arc_error *error) {
                   store->path, store->path);
 }
 
-/* Creates a complete file under a temporary name. */
+/* Creates the new file completely under a temporary name. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
   arc_status status = check_left(store, error);
   if (status == ARC_OK) status = arc_atomic_file_create(store->path, &store->temporary, error);
@@ -107,8 +107,8 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
-/* Creates a file and opens it. If several programs create one file at once, the first creates it
- * and the others open it. */
+/* Creates a file and opens it. If several programs create a file with the same name at once, the
+ * first program creates it and the others open it. */
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
@@ -117,8 +117,8 @@ static arc_status create(arc_store *store, arc_error *error) {
                           : status;
 }
 
-/* Converts a file of an older format. With write access the file itself is converted, otherwise a
- * copy. */
+/* Converts a file of an older format. If the store is opened for writing, the file itself is
+ * converted, otherwise a temporary copy. */
 static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_error *error) {
   long long format;
   arc_status status = arc_schema_format(store, &format, error);
@@ -127,8 +127,9 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
   return status == ARC_OK ? arc_schema_update(store, error) : status;
 }
 
-/* Opens a file. If possible, it is opened for writing even in read mode, because only then can
- * SQLite roll back the transaction of a killed program. Read mode itself writes nothing. */
+/* Opens a file. Even in read mode the file is opened for writing if possible, because only then
+ * SQLite can roll back the transaction of a killed program. In read mode this program writes
+ * nothing else. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->file, W_OK) == 0;
   arc_status status = arc_database_open(store->file, store->path, writable, 0, &store->db, error);
@@ -164,8 +165,8 @@ static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
   return status;
 }
 
-/* Checks the kind of a file. A program that is killed at its start creates an empty file without a
- * kind. */
+/* Checks the kind of a file. A file without a kind is accepted if it has no cases, because a
+ * program that is killed at its start creates such a file. */
 static arc_status check_kind(arc_store *old, const char *kind, arc_error *error) {
   char *found = NULL;
   int empty = 0;
@@ -178,7 +179,8 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
   return status;
 }
 
-/* Checks the path of a new file. There must be no file, or one of the same kind. */
+/* Checks the path of a new file. A file with this path must not exist, or must be of the same
+ * kind. */
 static arc_status check_replaced(const arc_store *store, const char *kind, arc_error *error) {
   if (access(store->file, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;

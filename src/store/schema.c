@@ -1,9 +1,7 @@
-/* The tables of a run file, the views for users, and the conversion of older formats. The names of
- * columns are from columns.c.
- *
- * A file opened for writing is converted in one transaction. A reader never changes a file, because
- * an older program may still use it, or it may be write-protected. A reader converts a temporary
- * copy instead. */
+/* The tables of a run file, the views for users, and the conversion of older formats. The names
+ * of the columns are from columns.c. A file that is opened for writing is converted in one
+ * transaction. A program that only reads never changes the file, because an older program may
+ * still use it or it may be write-protected; a temporary copy is converted instead. */
 #include "store/store.h"
 
 #include <stdlib.h>
@@ -11,7 +9,7 @@
 #define TEXT_OF(number) TEXT(number)
 #define TEXT(number)    #number
 
-/* Columns of numbers have no type, because the type REAL would lose the sign of zero. */
+/* The columns for numbers have no SQL type, because the type REAL would lose the sign of zero. */
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
 #define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
@@ -30,7 +28,7 @@ static const char tables[] =
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
     "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;" MAKE_ARRAYS;
 
-/* Views are created again whenever the tables change. */
+/* Statements that remove the views. The views are created again whenever the tables change. */
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
                                  "DROP VIEW IF EXISTS history_of;"
                                  "DROP VIEW IF EXISTS units;";
@@ -59,8 +57,8 @@ static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, st
                             "CREATE VIEW units (name, unit, text) AS VALUES @units;"
                             "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
 
-/* Conversion to format 5. The older tables have one row for each node, and one row for the state of
- * a body. */
+/* Conversion to format 5, in which arrays are stored. The older tables have one row for each
+ * node of a surface, and one row for the state of each body. */
 #define PACKED(name, column)                                                                       \
   "INSERT INTO arrays SELECT case_id, 'surface', updates, max(distance_mm), body, '" name          \
   "', count(*), 1, array_of(" column ") FROM older_surfaces GROUP BY case_id, updates, body;"
@@ -84,9 +82,9 @@ static const char to_arrays[] =
     "DROP TABLE older_surfaces; DROP TABLE older_state;";
 /* clang-format on */
 
-/* Conversions from each format to the next, never changed after a release. `names` renames tables
- * and columns to the names in the present SQL texts; `values` adds values that the checksums
- * include. */
+/* Conversions from each format to the next, which must not be changed after a release. `names`
+ * renames tables and columns to the names in the present SQL texts. `values` adds or changes
+ * values that are included in the checksums. */
 static const struct migration {
   int from;
   const char *names, *values;
@@ -129,7 +127,8 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* "auto" was a separate value; without a setting of steps a case used 100 cycles */
+    /* In format 5, "auto" was a separate value, and a case without a setting of steps used 100
+     * cycles. */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
@@ -160,31 +159,31 @@ arc_status arc_schema_make(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_database_run(store->db, "COMMIT", error) : status;
 }
 
-/* Removes the views. Before format 5 `surfaces` was a table and is kept. */
+/* Removes the views. In formats before 5 `surfaces` is a table, which is kept. */
 static arc_status forget_views(arc_store *store, long long format, arc_error *error) {
   const arc_status status = arc_database_run(store->db, drop_views, error);
   if (status != ARC_OK || format < 5) return status;
   return arc_database_run(store->db, "DROP VIEW IF EXISTS surfaces", error);
 }
 
-/* Converts the tables. A case with a correct checksum gets a new one with the commit; a damaged
- * case keeps its wrong checksum. */
+/* Converts the tables. A case with a correct checksum gets a new checksum at the commit. A
+ * damaged case keeps its wrong checksum. */
 static arc_status migrate(arc_store *store, long long format, arc_error *error) {
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
-  store->older = format < 5; /* surfaces and state were separate tables */
+  store->older = format < 5; /* before format 5, surfaces and state were separate tables */
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].values, error);
-  if (status == ARC_ARGUMENT) /* rows not written by archard */
+  if (status == ARC_ARGUMENT) /* the file has rows that archard did not write */
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: its rows contradict each other",
                     store->path);
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* Creates the views again if another version created them. */
+/* Creates the views again if another version of archard created them. */
 static arc_status renew_views(arc_store *store, arc_error *error) {
   query *q;
   int row = 0;
@@ -201,8 +200,8 @@ static arc_status renew_views(arc_store *store, arc_error *error) {
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
-/* The conversion is one transaction: if several programs open a file at once, the first converts
- * it. */
+/* Converts the file in one transaction. If several programs open the file at once, the first
+ * program converts it. */
 arc_status arc_schema_update(arc_store *store, arc_error *error) {
   long long format = 0;
   arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);

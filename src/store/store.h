@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* "arch" as SQLite's application_id, at byte 68 of the file. */
+/* The text "arch" as a number. It is SQLite's application_id, at byte 68 of the file. */
 #define ARC_STORE_APPLICATION 1634886504
 
 /* SQL expression for the time stamps of cases. */
@@ -17,7 +17,7 @@
 struct arc_store {
   database *db;
   char *path, *file;          /* the name given by the user, and the absolute path */
-  arc_atomic_file *temporary; /* a new file before it is published, or NULL */
+  arc_atomic_file *temporary; /* new file that is not published yet, or NULL */
   int older;                  /* 1 while the tables have a format before 5 */
   int verified;               /* case whose checksum was compared last; 0: none */
   int *open; /* [opened] cases changed in this transaction, which need new checksums */
@@ -28,44 +28,49 @@ struct arc_store {
  * case. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
                              ...) __attribute__((format(printf, 4, 5)));
-/* Reports an error of the engine about a case as damage of the file. Statuses that can also occur
- * with an intact file are kept. */
+/* Reports an error that the engine found in the data of a case as damage of the file. Errors
+ * that can also occur with an intact file keep their status. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why);
 
 /* --- rows.c ----------------------------------------------------------------------------------- */
 
-/* Enlarges an array of `count` items for one more item of `size` bytes. Returns NULL without
- * memory; the array is then unchanged. */
+/* Enlarges an array of `count` items by one item of `size` bytes. Returns NULL if memory is
+ * exhausted; the array is then unchanged. */
 void *arc_store_grown(void *block, size_t count, size_t size);
 
-/* Reads the id of a case from the first column of a row. ARC_FORMAT: the id is invalid. */
+/* Reads the id of a case from the first column of a row. Errors: ARC_FORMAT if the id is
+ * invalid. */
 arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error);
 
 /* --- transaction.c ---------------------------------------------------------------------------- */
 
-/* Opens a transaction unless one is open. *own is 1 if this call opened it. */
+/* Opens a transaction if none is open. Sets *own to 1 if this call opened the transaction,
+ * otherwise to 0. */
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
-/* Ends the transaction of arc_store_enter: commits if `status` is ARC_OK, otherwise rolls back.
- * Returns the total status. */
+/* Ends the transaction if arc_store_enter opened it (`own`): commits if `status` is ARC_OK,
+ * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* Begin and end a transaction of a reader, which reads one snapshot of the file. It must be short,
- * because writers wait. */
+/* arc_store_look begins and arc_store_look_away ends a transaction that only reads. It reads one
+ * snapshot of the file. The transaction must be short, because programs that write wait for its
+ * end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
-/* Columns of the table `arrays` after the id of the case. */
+/* Names of the columns of the table `arrays` after the column case_id. */
 #define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
 
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
 
-/* Returns a pattern in which words are replaced: @columns by ", NAME" for each column of the
- * history, @values by the same number of ", ?", @results by the columns that are results, @settings
- * by the expressions of the settings, @bytes by all bytes in hexadecimal, @numbers by the columns
- * of `surfaces`, @units by the rows of `units`. The caller frees it; NULL: out of memory. */
+/* Returns an SQL text in which the words of `pattern` are replaced: @columns by ", NAME" for
+ * each column of the history, @values by the same number of ", ?", @results by the columns that
+ * are results, @settings by the expressions of the settings, @bytes by all bytes in hexadecimal,
+ * @numbers by the columns of `surfaces`, @units by the rows of `units`. The caller frees the
+ * text. NULL: out of memory. */
 char *arc_columns_sql(const char *pattern);
 
-/* Runs statements without results. Here and below `sql` is a pattern of arc_columns_sql. */
+/* Runs statements without results. In this function and the functions below, `sql` is a pattern
+ * for arc_columns_sql. */
 arc_status arc_store_script(arc_store *store, const char *sql, arc_error *error);
 
 /* Opens a query with the id of a case as parameter 1. */
@@ -76,7 +81,7 @@ arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *e
 
 /* --- format.c, schema.c: the number of a format; tables and views ----------------------------- */
 
-/* Fails with ARC_FORMAT if the format is unknown. */
+/* Checks that this program supports the format. Errors: ARC_FORMAT. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
 /* Reads and checks the format of the file. */
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error);
@@ -87,38 +92,41 @@ arc_status arc_schema_update(arc_store *store, arc_error *error);
 
 /* --- digest.c: checksums of finished cases ---------------------------------------------------- */
 
-/* Removes the checksum of a case; must be called before the case is changed. The commit writes a
- * new checksum for these cases if they are finished or have a run. Other cases without a checksum
- * were not written by archard and never get one. */
+/* Removes the checksum of a case. Must be called before the case is changed. The commit gives
+ * the case a new checksum if it is finished or has a run. Other cases without a checksum were
+ * not written by archard and never get a checksum. */
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
 /* Removes the checksums of all cases in the result of the query `ids`. */
 arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error);
 arc_status arc_store_seal_changed(arc_store *store, arc_error *error);
-/* Removes correct checksums before the tables are changed. Wrong checksums are kept, and missing
- * ones are replaced by wrong ones. */
+/* Removes all correct checksums before the tables are changed. Wrong checksums are kept. A
+ * missing checksum that is required is replaced by a wrong one. */
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
-/* Compare the checksum of a case, of a case whose run is read (which must have a checksum), or of
- * all cases. ARC_FORMAT: a checksum does not match, or a finished case has none. */
+/* arc_store_verify compares the checksum of a case, arc_store_verify_run the checksum of a case
+ * whose run is read (which must have a checksum), arc_store_verify_all the checksums of all
+ * cases. Errors: ARC_FORMAT if a checksum does not match or a finished case has no checksum. */
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
-/* Adds bytes to a checksum, which begins with ARC_STORE_CHECKSUM. */
+/* Adds bytes to a checksum and returns the new checksum. The initial checksum is
+ * ARC_STORE_CHECKSUM. */
 #define ARC_STORE_CHECKSUM 14695981039346656037u
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
 /* --- texts.c: long texts, once in a file ------------------------------------------------------ */
 
-enum { ARC_TEXT_NAME = 24 }; /* size of a name with its final zero */
+enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, with its final zero */
 
-/* Stores a long text and returns its name. For a short text the name is "", and the caller stores
- * the text itself. */
+/* Stores a long text and sets `name` to the name of the text. For a short text `name` is "", and
+ * the caller stores the text itself. */
 arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
                               arc_error *error);
-/* Returns the text with this name, which the caller frees. NULL: the string is not the name of a
- * text. ARC_FORMAT: the text is missing or does not match its name. */
+/* Returns the text with the name `name`; the caller frees it. NULL: the string is not the name
+ * of a text. Errors: ARC_FORMAT if the text is missing or does not match its name. */
 arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
-/* Compares all texts with their names, which contain a checksum. ARC_FORMAT: one does not match. */
+/* Compares all texts with their names, which contain a checksum. Errors: ARC_FORMAT if a text
+ * does not match its name. */
 arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ---------------------------- */

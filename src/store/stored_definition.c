@@ -1,7 +1,7 @@
-/* Definitions as named values. One table, made from the lists of settings, has the type and address
- * of each value for writing, reading and checking, so that a new setting needs no code here. A
- * setting NAME may also have NAME_function (a flag, because functions are not stored),
- * NAME_series.distance and NAME_series.value. */
+/* Definitions as named values. One table has the type and address of each value, for writing,
+ * reading and checking. It is made from the lists of settings, so that a new setting needs no
+ * code here. A setting NAME may also have the values NAME_function (a flag, because functions
+ * are not stored), NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
 
@@ -14,13 +14,13 @@
 
 enum { LONGEST_NAME = 96 };
 
-/* A named value of a definition. */
+/* The name, type and address of a value of a definition. */
 typedef struct slot {
   char name[LONGEST_NAME];
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
   void *at;     /* address of a value with the type of `kind` */
-  int *count;   /* length of an array, shared by arrays; 0: they are absent */
+  int *count;   /* length of the array, shared with other arrays; 0: no array */
   int optional; /* true for an array that may be absent */
 } slot;
 
@@ -46,7 +46,7 @@ static void add_series(slots *list, const char *path, arc_series *series) {
       (slot){.kind = SLOT_ARRAY, .at = &series->value, .count = &series->count});
 }
 
-/* Context of add_setting: the table, and the definition with the values. */
+/* Context of add_setting: the table of values, and the definition that contains the values. */
 typedef struct added {
   slots *list;
   char *def;
@@ -88,8 +88,8 @@ static void add_settings(slots *list, const arc_setting *settings, const char *p
   arc_settings_walk(settings, prefix, def, add_setting, &a);
 }
 
-/* Returns a table of all values of a run. The blocks of loading must be allocated. `msh` has the
- * Gmsh text of imported meshes, or is NULL. */
+/* Returns a table of all values of a run. The blocks of `loading` must be allocated. `msh` is
+ * the address of the Gmsh text of imported meshes, which is NULL if there are none. */
 static slots table_of(arc_stored_run *run, arc_loading *loading, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
@@ -196,7 +196,7 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 
 /* --- values in the file ----------------------------------------------------------------------- */
 
-/* A value of a case, with its name. */
+/* A value that was read from a case, and its memory. */
 typedef struct kept {
   arc_value value;
   void *memory; /* memory that the value points to */
@@ -300,7 +300,8 @@ static int read_text(const slot *s, const arc_value *value) {
   return fits;
 }
 
-/* Reads an array. The first array sets the length of all arrays that share it. */
+/* Reads an array. Several arrays may share one length, which is set by the array that is read
+ * first. Returns 0 if the array is invalid. */
 static int read_array(const slot *s, const arc_value *value) {
   if (value->kind != ARC_VALUE_ARRAY || value->count == 0 || value->count > 1000000) return 0;
   if (*s->count != 0 && (size_t)*s->count != value->count) return 0;
@@ -341,8 +342,8 @@ static int is_called(const void *name, const void *s) {
   return strcmp(name, ((const slot *)s)->name);
 }
 
-/* Allocates the blocks of loading. Each block has at least two values, which limits their
- * number. */
+/* Allocates the blocks of loading. The number of blocks is limited by the number of stored
+ * values, because each block has at least two values. */
 static arc_status make_blocks(const reading *r) {
   stock *s = r->stock;
   int blocks = 0;
@@ -389,7 +390,7 @@ static arc_status fill(reading *r) {
 
 static void stand_in(void) {}
 
-/* Reads the imported meshes; the reader of Gmsh files rejects invalid ones. */
+/* Reads the imported meshes. Invalid meshes are rejected by the reader of Gmsh files. */
 static arc_status read_meshes(const reading *r) {
   arc_error why = {0};
   if (!r->msh) return ARC_OK;
@@ -405,7 +406,8 @@ static arc_status check_model(const reading *r, arc_error *why) {
   return arc_model_check_given(&r->run->model, r->run->given, why);
 }
 
-/* Checks the definition by the engine, without its functions. */
+/* Checks the definition by the engine. A dummy function replaces each function of the user,
+ * because functions are not stored. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
   arc_wear_def def = r->run->def;

@@ -1,5 +1,5 @@
-/* Long texts, such as imported meshes. Each text is stored once under a name made from its
- * checksum, and values refer to this name. A text has the same name in all files. */
+/* Long texts, such as imported meshes. Each text is stored only once, under a name made from its
+ * checksum. Values refer to this name. A text has the same name in all files. */
 #include "store/store.h"
 
 #include <inttypes.h>
@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shorter texts are stored in the row of the value, unless they have the form of a name. */
+/* A text with fewer characters is stored in the row of its value, unless the text has the form
+ * of a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 

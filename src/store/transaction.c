@@ -1,9 +1,9 @@
-/* Transactions. Their begin checks that the format is still supported; their commit writes the
- * checksums of finished cases. */
+/* Transactions. The begin of a transaction checks that the format is still supported. The commit
+ * writes the checksums of finished cases. */
 #include "store/store.h"
 
-/* Begins a transaction. It checks the format, because a newer version may have converted the file
- * since it was opened, and whether the disk space of the sandbox is used up. */
+/* Begins a transaction. Checks the format, because a newer version may have converted the file
+ * since it was opened. Also checks that the sandbox's limit of disk space is not exhausted. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
   long long format;
   arc_status status = arc_file_allowed(store->path, store->file, ARC_FILE_WRITE, error);

@@ -1,6 +1,6 @@
-/* Starts and ends child processes; no other file starts programs. It uses POSIX, and on Linux the
- * signal that a child receives when its parent ends. vfork is used because posix_spawn cannot
- * request this signal. vfork copies no memory and runs no fork handlers of libraries. */
+/* Starts and ends child processes; no other file starts programs. It uses POSIX, and on Linux
+ * the signal that a child receives when its parent ends. posix_spawn cannot request this signal,
+ * so vfork is used. vfork copies no memory and runs no fork handlers of libraries. */
 #define _GNU_SOURCE /* for vfork, execvpe, close_range */
 #include "system/child.h"
 #include "system/jail.h"
@@ -30,9 +30,9 @@ int arc_child_channel(int ends[2], int is_socket) {
 
 /* --- code that runs in the child, which must not write to memory shared with its parent ------- */
 
-/* Sets the signals of the child. Ignored signals stay ignored, except those that end a program.
- * Handlers are removed, because they could run in the child when signals are unblocked. Returns an
- * errno. */
+/* Sets the signals of the child. Ignored signals stay ignored, except SIGINT, SIGPIPE and
+ * SIGTERM. Handlers are removed, because they could run in the child when signals are unblocked.
+ * Returns 0 or an errno. */
 static int use_own_signals(void) {
   struct sigaction now, usual = {.sa_handler = SIG_DFL};
   sigset_t none;
@@ -44,23 +44,24 @@ static int use_own_signals(void) {
   return sigprocmask(SIG_SETMASK, &none, NULL) == 0 ? 0 : errno;
 }
 
-/* Connects standard input, output and error. Returns an errno. */
+/* Connects standard input, output and error to the descriptors `ends`. Returns 0 or an errno. */
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
-  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* older kernels: the child inherits them */
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* fails on older kernels: no descriptor closes */
   return 0;
 }
 
-/* Memory cannot be limited with sanitizers, because their shadow memory counts as data. */
+/* Is 1 if the program is built with sanitizers. Memory cannot be limited then, because the
+ * shadow memory of sanitizers counts as data. */
 #ifdef __SANITIZE_ADDRESS__
 enum { HAS_SHADOW = 1 };
 #else
 enum { HAS_SHADOW = 0 };
 #endif
 
-/* Limits the data of the child, not its mappings, because other programs have libraries of other
- * sizes. Returns an errno. */
+/* Limits the data of the child. Its mappings are not limited, because they contain libraries,
+ * whose size depends on the program. Returns 0 or an errno. */
 static int use_own_memory(rlim_t bytes) {
   struct rlimit all, data;
   if (bytes == 0 || HAS_SHADOW) return 0;
@@ -72,7 +73,7 @@ static int use_own_memory(rlim_t bytes) {
   return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
 }
 
-static int confined; /* true: children cannot start processes */
+static int confined; /* true: children may not start processes */
 
 /* Replaces the child by the program. Returns only on failure, with an errno. */
 static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
@@ -82,15 +83,15 @@ static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (!failed) failed = use_own_signals();
   if (!failed) failed = use_own_memory(memory);
   if (failed) return failed;
-  if (confined && !HAS_SHADOW) arc_jail_alone(); /* sanitizers need a process for leak search */
+  if (confined && !HAS_SHADOW) arc_jail_alone(); /* sanitizers start a process to find leaks */
   execvpe(def->program, def->arguments, def->environment ? def->environment : environ);
   return errno;
 }
 
 /* --- code that runs in this process ----------------------------------------------------------- */
 
-/* Starts the child, which stores the errno of a failure in memory shared with its parent. Returns
- * an errno. */
+/* Starts the child. If the child fails, it stores the errno in memory that it shares with its
+ * parent. Returns 0 or an errno. */
 static int begin(const arc_child_def *def, rlim_t memory, pid_t *process) {
   volatile int failed = 0;
   const pid_t parent = getpid(), child = vfork();
@@ -128,7 +129,7 @@ int arc_child_kill(pid_t process) {
   int how = -1;
   kill(-process, SIGKILL);
   while (waitpid(process, &how, 0) < 0)
-    if (errno != EINTR) break; /* reaped by another caller */
+    if (errno != EINTR) break; /* another caller has already reaped the child */
   arc_child_ended(process);
   return how;
 }
