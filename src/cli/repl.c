@@ -277,8 +277,7 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    const int is_note =
-        number == 1 && line[0] == '#'; /* first line with #, ignored as in script files */
+    const int is_note = number == 1 && line[0] == '#'; /* first line with #, as in scripts */
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
     if (pending_add(&chunk, line, size)) {

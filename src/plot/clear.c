@@ -7,8 +7,7 @@
 
 #include "plot/figure.h"
 
-static const double BEYOND = 0.025,
-                    MARGIN = 0.04; /* extensions of an axis, as fractions of its range */
+static const double BEYOND = 0.025, MARGIN = 0.04; /* extensions as fractions of the range */
 
 /* Returns an axis that is reversed by the order of its two ends, without the flag `reverse`. */
 static arc_plot_axis turned_round(arc_plot_axis axis) {

@@ -51,7 +51,7 @@ arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends the transaction if arc_store_enter opened it (`own`): commits if `status` is ARC_OK,
  * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* arc_store_look begins and arc_store_look_away ends a transaction that only reads. It reads one
+/* Begin and end a transaction that only reads. It reads one
  * snapshot of the file. The transaction must be short, because programs that write wait for its
  * end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);

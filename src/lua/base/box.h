@@ -40,7 +40,7 @@ typedef struct box {
   const void *metatable; /* metatable of the class, kept alive by the registry */
   void *thing;           /* NULL: the box is empty */
   int tag;               /* number for use by the class */
-  int busy;    /* true while the engine changes the thing; other calls then raise an error */
+  int busy;              /* true while the engine changes the thing; other calls are errors */
   int closing; /* close() was called while functions use the box: the last of them empties it */
   call_held held;
 } box;

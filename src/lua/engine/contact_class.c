@@ -65,8 +65,8 @@ static const arc_model_def *model_of(const arc_contact *contact) {
   return arc_model_definition(arc_contact_model(contact));
 }
 
-/* contact.stick: list of the stick zones from left to right; in 3-D the stick fraction of the
- * contact area */
+/* contact.stick: list of the stick zones from left to right; in 3-D the fraction of the contact
+ * area that sticks */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
@@ -319,7 +319,7 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, dou
   def.refresh = 0;
   def.load = load;
   def.alpha = 1;
-  def.procedure = ARC_NSP; /* wear at a single position of the plate */
+  def.procedure = ARC_NSP; /* the contact has one position of the plate */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
     return worn_push_shape(L, worn, model, &def, "contact");

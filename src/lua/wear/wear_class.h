@@ -17,13 +17,12 @@ void wear_note_saved(box *made);
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles; /* end of the run [cycles]; 0: the end is a distance */
-  double distance_before,
-      cycle_before; /* [mm], [cycles] present position of a run changed by set */
-  int own_steps;    /* true: the user set scheme or jump, or set changes the run */
-  int own_k;        /* true: the user set k or alpha, or set changes the run */
-  int worn;         /* true: the run starts on worn surfaces */
-  int functions;    /* stack index of the holder of the user's functions, or of nil */
+  double cycles;                        /* end of the run [cycles]; 0: the end is a distance */
+  double distance_before, cycle_before; /* [mm], [cycles] present position if wear:set changes it */
+  int own_steps; /* true: the user set scheme or jump, or set changes the run */
+  int own_k;     /* true: the user set k or alpha, or set changes the run */
+  int worn;      /* true: the run starts on worn surfaces */
+  int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
 /* Reads and checks the definition table at `index` (or nil), except the fields model and worn.
