@@ -23,7 +23,7 @@ static void test_contact(void **state) {
   arc_contact *c = solved();
   double *const numbers[] = {&c->p[0][0], &c->f[1][0], &c->problem.gap[0], &c->problem.approach};
   const double wrong[] = {-1, 1, -1, 0};
-  const char *const named[] = {"pressure -1 MPa", "forces on the plate", "at candidate 0",
+  const char *const named[] = {"got -1 MPa", "forces on the plate", "at candidate 0",
                                "at candidate"};
   check_spoilt(arc_contact_validate(c, why), 4, numbers, wrong, named);
   check_ok(arc_contact_validate(c, why));
