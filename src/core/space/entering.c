@@ -41,25 +41,35 @@ static arc_status find_end(arc_halfspace *h, const double *const depth[ARC_BODIE
   return status;
 }
 
+/* Returns the share of an increment for which a site was open. `open` is its gap at the end at
+ * which it is open, `shut` its pressure at the other end, and `closure` the decrease of all gaps
+ * from there. A closure that is too small for this pressure is replaced by the site's own
+ * displacement: the gaps of unlike bodies also change by shear. */
+static double open_share(double open, double shut, double closure, double self) {
+  if (!(open > 0)) return 0;
+  return open / (open + fmax(closure - open, self * shut));
+}
+
 arc_status arc_space_entering(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *at, const space_traction *before,
-                              const space_traction *after, double *share, int *changes,
-                              arc_error *error) {
+                              const space_traction *after, double *work, double *share,
+                              int *changes, arc_error *error) {
   const int n = h->cells;
   double begin = 0, end = 0;
   for (int k = 0; k < n; k++) share[k] = 0;
   *changes = !same_sites(n, before->pressure, after->pressure);
   if (!*changes) return ARC_OK;
-  arc_status status = find_end(h, depth, at, after, share, &end, error);
+  arc_status status = find_end(h, depth, at, after, work, &end, error);
   if (status == ARC_OK) status = find_end(h, depth, at, before, share, &begin, error);
-  const int closes = end > begin;
-  if (status == ARC_OK && !closes) status = find_gaps(h, depth, at, after, share, error);
   if (status != ARC_OK) return status;
-  const space_traction *open = closes ? before : after, *shut = closes ? after : before;
   for (int k = 0; k < n; k++) {
-    const double gap = share[k] - fmin(begin, end);
-    const int counts = open->pressure[k] == 0 && shut->pressure[k] > 0 && gap > 0;
-    share[k] = counts ? fmin(gap / fabs(end - begin), 1) : 0;
+    const double p = before->pressure[k], q = after->pressure[k];
+    if ((p > 0) == (q > 0))
+      share[k] = 0;
+    else if (q > 0)
+      share[k] = open_share(share[k] - begin, q, end - begin, h->kernel[0]);
+    else
+      share[k] = open_share(work[k] - end, p, begin - end, h->kernel[0]);
   }
   return ARC_OK;
 }

@@ -193,8 +193,8 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
   const arc_halfspace_friction *f = s->from;
   const space_traction before = {f->pressure, {f->q[0], f->q[1]}};
   const space_traction after = {s->pressure, {s->held[0], s->held[1]}};
-  return arc_space_entering(s->h, s->depth, &s->to->position, &before, &after, s->share, entering,
-                            error);
+  return arc_space_entering(s->h, s->depth, &s->to->position, &before, &after, s->gap, s->share,
+                            entering, error);
 }
 
 /* Returns a secant step towards a motion that equals its own result. The result grows more slowly
@@ -252,14 +252,11 @@ static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_erro
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
-/* Returns the share of the shear's change that a sweep applies. With a share that does not become
- * small, single sites may alternate between two states without end. */
+/* Returns the share of the shear's change that a sweep applies. */
 static double relaxation(int sweep) {
-  enum { plain_sweeps = 15, equal_sweeps = 20 };
-  static const double relaxed = 0.7, decay = 0.9, smallest = 0.02;
-  if (sweep <= plain_sweeps) return 1;
-  return sweep <= equal_sweeps ? relaxed
-                               : fmax(smallest, relaxed * pow(decay, sweep - equal_sweeps));
+  enum { plain_sweeps = 15 };
+  static const double relaxed = 0.7;
+  return sweep <= plain_sweeps ? 1 : relaxed;
 }
 
 static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {

@@ -1,0 +1,104 @@
+-- Random closed paths of load and tangential force on a ball of nu = 0, against Jaeger's superposition of slices of
+-- load, which is exact for any path: motions at the ends of all legs, and the work of the second turn.
+--   ARCHARD_RUNS=200 tests/run -a verify/space_jaeger   more paths
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local below, mean = figures.below, figures.mean
+local random = math.random
+math.randomseed(200)
+local count = tonumber(os.getenv "ARCHARD_RUNS") or 12
+
+local E, radius, mu, most = 200e3, 10, 0.5, 20
+local G, E_star = E / 2, E / 2
+local function half_width(load) return (3 * load * radius / (4 * E_star)) ^ (1 / 3) end
+
+-- --- slices -------------------------------------------------------------------------------------
+
+-- A slice of load between P and P + dP carries the shear eta dP and moves the contact by eta dP / (2 G a(P)), which is
+-- (2 - nu) / (8 G a) of either body. A slice that slips has eta = +-mu; slices slip from the outermost inwards.
+local slices = {}
+function slices.new(number)
+  local s = { n = 0, step = most / number, eta = {}, force = 0, motion = 0, compliance = {} }
+  for i = 1, number do
+    s.eta[i], s.compliance[i] = 0, 1 / (2 * G * half_width((i - 0.5) * s.step))
+  end
+  return s
+end
+
+function slices.set(s, i, eta)
+  local change = (eta - s.eta[i]) * s.step
+  s.force, s.motion, s.eta[i] = s.force + change, s.motion + change * s.compliance[i], eta
+end
+
+function slices.go(s, load, force)
+  local n = math.floor(load / s.step + 0.5)
+  local share = n > s.n and (force - s.force) / ((n - s.n) * s.step) or 0
+  for i = s.n + 1, n do slices.set(s, i, math.max(-mu, math.min(mu, share))) end
+  for i = s.n, n + 1, -1 do slices.set(s, i, 0) end
+  s.n = n
+  for i = n, 1, -1 do
+    if math.abs(force - s.force) <= 1e-9 * mu * load then break end
+    slices.set(s, i, math.max(-mu, math.min(mu, s.eta[i] + (force - s.force) / s.step)))
+  end
+end
+
+-- Changes load and force in equal parts. Returns the work of the force.
+local function jaeger_leg(s, load, force)
+  local parts, work, load0, force0 = 200, 0, s.n * s.step, s.force
+  for k = 1, parts do
+    local share, q, x = k / parts, s.force, s.motion
+    slices.go(s, load0 + share * (load - load0), force0 + share * (force - force0))
+    work = work + (s.force + q) / 2 * (s.motion - x)
+  end
+  return work
+end
+
+-- --- paths --------------------------------------------------------------------------------------
+
+local function corners()
+  local path = {}
+  for i = 1, random(3, 5) do
+    local load = most * (0.1 + 0.9 * random())
+    path[i] = { load = load, force = 0.95 * mu * load * (2 * random() - 1) }
+  end
+  return path
+end
+
+local steel = material{ E = E, nu = 0 }
+local pair = { geometry = "3-D", upper = body.ball{ radius = radius, material = steel },
+  lower = body.block{ material = steel } }
+
+local function both_ways(path)
+  local s, c = slices.new(4000), contact{ model = pair, load = path[1].load, friction = mu }
+  local motions, works, energies = {}, {}, {}
+  local scale = mu * most / (2 * G * half_width(most)) -- motion of all slices together, without slip
+  jaeger_leg(s, path[1].load, 0)
+  for turn = 1, 2 do
+    local work, energy = 0, c.energy
+    for i = 1, #path do
+      local to = path[i % #path + 1]
+      work = work + jaeger_leg(s, to.load, to.force)
+      c = c:move{ load = to.load, tangential = to.force }
+      motions[#motions + 1] = math.abs(c.x - s.motion) / scale
+    end
+    works[turn], energies[turn] = work, c.energy - energy
+  end
+  return motions, energies[2] / works[2] - 1, works[2] / (mu * most * scale)
+end
+
+local motion, worst, errors, largest = {}, 0, {}, 0
+for i = 1, count do
+  local motions, error, size = both_ways(corners())
+  for _, off in ipairs(motions) do
+    motion[#motion + 1], worst = off, math.max(worst, off)
+  end
+  if size > 1e-4 then -- the work of a loop below is rounding beside that of a full loop
+    errors[#errors + 1], largest = math.abs(error), math.max(largest, math.abs(error))
+  end
+  figures.note(("path %d: motion off by up to %.3f %%, work by %.2f %% of %.2g"):format(i, 100 * math.max(table.unpack(motions)),
+    100 * error, size))
+end
+below(mean(motion), 1e-3, ("motion of %d legs, mean error as a share of the largest motion"):format(#motion))
+below(worst, 1e-3, "motion, largest error")
+below(mean(errors), 0.005, ("work of %d turns, mean error"):format(#errors))
+below(largest, 0.015, "work, largest error")
