@@ -1,7 +1,6 @@
--- Names of the numbers of wear{}, model{} and bodies, as used by studies, samples, fits and
--- sensitivities. A name is the path in wear{}, such as "load", "model.radius" or
--- "model.lower.layers.1.thickness". "model." may be omitted, layer1 means layers.1, and E or nu
--- alone means the value of both bodies.
+-- Names of numbers in wear{}, model{} and bodies, for studies, samples, fits and sensitivities. A name is a
+-- path in wear{}, such as "load", "model.radius" or "model.lower.layers.1.thickness". "model." may be
+-- omitted, and layer1 means layers.1. E or nu alone means the value of both bodies.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -20,8 +19,8 @@ local field_of = { upper = "cylinder", lower = "plate" } -- fields of the defaul
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- Returns the setting of a body, or of one of its materials. A table over positions, such as the
--- heights of a profile, is not a number.
+-- Returns the setting at a path inside a body or one of its materials, or nil. A table over positions, such
+-- as the heights of a profile, is not a number and gives nil.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -29,12 +28,12 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
--- Numbers that only joints have, and the body that has them.
+-- Settings of numbers that only joints have, and the body that each number of a joint belongs to.
 local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 180 }
 local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
 local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
 
--- Returns the setting with this path, or nil.
+-- Returns the setting at a path such as "model.radius", or nil.
 function number.setting(path)
   local inside = path:match("^model%.(.+)$")
   if not inside then return named(known.wear, path) end
@@ -57,15 +56,15 @@ end
 
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
--- Returns the role of the only body of this kind. "cylinder" never means the lower body, as it was
--- the older name of the upper one.
+-- Returns the role of the only body of this kind, or nil. If no body has this kind, "cylinder" and "plate"
+-- are read as older names of the upper and the lower body. "cylinder" therefore never means the lower body.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end
   return not upper and role_of[word] or nil
 end
 
--- Returns the role of the body with this role, name, kind or older name.
+-- Returns the role of a body, given by its role, name, kind or older name; nil if no body fits.
 local function role(flat, word)
   if field_of[word] then return word end
   for each in pairs(field_of) do
@@ -74,8 +73,8 @@ local function role(flat, word)
   return role_by_kind(flat, word)
 end
 
--- Returns the path of a material's number inside a body, either as a field of the body (E=) or as a
--- field of its material.
+-- Returns the path of a material's number inside a body. The number can be a field of the body itself (E=)
+-- or of the body's material.
 local function in_material(flat, prefix, rest)
   local before, name = rest:gsub("^material%.", ""):gsub("^(layers%.%d+%.)material%.", "%1"):match("^(.-)([^.]+)$")
   for _, setting in ipairs(named(known.material, name) and known.material or {}) do
@@ -113,14 +112,14 @@ end
 
 local both = { E = true, nu = true }
 
--- Returns true if a name belongs to wear{} itself, not to the model.
+-- Returns true if a name belongs to wear{} itself and not to the model.
 function number.of_run(name)
   local first = name:match("^[^.]*")
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- paths(name, flat) -> the paths of the number with this name: one, or two for both bodies. flat:
--- the flat settings of its model, or nil. An unknown name is returned unchanged.
+-- Returns a list of the paths of a number: one path, or two if the name stands for both bodies. flat: the
+-- flat settings of the number's model. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
@@ -132,7 +131,8 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- Returns the path of a single number; `field` is its name in messages.
+-- Returns the path of a number that has only one path; field: name of the user's field in messages. Errors:
+-- ARGUMENT if the name is ambiguous.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)
   if #paths > 1 then
@@ -142,7 +142,7 @@ function number.path(where, field, name, flat)
   return paths[1]
 end
 
--- Replaces the names in flat settings by their paths.
+-- Replaces the names in flat settings by their paths, and returns the settings.
 function number.rename(flat, names)
   for name in pairs(names) do
     local paths, value = number.paths(name, flat), flat[name]

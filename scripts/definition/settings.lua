@@ -1,5 +1,5 @@
--- Settings of a study's cases: conversion between nested tables and flat names ("model.mesh.size") for the run file,
--- grids of varied fields, labels.
+-- Settings of the cases of a study: converts between nested tables and flat names ("model.mesh.size") for
+-- the run file, makes grids of varied fields, and labels cases.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -24,10 +24,10 @@ function settings.value_at(object, path)
   return object
 end
 
--- Settings that are not stored, as other settings determine them (mesh.size).
+-- Settings that are not stored, since another setting determines them: mesh.size determines mesh.fineness.
 local implied = { ["mesh.fineness"] = true }
 
--- Returns the flat settings from which an object can be made again.
+-- Returns the flat settings from which a material or a model can be made again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
   if class ~= "material" and class ~= "model" then
@@ -37,7 +37,7 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- its settings contain the material
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- contains the material
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
@@ -45,14 +45,15 @@ local function as_table(where, name, value)
   return flat
 end
 
--- Checks a name for a run file: printable ASCII characters, parts separated by points, no empty part.
+-- Checks and returns a name for a run file. It must have printable ASCII characters, with parts separated
+-- by points and no empty part.
 local function check_path(where, name)
   if name:find "^[ -~]+$" and not ("." .. name .. "."):find("..", 1, true) then return name end
   check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
--- Returns the table to store for a value. An object made in Lua may have other fields than the
--- fields that make it.
+-- Returns the fields to store for a value. An object made in Lua can have other fields than the fields from
+-- which it is made.
 local function own_fields(value)
   local class = getmetatable(value)
   local of = type(class) == "table" and rawget(class, "__settings")
@@ -95,8 +96,8 @@ end
 -- Converts { model = { radius = 8 } } to { ["model.radius"] = 8 }.
 function settings.flatten(where, given) return flatten(where, {}, "", given) end
 
--- Returns the table, and the key in it, for a name such as "mesh.size". Whole numbers in a name are
--- list indices.
+-- Returns a table inside `nested`, and the key in this table, for a name such as "mesh.size". Missing
+-- tables are made. Whole numbers in a name are list indices.
 function settings.place(nested, name)
   local at, last = nested, nil
   for part in name:gmatch("[^.]+") do
@@ -109,7 +110,7 @@ function settings.place(nested, name)
   return at, last
 end
 
--- Converts flat settings to nested tables.
+-- Converts flat settings to nested tables and returns them.
 function settings.nest(flat)
   local nested = {}
   for name, value in pairs(flat) do
@@ -119,9 +120,9 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases, most_values = 1000000, 4000000 -- limits for all cases of a study, about 200 bytes each
+local most_cases, most_values = 1000000, 4000000 -- limits of a study, for all its cases together
 
--- Refuses more cases than a study may have.
+-- Raises an error if a study has too many cases. how: text that explains the number.
 function settings.check_count(where, name, count, how)
   if count <= most_cases then return end
   check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))
@@ -129,7 +130,7 @@ end
 
 -- --- grids -------------------------------------------------------------------------------------
 
--- Returns the flat names and their lists of values, sorted by name.
+-- Returns the varied names and their lists of values as { name=, values= }, sorted by name.
 local function axes_of(where, vary)
   local axes = {}
   local function visit(prefix, given)
@@ -153,7 +154,7 @@ local function axes_of(where, vary)
   return axes
 end
 
--- Refuses too many cases before their tables are made.
+-- Raises an error if a grid has too many cases or values, before their tables are made.
 local function refuse_many(where, axes)
   local count, words = 1, {}
   for i, axis in ipairs(axes) do
@@ -165,7 +166,8 @@ local function refuse_many(where, axes)
   check.fail(where, ("field 'vary': expected at most %d values in all cases, got %.0f (%s)"):format(most_values, values, how))
 end
 
--- Returns all combinations of the varied values. The last name changes fastest.
+-- Returns all combinations of the varied values, one table of flat settings for each case. The last name
+-- changes fastest.
 function settings.grid(where, vary)
   local cases, axes = { {} }, axes_of(where, vary)
   refuse_many(where, axes)
@@ -206,10 +208,10 @@ local function lay_over(where, base, over)
   end
 end
 
--- Returns the flat settings of base and over. Settings of over, which may use any name of a number,
--- have priority.
+-- Merges two tables of settings and returns the flat result. The settings of `over` have priority and can
+-- have any name of a number.
 function settings.join(where, base, over)
-  local names = settings.flatten(where, over) -- for errors with the full name
+  local names = settings.flatten(where, over) -- flattened first, so that errors contain the full name
   local joined = settings.nest(settings.flatten(where, base))
   lay_over(where, joined, over)
   return number.rename(settings.flatten(where, joined), names)
@@ -226,7 +228,8 @@ function settings.same(a, b)
   return true
 end
 
--- Returns the text of a value. A string from an untrusted file is shown without control characters.
+-- Returns a short text for a value. Control characters are removed from strings, which may come from an
+-- untrusted file.
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end
@@ -248,7 +251,8 @@ function settings.difference(a, b)
   return names[1]
 end
 
--- Returns the names whose values differ between cases, the most common ones first.
+-- Returns the names whose values differ between cases: first the names of `familiar`, then the others
+-- alphabetically.
 local familiar = { alpha = 1, stroke = 2, load = 3, k = 4 }
 function settings.varied(cases)
   local found, names = {}, {}

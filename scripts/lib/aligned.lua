@@ -10,7 +10,8 @@ local function widths_of(rows)
   return widths
 end
 
--- Aligns cells to the right, except the last column; with `words`, all to the left.
+-- Returns one line of the table: the last column is aligned to the left, the others to the right. With
+-- `words`, all columns are aligned to the left.
 local function line_of(row, widths, words)
   local cells = {}
   for c, text in ipairs(row) do
@@ -20,7 +21,8 @@ local function line_of(row, widths, words)
   return (table.concat(cells, "  "):gsub(" +$", ""))
 end
 
--- (rows [, words]) -> lines, and the widths of the columns
+-- Returns the lines of the table, and the widths of the columns in characters. rows: lists of texts; words:
+-- true to align all columns to the left.
 return function(rows, words)
   local widths, lines = widths_of(rows), {}
   for i, row in ipairs(rows) do lines[i] = line_of(row, widths, words) end

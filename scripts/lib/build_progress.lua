@@ -1,5 +1,6 @@
--- Progress display of building a model. Returns a function(what, share, seconds) that is called
--- without arguments at the end, or nil if standard error is not a terminal.
+-- Shows on standard error the progress of building a model. Returns a function(what, share, seconds), or
+-- nil if standard error is not a terminal. what: name of the part in work; share: finished share, 0 to 1. A
+-- call without arguments clears the line.
 
 local term = require "archard.term"
 

@@ -1,17 +1,19 @@
--- Checks the arguments of functions for scripts: unknown names with the nearest known one, and kinds of values. Errors
--- have the same form as those of the C classes, with the position of the user's call.
+-- Checks arguments that scripts pass to functions: the names of fields and the kinds of values. Errors have
+-- the same form as the errors of the C classes, with the position of the user's call.
 
 local keys = require "archard.lib.keys"
 local names = require "archard.names"
 
 local check = {}
 
--- Raises an error object. code: name of a status, default "ARGUMENT".
+-- Raises an error object with a message. where: name of the function that the user called; code: name of a
+-- status, default "ARGUMENT".
 function check.fail(where, message, code)
   names.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
--- Returns " (did you mean 'title'?)" or the list of known names, without `name` itself.
+-- Returns a hint for an unknown name: " (did you mean 'title'?)" if a known name is similar, else the list
+-- of known names. `name` itself is never suggested.
 function check.hint(name, known)
   local sorted = {}
   for _, each in ipairs(known) do
@@ -23,13 +25,14 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
-check.plain = names.plain -- a text from a file without control codes for terminals
-check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
+check.plain = names.plain -- removes control codes for terminals from a text of a file
+check.shown = names.shown -- formats a value for a message: "dumb", 3, a wear object, a table
 
--- --- kinds of values: { test, what is expected } -------------------------------------------------
+-- --- kinds of values: a test and a text of the expected value ----------------------------------
 
--- Makes a kind of values. item: kind of the items of a list, to report the wrong item; growing:
--- true for an increasing list.
+-- Returns a kind of values. expected: its text in messages; test(value): returns true for an accepted
+-- value. Only for lists, item: kind of the items, to report the wrong item; growing: true if the items must
+-- increase.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end
@@ -57,7 +60,7 @@ check.progress = kind('a function, false or "lines"', function(v)
   return type(v) == "function" or v == false or v == "lines"
 end)
 
--- Returns the kind of whole numbers from `low` to `high`, or without an upper limit.
+-- Returns the kind of whole numbers from `low` to `high`. Without `high`, there is no upper limit.
 function check.whole(low, high)
   return kind(high and ("a whole number in [%d, %d]"):format(low, high)
     or ("a whole number >= %d"):format(low), function(v) return whole(v, low, high or v) end)
@@ -77,8 +80,8 @@ local function wrong_item(list, item, growing)
   end
 end
 
--- Returns the kind of non-empty lists of items. growing: each number is larger than the previous
--- one.
+-- Returns the kind of non-empty lists with items of the kind `item`. growing: true if each number must be
+-- larger than the previous one.
 function check.list_of(item, expected, growing)
   return kind(expected, function(v)
     return type(v) == "table" and #v > 0 and not wrong_item(v, item, growing)
@@ -88,10 +91,10 @@ end
 -- Returns a kind that accepts all values, for fields that are checked elsewhere.
 function check.any(expected) return kind(expected, function() return true end) end
 
-local deepest = 20 -- nesting of tables
+local deepest = 20 -- largest number of levels of nested tables
 
--- Refuses deeply nested tables, such as a table that contains itself. `name`: path of the nested
--- table.
+-- Raises an error for too deeply nested tables, such as a table that contains itself. name: path of the
+-- nested table, such as "base.model.lower".
 function check.depth(where, name)
   local _, points = name:gsub("%.", "")
   if points > deepest then
@@ -100,7 +103,7 @@ function check.depth(where, name)
   end
 end
 
--- Accepts fields with any name, which are checked elsewhere.
+-- Fields for check.fields that accept every name and value. They are checked elsewhere.
 check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 
 local function pair(names, low, high)
@@ -120,7 +123,7 @@ check.box = kind("{ x0, x1, y0, y1 }", function(v)
     and v[1] < v[2] and v[3] < v[4]
 end)
 
--- Returns the kind of the given strings. `also`: another kind that is accepted.
+-- Returns the kind of values that equal one of the strings `words`. also: another kind that is accepted.
 function check.one_of(words, also)
   local expected = {}
   for i, word in ipairs(words) do expected[i] = '"' .. word .. '"' end
@@ -150,13 +153,15 @@ local function refuse_kind(where, name, expected_kind, value)
   check.refuse(where, name, expected_kind.expected, value)
 end
 
--- Returns true for a table with __len, which is refused because it could report an endless list.
+-- Returns true if a value is a table with a __len metamethod. Such tables are refused, since __len could
+-- report an endless list.
 local function has_len(value)
   local metatable = type(value) == "table" and getmetatable(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
 end
 
--- Checks every named field of `given` by its kind in `fields`. List items are not checked.
+-- Raises an error if the table `given` has an unknown field or a wrong value, and returns `given`. fields:
+-- the kinds of all fields by name; prefix: path of the table in messages. List items are not checked.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
   if type(given) ~= "table" then
@@ -179,7 +184,8 @@ function check.fields(where, given, fields, prefix)
   return given
 end
 
--- Calls a function; its errors are raised again as errors of `where`, the function that the user called.
+-- Calls f and returns its results. Errors of f are raised again as errors of `where`, the function that the
+-- user called.
 function check.as(where, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
@@ -188,8 +194,8 @@ function check.as(where, f, ...)
   check.fail(where, err.message, err.code)
 end
 
--- Checks a table that has only named fields. or_else: text of other accepted values; name: name of
--- the field that has the table.
+-- Checks and returns a table that has only named fields. or_else: text of other accepted values; name: name
+-- of the field that contains the table.
 function check.definition(where, given, fields, or_else, name)
   if type(given) ~= "table" then
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",

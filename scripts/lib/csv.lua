@@ -1,5 +1,5 @@
--- csv.read: reads columns of numbers from a text file and converts them to mm, N, MPa and s by the units after their
--- names.
+-- csv.read reads columns of numbers from a text file. If the name of a column ends with a known unit, its
+-- numbers are converted to mm, N, MPa, s or degrees.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -20,7 +20,7 @@ local function trimmed(text)
   return first and text:match(".*%S", first) or ""
 end
 
--- Splits a line into cells; a quoted cell may contain the separator, and a quote written twice.
+-- Splits a line into cells. A quoted cell may contain the separator; two quotes in it mean one quote.
 local function split(line, separator)
   local cells, at = {}, 1
   repeat
@@ -42,7 +42,7 @@ local function split(line, separator)
   return cells
 end
 
--- Returns the separator, the most frequent one in the line of names.
+-- Returns the most frequent separator in the line of column names.
 local function separator_of(header)
   local best, most = ",", 0
   for _, separator in ipairs{ ",", ";", "\t" } do
@@ -75,7 +75,7 @@ local function names_of(path, number, header, separator)
   return names
 end
 
--- Returns the lines with data and their numbers.
+-- Returns the lines with data as a list of { line number, text }. Blank lines and comments are omitted.
 local function lines_of(path)
   local lines, number = {}, 0
   for line in (files.read(where, path):gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
@@ -85,13 +85,13 @@ local function lines_of(path)
   return lines
 end
 
--- Converts values in a known unit.
+-- Converts the values of a column from a known unit, in place.
 local function scale(values, unit)
   for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
 end
 
--- Returns a column with its name, which is the header without the unit if that is known, else the
--- whole header.
+-- Returns an empty column. Its name is the header without the unit if the unit is known, else the whole
+-- header.
 local function column_of(header)
   local name, unit = units.split(header)
   local known = unit and units.known(unit)
@@ -125,8 +125,8 @@ local function read_columns(path)
   return columns
 end
 
--- Returns the columns by number and by name, with and without units; of two equal names the first
--- one is used.
+-- Returns the columns by number, by header and by name without unit. If two names are equal, the first
+-- column is used.
 local function index_of(columns)
   local index = {}
   for i, column in ipairs(columns) do
@@ -150,8 +150,8 @@ local function refuse_column(path, columns, wanted)
     or tostring(wanted), table.concat(headers, ", "))
 end
 
--- Returns all columns by name, their units if headers contain them, and the names in the order of
--- the file.
+-- Returns the values of all columns by name, the known units by name, and the names in the order of the
+-- file.
 local function all_of(path, columns)
   local result, told, order = {}, {}, {}
   for i, column in ipairs(columns) do

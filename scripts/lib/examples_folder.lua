@@ -1,4 +1,4 @@
--- Finds the folder of the examples and reads larger examples that the program itself uses.
+-- Finds the folder of the examples, lists the examples, and loads the parts of large ones.
 
 local check = require "archard.lib.check"
 local itself = require "archard.lib.itself"
@@ -7,8 +7,8 @@ local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
--- Paths of the examples relative to the program and to the module for the stock interpreter, both
--- installed and in the build folder.
+-- Paths of the examples folder, relative to the program and to archard.so (the module for the stock
+-- interpreter): when installed, and in the build folder.
 local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
 local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
 
@@ -58,8 +58,8 @@ function folder.entries()
   return list
 end
 
--- Returns a function part(name) that loads FOLDER/NAME.lua once and returns its result; the file is called with this
--- function to load other parts.
+-- Returns a function part(each) that loads the file `each` in the folder `name` of the examples once and
+-- returns its result. The file gets the same function as its argument, to load other parts.
 function folder.parts(where, name)
   local loaded = {}
   local function part(each)

@@ -1,5 +1,6 @@
--- (model or table of its fields, load) -> Hertz contact of the unworn bodies; rings of revolution count as a line of
--- the length of their circumference.
+-- hertz_of(model, load) returns the Hertz contact of the unworn bodies. model: a model, or a table of its
+-- fields; load: in N. A ring of revolution is treated as a line contact with the length of its
+-- circumference.
 local archard = require "archard"
 
 return function(model, load)

@@ -1,13 +1,13 @@
--- Path of archard.so, the module for the stock interpreter, and the Lua code by which another process of this program
--- calls a module.
+-- Returns the path of archard.so, the module for the stock interpreter, and the Lua code with which another
+-- process of this program calls a module.
 
 local itself = {}
 
 -- Returns the path of archard.so, or nil if it is not found.
 function itself.module() return (package.searchpath("archard", package.cpath)) end
 
--- (module, argument...) -> Lua code for the option -e; arguments are strings or numbers. In the stock interpreter, the
--- code first loads archard.so.
+-- Returns Lua code for the option -e, which calls a module with arguments (strings or numbers). In the
+-- stock interpreter, the code loads archard.so first.
 function itself.chunk(module, ...)
   local list = {}
   for i = 1, select("#", ...) do list[i] = ("%q"):format((select(i, ...))) end

@@ -1,5 +1,6 @@
--- linear(a, b, least) -> b: solves a x = b for all columns of b by Gauss-Jordan elimination with pivoting; nil if a
--- pivot is below `least`. Both matrices, lists of rows, are overwritten.
+-- linear(a, b, least) solves a x = b for all columns of b by Gauss-Jordan elimination with pivoting. It
+-- returns b, which then contains x, or nil if a pivot is below `least`. Both matrices are lists of rows and
+-- are overwritten.
 return function(a, b, least)
   local n = #a
   for i = 1, n do

@@ -1,4 +1,4 @@
--- (table, ...) -> a new table with the fields of all; later tables have priority; nil is ignored.
+-- Returns a new table with the fields of all given tables. Later tables have priority; nil is ignored.
 return function(...)
   local all = {}
   for i = 1, select("#", ...) do

@@ -1,5 +1,5 @@
--- Shows a text page by page if it is longer than the terminal, with $PAGER, else with less, else
--- without another program. Without a terminal it prints the text.
+-- Shows a text that is longer than the terminal page by page: with $PAGER, else with less, else without
+-- another program. Prints the text if it is shorter or if there is no terminal.
 
 local term = require "archard.term"
 
@@ -10,14 +10,16 @@ local function count_lines(text)
   return breaks + 1
 end
 
--- Returns the pager command, or nil. less keeps colours, and its text stays on the screen.
+-- Returns the pager command, or nil. With these options, less shows colours, and its text remains on the
+-- screen.
 local function command()
   local wished = os.getenv "PAGER"
   if wished and wished ~= "" then return wished end
   return os.execute "command -v less >/dev/null 2>&1" and "less -R -X" or nil
 end
 
--- Uses a temporary file instead of a pipe, so that leaving the pager early causes no write error.
+-- Shows a text with a pager program and returns true on success. The text is passed in a temporary file:
+-- with a pipe, an early end of the pager would cause a write error.
 local function through(program, text)
   local name = os.tmpname()
   local file = io.open(name, "w")
@@ -29,7 +31,8 @@ local function through(program, text)
   return fine
 end
 
--- Calls write(page) for each page of `lines` lines, and ask() before the next page; stops if ask() returns true.
+-- Calls write(page) for each page of `lines` lines. Calls ask() before each further page, and stops if
+-- ask() returns true.
 function pager.pages(text, lines, write, ask)
   local page, count = {}, 0
   for line in (text .. "\n"):gmatch("(.-)\n") do

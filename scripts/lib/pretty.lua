@@ -1,5 +1,6 @@
--- Formats any value readably for a width: long lists are shortened, nested tables indented, keys
--- sorted, and tables that contain themselves marked. Calls no metamethod except __tostring.
+-- Formats any value as readable text of a given width. Long lists are shortened, nested tables are
+-- indented, keys are sorted, and tables that contain themselves are marked. No metamethod except __tostring
+-- is called.
 
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
@@ -14,7 +15,7 @@ local pretty = {}
 local limits = {
   depth = 5,        -- nesting of tables
   list = 40,        -- items of the outermost list
-  inner_head = 4,   -- first items of a longer list within a table
+  inner_head = 4,   -- first items shown of a long list inside a table
   keys = 200,       -- fields of one table
   total = 2000,     -- items in total
 }
@@ -53,7 +54,7 @@ local function own_text(value)
   return fine and text or "(its __tostring failed: " .. tostring(text) .. ")"
 end
 
--- Numbers in lists have six digits, so that columns stay readable.
+-- Formats a number in a list with six digits, which keeps columns readable.
 local function number_in_list(value)
   return math.type(value) == "integer" and tostring(value) or ("%.6g"):format(value)
 end
@@ -91,7 +92,7 @@ local function key_before(a, b)
   return tostring(a) < tostring(b)
 end
 
--- Returns the keys outside the list part, sorted.
+-- Returns the sorted keys of a table, without the list indices 1 to `count`.
 local function sorted_keys(value, count)
   local keys = {}
   for key in next, value do
@@ -107,8 +108,8 @@ function writer:key(key)
   return "[" .. self:scalar(key, "key") .. "]"
 end
 
--- Returns the number of first items shown of a list of `count`. If the list is shortened, its last
--- item is shown too.
+-- Returns how many items at the start of a list with `count` items are shown. A shortened list also shows
+-- its last item.
 local function shown_head(count, depth)
   local most = depth == 0 and limits.list or limits.inner_head + 2
   if count <= most then return count end
@@ -208,8 +209,8 @@ function writer:any(value, depth, indent, within, taken)
   return self:scalar(value, within)
 end
 
--- format(value, { width = 80, colour = false }) -> text without a final newline. A string is returned unchanged; inside
--- a table it is quoted.
+-- Returns the text of a value, without a final newline. options: { width = 80, colour = false }. A string
+-- is returned unchanged; inside a table it is quoted.
 function pretty.format(value, options)
   options = options or {}
   local self = setmetatable({
@@ -221,7 +222,7 @@ function pretty.format(value, options)
   return self:any(value, 0, 0)
 end
 
--- Returns the text of a value for the width of the terminal, in which print() shows lists.
+-- Formats a value for the width of the terminal. print() shows lists in this form.
 function pretty.fitted(value) return pretty.format(value, { width = (term.size()) }) end
 
 return pretty

@@ -1,4 +1,5 @@
--- A progress bar on standard error, only on a terminal, redrawn at most ten times a second and fitted to its width.
+-- Draws a progress bar on standard error if it is a terminal. The bar fits the width of the terminal and is
+-- redrawn at most ten times a second.
 --
 --   local bar = progress.new{ total = 1320, label = "wear", unit = "mm" }
 --   bar:update(done, "cycle 2700")     done in the unit of total; the note is optional
@@ -19,7 +20,7 @@ function progress.new(definition)
     unit = definition.unit or "",
     shown = term.movable("stderr"),
     started = term.clock(),
-    first = definition.done or 0, -- done before the start; excluded from the rate
+    first = definition.done or 0, -- amount done before the start; excluded from the rate
     last = -math.huge,
   }
   return setmetatable(self, progress)
@@ -40,12 +41,12 @@ function progress.bar(share, width)
   return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
--- Writes whole numbers with all digits and other numbers with four.
+-- Formats whole numbers with all digits, and other numbers with four digits.
 local function amount(value)
   return (math.type(value) == "integer" and "%d" or "%.4g"):format(value)
 end
 
--- Returns the share done, and the texts before and after the bar.
+-- Returns the finished share (0 to 1), and the texts before and after the bar.
 function progress:parts(done, note, now)
   local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
   local rate = (done - self.first) / math.max(now - self.started, 1e-9)
@@ -57,7 +58,7 @@ function progress:parts(done, note, now)
   return share, head, tail
 end
 
--- Returns the text for a line of `width` columns; tests call it too.
+-- Returns the text of the bar for a line of `width` columns. Tests call this function too.
 function progress:line(done, note, now, width)
   local share, head, tail = self:parts(done, note, now)
   local space = width - #head - #tail - 6

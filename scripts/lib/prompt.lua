@@ -1,4 +1,5 @@
--- The interactive prompt: checks whether a chunk is complete, shows its values, and formats the prompt's own texts.
+-- The interactive prompt: compiles the lines of the user, checks whether they are complete, and shows their
+-- values.
 
 -- Local copies, as the user may overwrite any global.
 local error, load, print, rawget, rawset, select, type = error, load, print, rawget, rawset, select, type
@@ -31,9 +32,9 @@ local function is_open(message, text)
   return message:find("<eof>'?$") ~= nil
 end
 
--- Splits the text into its last lines, if they are an expression, and the lines before them, if
--- these are a chunk, so that the values of the expression can be shown. Lines that Lua would join
--- with the previous line, such as "(c)" after "a = b", are not split.
+-- Splits the text into two parts: its last lines, which are an expression, and the lines before them, which
+-- are a chunk. The values of the expression can then be shown. Returns nil if this is not possible. Lines
+-- that Lua would join with the previous line, such as "(c)" after "a = b", are not split.
 local function split_last(text)
   local at = #text
   for _ = 1, 100 do
@@ -47,10 +48,11 @@ local function split_last(text)
   end
 end
 
--- Returns code that ends by returning the values of `expression`. `return f()` would be a tail
--- call, which removes the chunk's frame and thereby the line number of errors in f.
+-- Returns code that runs `head` and returns the values of `expression`. The code avoids the tail call
+-- `return f()`, which would remove the frame of the chunk and thus the line number of errors in f.
 local function handed_on(head, expression)
-  local ended = expression:find("--", 1, true) and "\n)" or ")" -- on the same line, so that line numbers of errors are right
+  -- Adds a line break only after a comment, since a line break shifts the line numbers of errors.
+  local ended = expression:find("--", 1, true) and "\n)" or ")"
   return head .. "return (function(...) return ... end)(" .. expression .. ended
 end
 
@@ -62,9 +64,9 @@ local function note_locals(text)
   io.stderr:write("note: a local variable exists only in its chunk; omit 'local' to keep the value\n")
 end
 
--- Converts short commands, as in IPython and Octave: ?name and name? show help, !command runs in
--- the shell, clear clears the screen unless a global has this name. Returns a function that runs
--- the command, or nil.
+-- Converts short commands, as in IPython and Octave: ?name and name? show help, !command runs in the shell,
+-- and clear clears the screen unless a global has this name. Returns a function that runs the command, or
+-- nil if the text is not a short command.
 local function short_command(text)
   local word = text:match("^%s*%?%s*([%w_.:{}]+)%s*$") or text:match("^%s*([%w_.:{}]+)%s*%?%s*$")
   if word then return function() require "archard".help(word) end end
@@ -80,7 +82,7 @@ local function short_command(text)
   end
 end
 
--- Returns a suggestion for a text that is not Lua, or "".
+-- Returns a hint for a text that is not Lua, or "".
 local function hint_for(text)
   local word = text:match "^%s*help%s+([%w_.:{}]+)%s*$"
   if word then return ('; did you mean help "%s"?'):format(word) end
@@ -89,7 +91,8 @@ local function hint_for(text)
   return ""
 end
 
--- compile(text, name, line) -> function; or nil, message; or nil, nil if more lines are needed.
+-- Compiles the text of the user. Returns a function; nil and a message after an error; or nil, nil if more
+-- lines are needed.
 function prompt.compile(text, name, line)
   local short = short_command(text)
   if short then return short end
@@ -111,7 +114,8 @@ function prompt.compile(text, name, line)
   return nil, (text:find("^%s*=") and as_expression or as_statement) .. hint_for(text)
 end
 
--- Shows the values of a chunk, a long text page by page, and stores the first value in the global `_`.
+-- Shows the values of a chunk and stores the first one in the global `_`. A single string is shown page by
+-- page.
 function prompt.show(...)
   local count = select("#", ...)
   local first = ...
@@ -129,7 +133,6 @@ function prompt.show(...)
   print(text)
 end
 
--- Texts of the prompt; readline needs \1 and \2 around invisible characters.
 local texts = {
   first = "> ",
   more = ">> ",
@@ -139,6 +142,7 @@ local texts = {
 function prompt.text(which)
   local text = texts[which]
   if which == "banner" or not term.colour() then return text end
+  -- Readline needs \1 and \2 around invisible characters.
   return "\1\27[1m\2" .. text .. "\1\27[0m\2"
 end
 

@@ -1,5 +1,6 @@
--- quiet(f, ...) -> results of f: calls f with the engine's warnings switched off, for contacts and runs of a search,
--- whose warnings the user did not cause. They are switched on again also after an error.
+-- quiet(f, ...) calls f with the engine's warnings switched off and returns the results of f. Searches use
+-- it for contacts and runs that the user did not write. After an error of f, the warnings are switched on
+-- again too.
 
 return function(f, ...)
   warn "@off"

@@ -1,7 +1,8 @@
--- Progress of a search with many runs: a line on a terminal, and the report of an interrupt (Ctrl-C).
+-- Shows the progress of a search with many runs as a line on a terminal, and reports it after an interrupt
+-- (Ctrl-C).
 --
 --   local counter <close> = run_counter.new("fit", 40)   about 40 runs
---   counter:better("k 2.1e-08, alpha 0.31")              best values found
+--   counter:better("k 2.1e-08, alpha 0.31")              best values up to now
 --   counter:ran()                                        one more run is finished
 
 local process = require "archard.process"
@@ -11,7 +12,8 @@ local term = require "archard.term"
 local counter = {}
 counter.__index = counter
 
--- Creates a counter of runs. mode: false to show nothing on the terminal.
+-- Creates a counter. what: name of the search; about: expected number of runs; mode: false to show nothing
+-- on the terminal.
 function counter.new(what, about, mode)
   local self = setmetatable({ what = what, about = about, count = 0, shown = mode == nil and term.movable "stderr",
     started = term.clock() }, counter)

@@ -1,5 +1,6 @@
--- Progress display of a wear run: returns a function to call with the run after each step and
--- without arguments at the end; nil if standard error is not a terminal.
+-- Shows the progress of a wear run up to the distance `goal` [mm] on standard error. Returns nil if
+-- standard error is not a terminal, else a function: it is called with the run after each step, and without
+-- arguments at the end.
 
 local term = require "archard.term"
 

@@ -1,5 +1,5 @@
--- archard --sandbox: removes functions with access to the system from the user's globals, and restricts those used by
--- the program's own scripts to allowed files.
+-- archard --sandbox: removes functions with access to the system from the user's globals. Functions that
+-- the program's own scripts need are restricted to allowed files.
 
 local files = require "archard.files"
 
@@ -23,7 +23,7 @@ end
 
 os.rename = nil
 
--- Prevents loading code beside the program, which a script of the user could have written.
+-- Prevents loading Lua files from the program's folder, since a script of the user could have written them.
 function _ENV.loadfile() return nil, "the sandbox reads no examples" end
 
 function io.popen() error("the sandbox starts no other programs", 0) end
@@ -38,7 +38,7 @@ end
 
 -- --- for the user's scripts ----------------------------------------------------------------------
 
--- Errors have the position of the caller.
+-- Loads a Lua file that may be read. Errors have the position of the caller.
 local function read_chunk(path, ...)
   if type(path) ~= "string" then error("expected a file name, got " .. type(path), 3) end
   local found, why = files.find(path, "read")
@@ -63,7 +63,8 @@ local function requirer(folder)
   end
 end
 
--- Metatables made by the user. Others are hidden, as a finalizer added to them would be called by Lua itself.
+-- Metatables made by the user. Other metatables are hidden: Lua would run a finalizer that the user adds to
+-- them without counting its instructions.
 local theirs = setmetatable({}, { __mode = "k" })
 
 local function hide_metatables()
@@ -75,8 +76,9 @@ local function hide_metatables()
   end
 end
 
--- Lua calls no hook during finalizers, so their instructions would not be counted: they are run in a coroutine, which
--- has its own hooks. A guard object that dies together with the object starts its finalizer instead of Lua.
+-- Makes the instructions of finalizers count. Lua calls no hook during a finalizer, so finalizers are run
+-- in a coroutine, which has its own hooks. Each object gets a guard object that is collected together with
+-- it; the finalizer of the guard runs the finalizer of the object.
 local function count_finalizers()
   local set = globals.setmetatable
   local guards = setmetatable({}, { __mode = "k" })

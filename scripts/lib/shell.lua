@@ -12,8 +12,8 @@ function shell.line(words)
   return table.concat(quoted, " ")
 end
 
--- Runs a command line: returns its output without final line breaks and true on success; after a failure the output
--- includes standard error. Does not wait for background jobs of the line.
+-- Runs a command line. Returns its output without final line breaks, and true on success. After a failure,
+-- the output includes standard error. The call does not wait for background jobs of the line.
 function shell.ask(line)
   local split = 'exec 3>&1; words=$({ %s; } 2>&1 >&3 3>&-) || { status=$?; printf "%%s" "$words"; exit $status; }'
   local pipe <close> = assert(io.popen(split:format(line), "r"))

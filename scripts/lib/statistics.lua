@@ -1,4 +1,5 @@
--- Statistics of a few measurements: mean, largest value, standard deviation, confidence.
+-- Statistics of a few measurements: mean, largest absolute value, standard deviation, and Student's
+-- distribution.
 
 local random = require "archard.random"
 
@@ -17,7 +18,7 @@ function statistics.largest(list)
   return most
 end
 
--- Returns the standard deviation of the sample, or nil for one measurement.
+-- Returns the standard deviation of the sample, or nil for a single measurement.
 function statistics.deviation(list)
   if #list < 2 then return nil end
   local middle, sum = statistics.mean(list), 0
@@ -25,9 +26,10 @@ function statistics.deviation(list)
   return math.sqrt(sum / (#list - 1))
 end
 
-statistics.known = 10000 -- degrees of freedom for a known deviation (normal distribution)
+statistics.known = 10000 -- degrees of freedom if the deviation is known (normal distribution)
 
--- Returns the two-sided quantile of Student's distribution for a confidence level.
+-- Returns the two-sided quantile of Student's distribution. confidence: in (0, 1); freedom: degrees of
+-- freedom.
 function statistics.student(confidence, freedom)
   return random.student_quantile((1 + confidence) / 2, freedom)
 end

@@ -7,7 +7,7 @@ function text_file.exists(path)
   return file ~= nil
 end
 
--- Returns the whole content, or nil if the file cannot be opened.
+-- Returns the whole content of a file, or nil if the file cannot be opened.
 function text_file.read(path)
   local file <close> = io.open(path, "rb")
   return file and file:read("a")

@@ -1,4 +1,4 @@
--- time(f, ...): prints the elapsed time and the processor time of a call.
+-- time(f, ...) calls a function and prints the elapsed time and the processor time of the call.
 
 local check = require "archard.lib.check"
 local term = require "archard.term"
@@ -10,7 +10,7 @@ local function is_callable(value)
   return type(value) == "function" or type(metatable) == "table" and metatable.__call ~= nil
 end
 
--- Prints the times and returns the results of the call.
+-- Prints the times since `clock` and `busy` [s], and returns the results of the call.
 local function report(clock, busy, ...)
   print(("time: %s, processors %s"):format(shown(term.clock() - clock), shown(os.clock() - busy)))
   return ...
