@@ -1,5 +1,5 @@
--- The table export: files for other programs. Single files are written by archard.files; series of
--- files, run summaries and files of maps by the modules in this folder.
+-- The table export: functions that write files for other programs. archard.files writes single files; the
+-- modules in this folder write series of files, summaries of runs and files of maps.
 
 local files = require "archard.files"
 local lazy = require "archard.lib.lazy"

@@ -1,5 +1,5 @@
--- Formats values as JSON text: tables with [1] become arrays, others objects with sorted keys; NaN and infinity become
--- null.
+-- Formats values as JSON text. Tables with [1] become arrays, other tables become objects with sorted keys,
+-- and NaN and infinity become null.
 
 local files = require "archard.files"
 local keys = require "archard.lib.keys"
@@ -9,7 +9,8 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Returns a JSON string. Bytes that are not UTF-8 become the characters with these numbers.
+-- Returns a JSON string. If the text is not valid UTF-8, each byte above 127 becomes the character with the
+-- number of the byte.
 local function quoted(text)
   if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
   return '"' .. text:gsub('[%c"\\\x7F]', function(c)

@@ -1,4 +1,5 @@
--- export.vti, export.gsf and export.csv for maps: ImageData for ParaView, a field for Gwyddion, a table of points.
+-- export.vti, export.gsf and export.csv for maps: image data for ParaView, fields for Gwyddion, and tables
+-- of points.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -13,7 +14,7 @@ local maps = {}
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- Checks the path and appends the ending if it has none.
+-- Checks the path of a file and returns it. The ending is appended if the path has none.
 local function checked_path(where, path, ending)
   local own = check.file.test(path) and path:match "%.[^./]*$"
   if not check.file.test(path) or own and own ~= ending then
@@ -36,7 +37,8 @@ local function differ(a, b)
   return math.abs(a[1] - b[1]) > tolerance or math.abs(a[#a] - b[#b]) > tolerance
 end
 
--- Returns a list of maps that have the same points and different names, from one map or a list.
+-- Returns a list of maps from one map or a list of maps. All maps must have the same points and different
+-- names.
 local function list_of(where, given)
   if map.is(given) then return { given } end
   if type(given) ~= "table" or given[1] == nil then
@@ -57,7 +59,7 @@ local function list_of(where, given)
   return list
 end
 
--- Returns the values in the order of VTK: x fastest, then z.
+-- Adds the values of a map to the lines in the order of VTK: x changes fastest, then z.
 local function add_values(lines, t)
   local row, nz = {}, #t.z
   for j = 1, nz do
@@ -66,8 +68,8 @@ local function add_values(lines, t)
   end
 end
 
--- Returns the maps of a body of a run (depth, height and pressure), or nil for a groove, which has
--- no maps.
+-- Returns the maps of a body of a run (depth, height and pressure), or nil if a map fails. A groove has no
+-- maps.
 local function maps_of(run, body)
   local list = {}
   for i, what in ipairs{ "depth", "height", "pressure" } do
@@ -78,7 +80,8 @@ local function maps_of(run, body)
   return list
 end
 
--- Writes a file for each body of a run in three dimensions, STEM-BODY.vti -> the files written.
+-- Writes a file STEM-BODY.vti for each body of a run in three dimensions. Returns the list of files
+-- written.
 function maps.bodies(where, run, stem)
   local files_written = {}
   for _, body in ipairs{ run.model.bodies.upper, run.model.bodies.lower } do
@@ -88,8 +91,8 @@ function maps.bodies(where, run, stem)
   return files_written
 end
 
--- vti(object, path) -> the files written: one file for a map or a list of maps, or for the pressure
--- of a contact in three dimensions; a file for each body for a run.
+-- export.vti(object, path): writes one file for a map, a list of maps, or the pressure of a contact in
+-- three dimensions, and one file for each body of a run. Returns the files written.
 function maps.vti(given, path)
   local where = "export.vti"
   path = checked_path(where, path, ".vti")
@@ -101,7 +104,8 @@ function maps.vti(given, path)
   return written.returned(where, maps.write(where, list_of(where, given), path))
 end
 
--- Writes points in the plane y = 0 with one array for each map of a list -> the path.
+-- Writes the points of a list of maps in the plane y = 0, with one array of values for each map. Returns
+-- the path.
 function maps.write(where, list, path)
   local x, z = list[1].x, list[1].z
   local extent = ("0 %d 0 0 0 %d"):format(#x - 1, #z - 1)
@@ -122,7 +126,7 @@ end
 
 -- --- Gwyddion and CSV -------------------------------------------------------------------------------
 
--- gsf(map, path) -> the file written
+-- export.gsf(map, path): writes a map for Gwyddion and returns the path of the file.
 function maps.gsf(t, path)
   local where = "export.gsf"
   check_map(where, t)
@@ -142,7 +146,7 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- Returns the columns of a map over theta and phi.
+-- Returns the columns theta, phi and value of a map over angles, and the units of the angles.
 local function lattice_of(map)
   local theta, phi = {}, {}
   for _, each in ipairs(map.theta) do
@@ -153,9 +157,9 @@ end
 
 local function is_lattice(t) return type(t) == "table" and rawget(t, "theta") and rawget(t, "phi") and rawget(t, "values") end
 
--- csv(object, path) -> the file written. It has x, z and the value of each point of a map, the
--- table of a study, the history of a joint's run, the pressure of a joint's contact, or the values
--- of a map over theta and phi. archard.files writes all other objects.
+-- export.csv(object, path): writes a file and returns its path. The file contains x, z and the value of
+-- each point of a map, the table of a study, the history of a joint's run, the pressure of a joint's
+-- contact, or the values of a map over theta and phi. archard.files writes all other objects.
 function maps.csv(...)
   local t, path = ...
   if strict.is(t, "joint_wear") then

@@ -1,5 +1,5 @@
--- export.pvd: a series of states of a run. Each state has a .vtu file for each body (in three
--- dimensions a .vti file of maps), and a .pvd file lists them by sliding distance.
+-- export.pvd writes a series of states of a run. Each state has a .vtu file for each body (a .vti file of
+-- maps in three dimensions), and a .pvd file lists all files with their sliding distances.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -10,7 +10,8 @@ local vtk = require "archard.export.sphere".vtk
 local where = "export.pvd"
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- Writes the list of all states after each state, so that it is always complete.
+-- Writes the list of all states to the .pvd file. It is rewritten after each state and is therefore always
+-- complete.
 local function write_list(path, parts)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="Collection" version="1.0">', "<Collection>" }
   for _, part in ipairs(parts) do
@@ -21,7 +22,7 @@ local function write_list(path, parts)
   files.write(where, path, table.concat(lines, "\n"))
 end
 
--- Writes the files of the present state and adds them to `parts`; state numbers start at 0.
+-- Writes the files of the present state and adds them to `parts`. number: number of the state, from 0.
 local function add_state(run, stem, parts, number)
   local name = ("%s-%05d"):format(stem, number)
   local is_map = run.model.geometry == "3-D"
@@ -30,7 +31,7 @@ local function add_state(run, stem, parts, number)
   end
 end
 
--- Returns the path without the ending .pvd.
+-- Checks the path and returns it without the ending .pvd.
 local function stem_of(path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local stem, ending = path:match("^(.-)(%.[^./]*)$")
@@ -43,9 +44,9 @@ local function stem_of(path)
   return stem or path
 end
 
--- (run, path, { every= }) -> a function that adds the present state. Called without arguments it
--- always adds the state; as the progress function of w:run it adds the state at every `every`
--- updates.
+-- export.pvd(run, path, { every= }) writes the present state and returns a function that adds further
+-- states. Called without arguments, the function always adds the present state. As the progress function of
+-- w:run, it adds a state at every `every` updates and at the end of the run.
 return function(run, path, options)
   if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))

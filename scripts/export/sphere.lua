@@ -1,6 +1,6 @@
--- export.vtk of joints: one .vtu file of the worn surface of the head and one of the cup, as
--- quadrilaterals of the lattice with wear depth, pressure and cross-shear at their centres. The
--- head is drawn in its position under the largest load.
+-- export.vtk of joints: writes one .vtu file of the worn surface of the head and one of the cup. The cells
+-- are quadrilaterals with wear depth and pressure, and for the cup also cross-shear. The head is drawn in
+-- its position under the largest load.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -15,14 +15,15 @@ local function direction(theta, phi)
   return { math.cos(theta), s * math.sin(phi), s * math.cos(phi) }
 end
 
--- Returns R n, where R is stored row by row.
+-- Returns the product R n of a 3 x 3 matrix, stored row by row, and a vector.
 local function turned(R, n)
   local list = {}
   for a = 1, 3 do list[a] = R[3 * a - 2] * n[1] + R[3 * a - 1] * n[2] + R[3 * a] * n[3] end
   return list
 end
 
--- Returns the corners of the lattice, [rows + 1][2 rows], in coordinates of the cup [mm].
+-- Returns the corners of the lattice, [rows + 1][2 rows], as texts of their coordinates [mm]. place:
+-- function that converts a direction to the frame of the cup.
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows
   for i = 0, rows do
@@ -34,7 +35,8 @@ local function corners(rows, radius, place)
   return lines
 end
 
--- Returns the cells whose centres n are covered by the body, each as { site =, corners = text }.
+-- Returns the cells whose centre n is covered by the body, each as { site = index of the cell, corners =
+-- text }.
 local function cells_of(rows, covered)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -86,7 +88,7 @@ end
 
 local function everywhere() return true end
 
--- Returns the values of a map of the cup at the sites of the rotated head.
+-- Returns the values of a map of the cup at the sites of the head, which is rotated by R.
 local function on_head(rows, values, R)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do
@@ -110,15 +112,15 @@ local function cup_text(run, rows, pressure)
       { "cross_shear", "", run:map("cross shear").values } }, run.distance)
 end
 
--- Writes the cup with the pressure of a single contact.
+-- Returns the text of a .vtu file of the cup with the pressure of a single contact.
 local function contact_text(c)
   local joint, rows = c.model, #c.pressure.theta
   return text_of(corners(rows, joint.head.radius + joint.cup.clearance, function(n) return n end), cells_of(rows, flat.cover(joint.cup)),
     { { "pressure", "MPa", c.pressure.values } }, 0)
 end
 
--- vtk(object, path) -> the files written: two for a run of a joint, the cup alone for a contact of
--- a joint. archard.files writes all other objects.
+-- export.vtk(object, path): writes the head and the cup of a joint's run as two files, or the cup of a
+-- joint's contact as one file. Returns the files written. archard.files writes all other objects.
 function sphere.vtk(object, path)
   local where = "export.vtk"
   local is_contact = strict.is(object, "joint_contact")

@@ -1,4 +1,5 @@
--- export.json: definition, progress and results of a run as JSON, from the engine's lists of settings and columns.
+-- export.json writes the definition, progress and results of a run as JSON. The engine's lists of settings
+-- and columns determine the fields.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -13,7 +14,8 @@ local written = require "archard.lib.written"
 
 local where = "export.json"
 
--- Settings that have another name in a run, because the plain name is their present value.
+-- Settings that a run stores under another name, because the plain name is a present value: w.distance is
+-- the distance up to now.
 local held_as = { distance = "total_distance", update = "update_at" }
 
 -- Converts a value for JSON; a function becomes the string "function".
@@ -39,8 +41,8 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
--- Adds the units of the fields of a body or layer. A coefficient of 0 was not given and becomes
--- null.
+-- Adds the units of the fields of a body or layer to `units`. A coefficient k of 0 means that none was
+-- given, and becomes null.
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
     for _, setting in ipairs(known[class]) do
@@ -52,7 +54,7 @@ local function complete(part, units, prefix)
   if part.material then complete(part.material, units, prefix .. "material.") end
 end
 
--- Returns a body with the values given by the user; null for the default body.
+-- Returns the values of a body that the user gave, or null for the default body.
 local function body_of(given, units, prefix)
   if rawequal(given, nil) then return json.null end
   local body = plain(given)
@@ -62,7 +64,7 @@ local function body_of(given, units, prefix)
   return body
 end
 
--- Returns the settings of a class with the values of the object.
+-- Returns the settings of a class with their values in `object`. Their units are added to `units`.
 local function definition(class, object, units, prefix)
   local into = {}
   for _, setting in ipairs(known[class]) do
@@ -75,7 +77,7 @@ local function definition(class, object, units, prefix)
       into[path] = definition("material", object[path], units, prefix .. path .. ".")
     elseif setting.plain and not setting.group then
       local value = value_at(object, class == "wear" and held_as[path] or path)
-      if setting.optional and value == 0 then value = json.null end -- not given
+      if setting.optional and value == 0 then value = json.null end -- 0: not given
       put(into, units, prefix, path, value, setting.unit)
     end
   end
@@ -105,7 +107,7 @@ local function summary_of(run)
   return { definition = asked, results = results(run, units), units = units }
 end
 
--- Returns the fields of wear{} of a joint's run, and the last row of its history.
+-- Returns the summary of a joint's run: the fields of wear{}, the last row of the history, and the units.
 local function joint_summary(run)
   local into, units = { done = run.done }, {}
   local columns, units_of, names = joint_history(run)
@@ -116,7 +118,7 @@ local function joint_summary(run)
   return { definition = nest(joint_file.definition(run)), results = into, units = units }
 end
 
--- (run, path) -> the file written
+-- export.json(run, path): writes the summary of a run and returns the path of the file.
 return function(run, path)
   local is_joint = joint_file.is_joint(run)
   if not is_joint and check.shown(run) ~= "a wear object" then

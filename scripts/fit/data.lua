@@ -1,6 +1,6 @@
--- The data of a fit: profiles of a body at a distance, whose position is fitted too; friction loops
--- (fit/loop.lua); and quantities of the history over the distance. This module reads and checks the
--- user's data and computes the simulated values at the same points.
+-- Reads and checks the user's data for a fit, and computes the simulated values at the same points. Data
+-- are profiles of a body at a distance (their position on the body is fitted too), friction loops
+-- (fit/loop.lua), depth maps of joints (fit/sphere.lua), and quantities of the history over the distance.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -16,7 +16,7 @@ local data = {}
 
 -- --- quantities besides the columns of the history ------------------------------------------------
 
--- name: summed columns, factor, unit, meaning
+-- Quantities that are computed from columns of the history: { columns to be summed, factor, unit, meaning }
 local made = {
   volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
   width = { { "half_width" }, 2, "mm", "contact width" },
@@ -28,7 +28,8 @@ end
 for name, one in pairs(made) do quantities[name] = one end
 data.quantities = quantities
 
--- Returns the quantity with a name. depth_NAME and volume_NAME belong to the body with that name.
+-- Returns the columns, factor, unit and meaning of a quantity. depth_NAME and volume_NAME belong to the
+-- body with the name NAME.
 local function quantity(name)
   return quantities[name] or { { name }, 1, name:match "^depth" and "mm" or "mm3", name:gsub("_", " of the ") }
 end
@@ -83,7 +84,8 @@ local function same_count(where, prefix, name, values, count)
   return values
 end
 
--- Returns the error of every value [unit of the value], or nil if no error is given.
+-- Returns the list of errors of the values, in the unit of the values, or nil if the user gave no error.
+-- own: errors that the profile itself contains.
 local function errors_of(where, prefix, given, own, value)
   local absolute = given.error or own
   if given.error and given.relative then
@@ -102,7 +104,7 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Fields that only one kind of data has.
+-- Fields that are allowed only for one kind of data.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 local of_joints = { head = true, cup = true }
@@ -133,8 +135,8 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the shift at which a search starts: the middle of the scar if the profile names it, or if
--- x = 0 is not in the scar found in the depths.
+-- Returns the shift [mm] at which a search starts: the middle of the scar if the profile names the scar or
+-- if the depths show a scar away from x = 0, else 0.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}
@@ -144,8 +146,8 @@ local function start_of(x, h, named)
   return from and (from - side > 0 or to + side < 0) and (from + to) / 2 or 0
 end
 
--- Returns the unknown position of a profile: the start value and the typical size of each
--- component.
+-- Returns the components of the unknown position of a profile (shift, tilt and level), with their start
+-- values and typical sizes.
 local function free_of(x, h, named)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
@@ -160,7 +162,7 @@ local function name_of(given)
   return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
 end
 
--- Returns a shorter name for a panel of a picture.
+-- Returns a shorter name of a profile for a panel of a picture.
 local function brief_of(given)
   local line = given.section
   return line and ("%s, %s = %g, %g mm"):format(given.body, line.x and "x" or "z", line.x or line.z, given.distance)
@@ -222,7 +224,7 @@ local function read_series(where, prefix, given)
     unit = quantity(given.of)[3], title = given.title or given.of }
 end
 
--- Replaces the field `cycle` by the distance; path: function that returns the sliding distance of a cycle [mm].
+-- Replaces the field `cycle` by the field `distance`. path() returns the sliding distance of a cycle [mm].
 local function with_distance(where, prefix, given, path)
   if given.cycle == nil then return given end
   if given.distance ~= nil then
@@ -235,8 +237,9 @@ local function with_distance(where, prefix, given, path)
   return merged(given, { distance = type(given.cycle) == "number" and distance[1] or distance })
 end
 
--- Reads one measurement; `prefix` is its name in messages. motion: { path = function() -> sliding distance of a cycle
--- [mm], by_force = true if the runs are driven by a tangential force }.
+-- Reads one measurement and returns it as an item. prefix: name of the measurement in messages.
+-- motion.path(): returns the sliding distance of a cycle [mm]; motion.by_force: true if a tangential force
+-- drives the runs.
 function data.item(where, prefix, given, motion)
   if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
   if check.shown(given.profile) == "a profile object" and given.profile.z then
@@ -250,9 +253,9 @@ function data.item(where, prefix, given, motion)
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Checks that either all data have errors, or that none has and all have the same unit. Without
--- errors, the residuals give the size of the errors but not the weights between quantities of
--- different units.
+-- Returns true if all data have errors, and false if none has and all have the same unit. Other data are
+-- refused: residuals show the size of the errors, but not the weights between quantities of different
+-- units.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -268,7 +271,7 @@ local function check_errors(where, items)
   end
 end
 
--- Returns the list of items, and true if the user gave their errors.
+-- Returns the list of items, and true if the user gave the errors of the data.
 function data.read(where, given, motion)
   if #given == 0 then
     local single = next(given) ~= nil and "a single one: write data = { { ... } }" or "none"
@@ -278,15 +281,15 @@ function data.read(where, given, motion)
   for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)
   for _, item in ipairs(told and {} or items) do
-    item.error = as_list(1e-3, #item.x) -- any equal errors, as only their ratios matter
+    item.error = as_list(1e-3, #item.x) -- equal errors of any size, as only their ratios matter
   end
   return items, told
 end
 
--- --- required results of a run --------------------------------------------------------------------
+-- --- results that a run must observe --------------------------------------------------------------
 
--- Returns the list of results to observe (for observe.lua) and sets the index of the observation for every value of an
--- item.
+-- Returns the results that a run must observe (for observe.lua). Stores in `item.reading` the index of the
+-- observation that belongs to each value of the item.
 function data.required(items)
   local distances, columns_used, surfaces, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
@@ -311,7 +314,7 @@ end
 
 -- --- simulated values -----------------------------------------------------------------------------
 
--- Returns the depth of a surface at x, linear between nodes, 0 outside.
+-- Returns the depth of a surface at x by linear interpolation between the nodes; 0 outside the surface.
 local function depth_at(surface, x)
   local at, h, low, high = surface.x, surface.h, 1, #surface.x
   if x < at[1] or x > at[high] then return 0 end
@@ -322,8 +325,8 @@ local function depth_at(surface, x)
   return h[low] + (h[high] - h[low]) * (x - at[low]) / (at[high] - at[low])
 end
 
--- Returns the values of a measured profile computed from the simulated surface: shifted by `shift`
--- [mm] to the right, plus `tilt` [mm/mm] times x and `level` [mm].
+-- Returns the simulated depths at the points of a measured profile: the simulated surface is shifted by
+-- `shift` [mm] to the right, then `tilt` [mm/mm] times x and `level` [mm] are added.
 local function profile_values(item, readings, position)
   local surface, values = readings[item.reading[1]][item.surface], {}
   for i, x in ipairs(item.x) do
@@ -342,8 +345,8 @@ local function series_values(item, readings)
   return values
 end
 
--- Returns true if the quantity changes in steps, as the edge of the contact moves from node to
--- node.
+-- Returns true if the quantity of an item changes in steps, because the edge of the contact moves from node
+-- to node.
 function data.jumps(item)
   for _, name in ipairs(item.of and quantity(item.of)[1] or {}) do
     if name:match("width") or name:match("^p_") then return true end
@@ -351,7 +354,7 @@ function data.jumps(item)
   return false
 end
 
--- Returns the simulated values of an item from the readings of a run. position: { shift=, tilt=,
+-- Returns the simulated values of an item from the observed results of a run. position: { shift=, tilt=,
 -- level= } of a profile or a loop.
 function data.values(item, readings, position)
   if item.kind == "loop" then return loops.values(item, readings[item.reading[1]].loop, position) end
@@ -359,7 +362,7 @@ function data.values(item, readings, position)
   return (item.kind == "profile" and profile_values or series_values)(item, readings, position)
 end
 
--- Returns the parameters for the unknown positions of the items, in the form of fit/unknown.lua.
+-- Returns the unknown positions of all items as parameters, in the form of fit/unknown.lua.
 function data.positions(items)
   local list = {}
   for number, item in ipairs(items) do
@@ -375,12 +378,13 @@ end
 
 -- --- implausible units -----------------------------------------------------------------------------
 
-local function guess(ratio) -- probable unit of lengths
+local function guess(ratio) -- returns the probable unit of lengths
   if ratio < 1e-2 then return ratio < 1e-2 and ratio > 1e-4 and "m" or "other units" end
   return ratio < 1e4 and "um" or "nm"
 end
 
--- Returns a text on the unit of the distances of a series, if this unit may be wrong.
+-- Returns the range of distances of a series as a text for a message, since the distances may have a wrong
+-- unit.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
   return (", distances in mm (they go to %g)"):format(item.x[#item.x])
@@ -394,7 +398,8 @@ local function refuse_size(where, number, name, item, most, expected)
     item.unit, item.unit, seems, far_of(item)))
 end
 
--- Checks that a profile lies on the surface and has a plausible width.
+-- Checks that at least 3 points of a profile lie on the surface and that the width of the profile is
+-- plausible.
 local function check_position(where, number, item, surface, shift)
   local low, high = surface.x[1] + shift, surface.x[#surface.x] + shift
   local inside = 0
@@ -409,7 +414,7 @@ local function check_position(where, number, item, surface, shift)
   end
 end
 
--- Compares the data with a run at the start values; refuses data that differ by an implausible factor.
+-- Compares the data with a run at the start values. Data that differ by a factor above 150 are refused.
 function data.check_sizes(where, items, readings)
   for number, item in ipairs(items) do
     local still = { shift = item.fixed and item.fixed.shift or item.free and item.free[1].start or 0, tilt = 0, level = 0 }

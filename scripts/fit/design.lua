@@ -1,6 +1,6 @@
--- fit.design: computes, before a test, which measurements at which distances determine the unknowns
--- best. From the derivatives at the start values it computes the standard errors with each
--- measurement alone, and the best order of the measurements.
+-- fit.design computes, before a test, which measurements at which distances determine the unknowns best. It
+-- uses the derivatives at the start values to compute the standard errors for each measurement alone, and
+-- the best order of the measurements.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -22,7 +22,8 @@ local own = {
   title = check.text, shift = check.number, tilt = check.number, level = check.number,
 }
 
--- Returns the default positions of a profile's points, over `width` [mm] around the centre.
+-- Returns the default positions of a profile's points [mm], evenly spaced over `width` [mm] around the
+-- centre.
 local function places(given)
   local count, width = given.points or 61, given.width or 1
   local x = {}
@@ -51,7 +52,7 @@ local function check_one(number, given)
   end
 end
 
--- Returns a measurement with arbitrary values, used until the first run gives the expected values.
+-- Returns a measurement with placeholder values. The first run then gives the expected values.
 local function stand_in(one, distance)
   if not one.profile then
     return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
@@ -61,7 +62,7 @@ local function stand_in(one, distance)
     shift = one.shift, tilt = one.tilt, level = one.level }
 end
 
--- Returns one item for each measurement and distance.
+-- Reads the user's measurements, and returns one item for each measurement and each distance.
 local function read(given)
   local items = {}
   for number, one in ipairs(given.measure) do
@@ -78,7 +79,7 @@ local function read(given)
   return items
 end
 
--- Converts relative errors to absolute ones with the values of the first run.
+-- Computes absolute errors from relative ones, with the simulated values of the first run.
 local function size_errors(problem, readings)
   local still = { shift = 0, tilt = 0, level = 0 }
   for _, item in ipairs(problem.items) do
@@ -96,8 +97,9 @@ end
 
 -- --- expected standard errors --------------------------------------------------------------------
 
--- Returns the prior error of each unknown: its start value, or the width of its bounds. It keeps
--- the errors finite if a measurement does not determine an unknown.
+-- Returns one row for each unknown with 1 / prior error. The prior error is the standard deviation of a
+-- uniform distribution between the bounds, or the typical range. The prior keeps the errors finite if a
+-- measurement does not determine an unknown.
 local function prior_rows(problem)
   local rows = {}
   for j, one in ipairs(problem.unknowns) do
@@ -107,8 +109,8 @@ local function prior_rows(problem)
   return rows
 end
 
--- Returns the columns of the derivatives for the chosen items, with the rows of the prior below,
--- and without the position parameters of other items.
+-- Returns the columns of the derivatives for the chosen items, followed by the rows of the prior. Position
+-- parameters of other items are omitted.
 local function columns_of(self, chosen)
   local columns = {}
   for j, one in ipairs(self.problem.parameters) do
@@ -124,7 +126,8 @@ local function columns_of(self, chosen)
   return columns
 end
 
--- Returns the standard error of each unknown, the covariance, and the sum of the logarithms of the relative errors.
+-- Returns the standard errors of the unknowns, the covariance, and the sum of the logarithms of the errors
+-- relative to the typical ranges, for the chosen items together.
 local function expected(self, chosen)
   local columns = columns_of(self, chosen)
   local covariance, errors, sum = solve.covariance(columns), {}, 0
@@ -150,8 +153,8 @@ local function alone(self)
   return list
 end
 
--- Returns the greedy order of the measurements, to which the measurement with the smallest errors
--- is added repeatedly.
+-- Returns the measurements in a greedy order: each step adds the measurement that gives the smallest errors
+-- together with the earlier ones.
 local function best_order(self, most)
   local chosen, list = {}, {}
   for _ = 1, math.min(most, #self.problem.items) do
@@ -188,7 +191,8 @@ local class = { __name = "design", __fields = { "names", "units", "start", "prio
 local methods = {}
 class.__methods = methods
 
--- Returns the error, in percent of the start value unless that is 0.
+-- Returns the text of an error with its percentage of the start value (omitted if that is 0), or
+-- "undetermined".
 local function shown(self, name, value)
   local start, prior = self.start[name], self.prior_error[name]
   if value > 0.9 * prior then return "undetermined" end
@@ -201,7 +205,7 @@ local function row_of(self, first, one)
   return row
 end
 
--- Returns the titles of the columns: those of `first` and one for each unknown.
+-- Returns the titles of the columns: the arguments, and one title for each unknown.
 local function heads(self, ...)
   local row = { ... }
   for i, name in ipairs(self.names) do
@@ -225,7 +229,8 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
--- d:table{ file= } -> the rows "alone" as CSV
+-- d:table{ file= } returns the standard errors of each measurement alone as CSV text, or writes them to a
+-- file.
 function methods:table(options)
   check.fields("design:table", options or {}, { file = check.file })
   local rows = { heads(self, "measurement", "distance [mm]") }
@@ -244,8 +249,8 @@ strict.class(class)
 
 -- --- making --------------------------------------------------------------------------------------
 
--- A design has no data yet, so the unknowns may be far from their start values. Slopes of values that change in steps
--- are therefore taken over a range of about the unknown's prior standard deviation on both sides.
+-- A design has no data yet, so the unknowns can be far from their start values. The slopes of values that
+-- change in steps are therefore computed over a range of about one prior standard deviation on both sides.
 local widest, intervals = 0.6, 16
 
 local function sensitivities(problem)
@@ -274,8 +279,8 @@ local function described(problem, self)
   return setmetatable(self, class)
 end
 
--- given: the fields of fit{}, with measure= instead of data=; common: the fields that fit and
--- design share; prepare: makes the problem from items.
+-- Computes a design. given: the fields of fit{}, with measure= instead of data=; common: the fields that
+-- fit{} and fit.design{} share; prepare: function that makes the problem from the items.
 return function(given, common, prepare)
   check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
   for _, name in ipairs{ "unknown", "measure" } do

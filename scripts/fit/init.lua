@@ -1,10 +1,10 @@
--- fit: determines values of wear{} and model{} from measurements by weighted nonlinear least squares, with their
--- standard errors. This module only lists the public functions; fit/run.lua runs a fit.
+-- fit determines values of wear{} and model{}, with their standard errors, from measurements by weighted
+-- nonlinear least squares. This module only lists the public functions; fit/run.lua runs a fit.
 
 local lazy = require "archard.lib.lazy"
 
 local run = lazy("archard.fit.run", "run")
 
--- best: best values of the last search
+-- fit.best contains the best values of the last search.
 return setmetatable({ design = lazy("archard.fit.run", "design"), best = {} },
   { __call = function(_, given) return run(given) end })

@@ -1,6 +1,6 @@
--- Friction loops as data of a fit: the tangential force over the motion in one cycle, as points in the order of time.
--- Each half of a loop is compared with the same half of the simulated loop: forces at the measured positions or, if a
--- force drives the run, positions at the measured forces.
+-- Friction loops as data of a fit. A loop is the tangential force over the motion in one cycle, as points
+-- in the order of time. Each half of a loop is compared with the same half of the simulated loop: forces at
+-- the measured positions or, if a force drives the run, positions at the measured forces.
 
 local check = require "archard.lib.check"
 local statistics = require "archard.lib.statistics"
@@ -19,7 +19,7 @@ loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of one leng
   return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
 end)
 
--- Returns the indices of the smallest and the largest value, where the motion reverses.
+-- Returns the indices of the smallest and of the largest value, at which the motion reverses.
 local function ends_of(along)
   local low, high = 1, 1
   for i, value in ipairs(along) do
@@ -29,7 +29,8 @@ local function ends_of(along)
   return low, high
 end
 
--- Returns for each point whether it belongs to the half with increasing values.
+-- Returns a list of flags, one for each point: true if the point belongs to the half with increasing
+-- values.
 local function rising(along)
   local low, high = ends_of(along)
   local up, n = {}, #along
@@ -39,8 +40,8 @@ end
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- Makes an item of data from a loop. from: checked { loop=, distance=, compliance=, shift=, level=
--- }; errors: list or nil; by_force: true if a force drives the run.
+-- Makes an item of data from a loop. from: the checked fields loop, distance, compliance, shift, level and
+-- title; errors: a list or nil; by_force: true if a force drives the run.
 function loop.item(from, errors, by_force)
   local x, force = copied(from.loop.x), copied(from.loop.tangential)
   for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end
@@ -57,8 +58,8 @@ end
 
 -- --- simulated values ----------------------------------------------------------------------------
 
--- Returns the points of a loop between two indices, across the end of the list if needed, sorted by
--- `along`.
+-- Returns the points of a loop from index `from` to index `to`, past the end of the list if needed, sorted
+-- by `along`.
 local function half(along, value, from, to)
   local points, n = {}, #along
   for step = 0, (to - from) % n do
@@ -82,8 +83,8 @@ local function at(points, x)
   return b[1] > a[1] and a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) or a[2]
 end
 
--- Returns the simulated values at the item's points. there: { x=, tangential= } of the run, whose
--- last point repeats the first one and is not used; position: { shift=, level= }.
+-- Returns the simulated values at the item's points. there: the loop { x=, tangential= } of the run, whose
+-- last point repeats the first one and is ignored; position: { shift=, level= }.
 function loop.values(item, there, position)
   local along, value = copied(there.x), copied(there.tangential)
   if item.by_force then along, value = value, along end

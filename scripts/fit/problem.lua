@@ -1,5 +1,6 @@
--- A fit as a least-squares problem: parameters (the unknowns, then the positions of profiles and loops), weighted
--- residuals, and their derivatives by differences of runs, with steps chosen by the numerical noise of the runs.
+-- A fit as a least-squares problem. The parameters are the unknowns, then the positions of profiles and
+-- loops. The module computes weighted residuals and their derivatives by differences of runs, with steps
+-- chosen by the numerical noise of the runs.
 
 local check = require "archard.lib.check"
 local data = require "archard.fit.data"
@@ -11,7 +12,7 @@ problem.__index = problem
 
 -- --- residuals -----------------------------------------------------------------------------------
 
--- Returns the position of item `number` for the values of all parameters.
+-- Returns the position { shift=, tilt=, level= } of item `number` from the values of all parameters.
 function problem:position(number, values)
   local fixed = self.items[number].fixed or {}
   local position = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
@@ -21,7 +22,7 @@ function problem:position(number, values)
   return position
 end
 
--- Returns the simulated values at all data points, divided by their errors, in one list.
+-- Returns one list of the simulated values at all data points, divided by the errors of the data.
 function problem:predict(readings, values)
   local list = {}
   for number, item in ipairs(self.items) do
@@ -36,7 +37,7 @@ function problem:runs_at(values)
   return self.runs:one(table.move(values, 1, #self.unknowns, 1, {}))
 end
 
--- Returns the residuals (simulated - measured) / error, followed by the roughness of curves.
+-- Returns the residuals (simulated - measured) / error, followed by the weighted roughness of the curves.
 function problem:residuals(values)
   local list = self:predict(self:runs_at(values), values)
   for i, measured in ipairs(self.measured) do list[i] = list[i] - measured end
@@ -48,15 +49,16 @@ function problem:residuals(values)
   return list
 end
 
--- Returns the residuals after a call of jacobian at the same values. Values that change in steps
--- are replaced by their regression lines.
+-- Returns the residuals, if jacobian was called for the same parameter values before. Simulated values that
+-- change in steps are replaced by the values of their regression lines.
 function problem:smoothed_residuals(values)
   local list = self:residuals(values)
   for m, middle in pairs(self.rippled) do list[m] = middle - self.measured[m] end
   return list
 end
 
--- Returns the root mean square of the residuals, which is 1 if the errors are right.
+-- Returns the root mean square of the residuals per degree of freedom. It is 1 if the errors of the data
+-- are right.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
   for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end
@@ -88,17 +90,17 @@ local function column_between(high, low, width)
   return column
 end
 
--- Returns the derivative by a position parameter, which needs no run.
+-- Returns the derivative of the simulated values by a position parameter. It needs no further run.
 local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
   return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
--- Values that change in steps from node to node show their dependence on a parameter only over a
--- wide range. `widest`: half of this range as a share of the value; `many`, `few`: number of
--- intervals for errors and during the search. Near a bound, the range is on one side. A design,
--- which has no data, uses a wider range.
+-- Values that change in steps from node to node depend on a parameter visibly only over a wide range.
+-- `widest`: half of this range as a share of the value; `many`, `few`: number of intervals for the standard
+-- errors and during the search. Near a bound, the range is on one side. A design has no data and uses a
+-- wider range.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -117,9 +119,10 @@ local function spread(low, high, intervals)
   return list
 end
 
--- Values that change in small steps with an unknown (widths, counted in nodes) have no useful difference quotient:
--- fills their rows of column i with slopes of regression lines over a range, and adds the lines' values in the middle
--- of the range, averaged over the unknowns, to self.rippled.
+-- Computes the derivatives of values that change in small steps with an unknown (widths, counted in nodes),
+-- for which difference quotients are useless. The rows of column i are filled with slopes of regression
+-- lines over a range. The value of each line in the middle of the range, averaged over the unknowns, is
+-- added to self.rippled.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
   local points, list, rows = spread(low, high, central and self.many or few), {}, {}
@@ -136,7 +139,8 @@ local function fill_rippled(self, column, values, i, central)
   end
 end
 
--- Returns the columns of the derivatives of predict by each parameter.
+-- Returns the derivatives of the simulated values (see predict), one column for each parameter. central:
+-- true for central differences where the bounds allow them.
 function problem:jacobian(values, central)
   local m, list, stencils = #self.unknowns, {}, {}
   local own = table.move(values, 1, m, 1, {})
@@ -159,7 +163,7 @@ function problem:jacobian(values, central)
   return columns
 end
 
--- Appends the rows of roughness to the columns.
+-- Appends the rows of roughness to the columns of derivatives, and returns them.
 function problem:with_roughness(columns)
   for i, column in ipairs(columns) do
     for r, row in ipairs(self.rough) do
@@ -173,9 +177,10 @@ end
 
 local samples, spacing = 5, 1e-3
 
--- Runs with automatic steps change slightly and irregularly with the values. This noise is estimated from fourth
--- differences of runs with close values (the method of Hamming, as used by More and Wild); the difference step
--- minimizes the sum of noise and curvature errors.
+-- Estimates the numerical noise of the runs and chooses the steps of the differences. Runs with automatic
+-- steps change slightly and irregularly with the values; this noise is estimated from fourth differences of
+-- runs with close values (the method of Hamming, as used by More and Wild). The chosen step minimizes the
+-- sum of the errors from noise and from curvature.
 function problem:measure_noise(values)
   local list = {}
   for s = 1, samples do
@@ -202,12 +207,12 @@ end
 
 -- --- values that change in steps ------------------------------------------------------------------
 
--- Limits: of the jump between neighbours, relative to the slope; of the scatter, relative to the
--- error.
+-- Limits for values that change in steps: smallest jump between neighbours, relative to the slope; smallest
+-- scatter that counts, relative to the error.
 local jumps_above, counts = 0.03, 0.2
 
--- Makes runs over a wide range of all unknowns at once; returns the positions in the range and the
--- simulated values.
+-- Computes runs over a wide range, with all unknowns changed at once. Returns the positions in the range
+-- (-0.5 to 0.5) and the simulated values.
 local function wide_rows(self, values)
   local points, list, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
   for p, t in ipairs(points) do
@@ -228,7 +233,8 @@ local function has_jumping(items)
   return false
 end
 
--- Marks the values that change in steps. If the user gave errors, the scatter of the values is added to them.
+-- Marks the values that change in steps. If the user gave errors, the scatter of these values is added to
+-- the errors.
 function problem:measure_ripple(values, told)
   if not has_jumping(self.items) then return end
   local points, rows = wide_rows(self, values)
@@ -253,7 +259,7 @@ end
 
 -- --- making --------------------------------------------------------------------------------------
 
--- Refuses an unknown that has no effect on any value.
+-- Raises an error if an unknown has no effect on any measured value.
 function problem:refuse_idle(columns)
   for i, one in ipairs(self.unknowns) do
     local sum = 0
@@ -265,11 +271,11 @@ function problem:refuse_idle(columns)
   end
 end
 
--- Makes the problem of a fit. unknowns, items: from fit/unknown.lua and fit/data.lua; runs: from
+-- Makes the problem of a fit. unknowns: from fit/unknown.lua; items: from fit/data.lua; runs: from
 -- fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by row of the residuals
+    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by residual index
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
   for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end
@@ -277,7 +283,7 @@ function problem.new(where, unknowns, items, runs)
   return self
 end
 
--- Computes the measured values divided by their errors.
+-- Computes the list of measured values, divided by their errors.
 function problem:weigh()
   self.measured = {}
   for _, item in ipairs(self.items) do

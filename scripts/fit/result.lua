@@ -9,7 +9,8 @@ local result = {}
 
 -- --- numbers -------------------------------------------------------------------------------------
 
--- Returns values by the name of the unknown; for a curve the list of its knot values.
+-- Returns a table from the names of unknowns to their values. The value of a curve is the list of its knot
+-- values.
 local function by_path(problem, list)
   local named = {}
   for i, one in ipairs(problem.unknowns) do
@@ -27,8 +28,8 @@ local function clipped(one, value)
   return math.max(one.low or -math.huge, math.min(one.high or math.huge, value))
 end
 
--- Returns the parameters without a standard error: those at a bound, and those in a direction that
--- the data do not determine.
+-- Returns a table that is true for each parameter without a standard error: it is at a bound, or the data
+-- do not determine it.
 local function undetermined(found, problem)
   local blind = {}
   for _, direction in ipairs(found.unseen) do
@@ -58,7 +59,7 @@ local function correlations(found)
   return list
 end
 
--- Returns the standard error of a linear combination of the parameters.
+-- Returns the standard error of a function of the parameters with the given derivatives.
 local function along(covariance, derivative)
   local sum = 0
   for a, row in ipairs(covariance) do
@@ -71,8 +72,8 @@ end
 
 -- --- bands ---------------------------------------------------------------------------------------
 
--- Returns each set of data with its simulated values: lists x (or distance), value, error, model,
--- low, high, residual ((value - model) / error).
+-- Returns a table for each set of data with the lists x (or distance), value, error, model (the simulated
+-- values), low, high and residual, (value - model) / error.
 local function described(self, problem, found, scale, deviation)
   local readings, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do
@@ -100,7 +101,7 @@ local function described(self, problem, found, scale, deviation)
   return list
 end
 
--- Returns the fitted curves over the distance as tables for wear{}, and their bands.
+-- Returns the fitted curves over the distance as tables for wear{}, and their confidence bands.
 local function curves(self, problem, found, scale)
   local list, bands = {}, {}
   for _, curve in ipairs(problem.unknowns.curves) do
@@ -185,8 +186,8 @@ local function note_vague(notes, problem, found, deviation)
   end
 end
 
--- Adds a note on the scatter of values that change in steps, which limits their accuracy on this
--- mesh.
+-- Adds a note on the scatter of values that change in steps from node to node. The scatter limits the
+-- accuracy on this mesh.
 local function note_rippled(notes, problem)
   for _, item in ipairs(problem.items) do
     if item.rippled then
@@ -257,7 +258,7 @@ local function data_line(item)
   return line
 end
 
--- Adds the correlations, three pairs on a line, if there are at most ten.
+-- Adds the correlations to the lines, three pairs on each line. More than ten pairs are omitted altogether.
 local function add_correlations(lines, self)
   local words = {}
   for a = 1, #self.names do
@@ -271,7 +272,7 @@ local function add_correlations(lines, self)
   end
 end
 
--- Wraps a note to lines that fit a terminal.
+-- Wraps a note to lines of at most about 100 characters.
 local function wrapped(text)
   local lines, line = {}, "  note:"
   for word in text:gmatch("%S+") do
@@ -310,8 +311,8 @@ end
 
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
--- Makes the result of a fit. problem, found: from fit/problem.lua and fit/solve.lua; told: true if
--- the user gave the errors of the data.
+-- Makes the result of a fit. problem: from fit/problem.lua; found: from fit/solve.lua; told: true if the
+-- user gave the errors of the data; confidence: level in (0, 1).
 function result.new(problem, found, told, confidence)
   local m, count = #problem.unknowns, #problem.measured
   local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,

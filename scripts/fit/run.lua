@@ -21,7 +21,7 @@ local common = { model = model_kind, base = check.table, unknown = check.table, 
   workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
 local fields = merged(common, { data = check.table })
 
--- Refuses a field of base that is also an unknown.
+-- Raises an error if a field of base is also an unknown.
 local function refuse_double(name, base, unknowns)
   for field in pairs(unknowns) do
     if base[field] ~= nil then
@@ -30,7 +30,7 @@ local function refuse_double(name, base, unknowns)
   end
 end
 
--- Returns the fields of wear{} for all runs, with a distance up to the last measurement.
+-- Returns the fields of wear{} for all runs. The sliding distance is extended to the last measurement.
 local function base_of(name, given, what)
   local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
@@ -56,8 +56,8 @@ local function is_by_force(base)
   return loading.tangential ~= nil or type(loading[1]) == "table" and loading[1].tangential ~= nil
 end
 
--- Returns functions and flags on the motion for data.read; `path` returns the sliding distance of a
--- cycle [mm].
+-- Returns the description of the motion for data.read: path() returns the sliding distance of a cycle [mm],
+-- and by_force is true if a force drives the runs.
 local function motion_of(name, given, unknowns)
   local base = merged(given.base, { model = given.model })
   local function path()
@@ -68,13 +68,13 @@ local function motion_of(name, given, unknowns)
   return { path = path, by_force = is_by_force(base) }
 end
 
--- Returns the user's model, or nil.
+-- Returns the user's model: the field `model` or base.model, or nil.
 local function model_of(given)
   if given.model ~= nil then return given.model end
   return type(given.base) == "table" and given.base.model or nil
 end
 
--- Makes the problem of a fit or a design; `each` is the estimated number of runs for each unknown.
+-- Makes the problem of a fit or a design. each: estimated number of runs for each unknown.
 local function prepare(name, given, items, each)
   local unknowns = unknown.read(name, given.unknown, model_of(given))
   local what = data.required(items)
@@ -84,7 +84,8 @@ local function prepare(name, given, items, each)
   return problems.new(name, unknowns, items, all)
 end
 
--- Refuses more unknowns than data; without errors, at least one more value is needed to estimate them.
+-- Raises an error if there are more unknowns than data. If the user gave no errors, one more value is
+-- needed to estimate them.
 local function refuse_few(problem, told)
   local count, needed = #problem.measured, #problem.parameters
   if count > needed or told and count == needed then return end
@@ -99,7 +100,8 @@ local function need(name, given, list)
   end
 end
 
--- fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= }
+-- Runs fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= } and returns its
+-- result.
 local function run(given)
   check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })

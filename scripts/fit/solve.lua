@@ -1,5 +1,5 @@
--- Searches for the best parameters of a problem and computes standard errors, correlations, undetermined directions,
--- and the weight of smoothness by cross-validation.
+-- Searches for the best parameters of a problem. Computes standard errors, correlations and undetermined
+-- directions, and chooses the weight of smoothness by cross-validation.
 
 local check = require "archard.lib.check"
 local least_squares = require "archard.least_squares"
@@ -7,8 +7,8 @@ local unknown = require "archard.fit.unknown"
 
 local solve = {}
 
--- Largest number of iterations; tolerance of the last step, relative to the parameter's typical
--- size.
+-- Largest number of iterations, and tolerance of the last step relative to the typical size of the
+-- parameter.
 local most, small = 60, 1e-4
 
 -- --- linear algebra of columns -------------------------------------------------------------------
@@ -27,7 +27,7 @@ local function norm(list)
   return math.sqrt(sum)
 end
 
--- Returns the singular value decomposition of the columns scaled to length 1: u, s, v as flat lists
+-- Scales the columns to length 1 and returns their singular value decomposition: u, s and v as flat lists
 -- by row, and the scale factors.
 local function decompose(columns)
   local scales, lengths = {}, {}
@@ -40,12 +40,12 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Singular values below this share of the largest one are treated as 0, as derivatives by differences are not more
--- accurate.
+-- Smallest singular value, relative to the largest one, that is not treated as 0. Derivatives by
+-- differences are not more accurate.
 local blind = 1e-5
 
--- Returns the covariance of the parameters, and `unseen`, the directions that the data do not
--- determine, each as a list of the parameters involved.
+-- Returns the covariance of the parameters for unit errors, and the list of directions that the data do not
+-- determine. Each direction is a list of the indices of its parameters.
 function solve.covariance(columns)
   local d = decompose(columns)
   local p, covariance, unseen = d.size, {}, {}
@@ -80,14 +80,15 @@ local function values_of(parameters, u)
   return values, slopes
 end
 
--- Residuals of a failed run. They are larger than at the start, so that the step is shortened.
+-- Returns the residuals that replace the residuals of a failed run. They are larger than the residuals
+-- `list` at the start, which makes the search shorten its step.
 local function residuals_of_failure(list)
   local far = {}
   for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
   return far
 end
 
--- Stores the best values found up to now in fit.best, for use after an interruption.
+-- Stores the best values found until now in fit.best, where they are available after an interruption.
 local function keep_best(problem, values, residuals)
   local chi2 = norm(residuals) ^ 2
   if chi2 >= (problem.least or math.huge) then return end
@@ -98,8 +99,8 @@ local function keep_best(problem, values, residuals)
   problem.runs.counter:better(solve.shown(problem, values), "fit.best")
 end
 
--- Searches from each parameter's `start`; returns the values and the number of iterations. Without `central`, one-sided
--- derivatives are used, which need half as many runs.
+-- Searches for the best parameters from each parameter's `start`. Returns their values and the number of
+-- iterations. Without `central`, one-sided derivatives are used, which need half as many runs.
 local function search(problem, central)
   local parameters, first, far = problem.parameters, {}, nil
   for i = 1, #parameters do first[i] = 1 end
@@ -126,8 +127,9 @@ local function search(problem, central)
   return values_of(parameters, u), iterations
 end
 
--- Returns the largest next step divided by its standard error among parameters that are not at a bound, the name of
--- that parameter, and the step.
+-- Computes the next step of the search. Returns the largest component of the step divided by its standard
+-- error, the name of its parameter, and the step. Parameters at a bound are excluded from the largest
+-- component.
 local function unfinished(problem, values, columns, covariance)
   local residuals, gradient, worst, name, steps = problem:smoothed_residuals(values), {}, 0, nil, {}
   for j, column in ipairs(columns) do
@@ -144,7 +146,8 @@ local function unfinished(problem, values, columns, covariance)
   return worst, name, steps
 end
 
--- Marks the parameters at their bounds; they are excluded from the standard errors of the others.
+-- Marks the parameters that are at a bound. They are excluded from the standard errors of the other
+-- parameters.
 local function mark_bounds(problem, values)
   for i, one in ipairs(problem.parameters) do one.bound = unknown.at_bound(one, values[i]) end
 end
@@ -168,12 +171,12 @@ local function finish(problem, values, iterations)
     iterations = iterations, off = worst, off_name = name, step = step }
 end
 
--- Limits of the next step divided by the standard error: above `enough` the search is repeated with central
--- derivatives; above `tolerable`, which allows for numerical noise, it has failed.
+-- Limits of the next step divided by its standard error. Above `enough`, the search is repeated with
+-- central derivatives. Above `tolerable`, which allows for numerical noise, the fit has not converged.
 local enough, tolerable = 0.1, 0.3
 
--- Largest number of extra steps if values change in steps, which stop the search early. These steps use the regression
--- lines through the values.
+-- Largest number of extra steps after the search. Values that change in steps stop the search too early;
+-- the extra steps use the regression lines through these values.
 local polishing = 8
 
 local function polish(problem, found, beyond)
@@ -203,8 +206,8 @@ local function refuse_unsettled(problem, found)
     found.off_name, found.off, solve.shown(problem, found.values)), "NOT_CONVERGED")
 end
 
--- Searches, and repeats the search with central derivatives if it stopped too early. If residuals exceed the given
--- errors, the limits are scaled by their ratio.
+-- Searches for the best parameters, and repeats the search with central derivatives if it stopped too
+-- early. If the residuals exceed the given errors, the limits of convergence are scaled by their ratio.
 local function settle(problem)
   local function beyond(found, limit)
     return found.off > limit and found.off > limit * problem:error_scale(found.values)
@@ -228,8 +231,8 @@ end
 
 -- --- smoothness by cross-validation ---------------------------------------------------------------
 
--- Returns the mean square error in predicting each value from all others, to first order: residual
--- / (1 - leverage). `columns` is without the rows of roughness.
+-- Returns the mean square error of predicting each value from all other values, to first order: the mean
+-- square of residual / (1 - leverage). columns: derivatives without the rows of roughness.
 local function left_out(problem, columns, residuals, values, weight)
   local before = problem.smooth
   problem:smooth_by(weight)
@@ -260,7 +263,7 @@ local function left_out(problem, columns, residuals, values, weight)
   return sum / n
 end
 
--- Returns the weight of roughness with the smallest prediction error in a series of weights.
+-- Returns the weight of roughness that gives the smallest prediction error, among weights from 0.01 to 1e7.
 local function choose_weight(problem, found)
   problem:smooth_by(0)
   local residuals, columns = problem:residuals(found.values), problem:jacobian(found.values, true)
@@ -275,8 +278,8 @@ end
 
 -- --- the whole fit -------------------------------------------------------------------------------
 
--- Finds the best parameters of a problem. weight: weight of the roughness, or "auto"; told: true if
--- the user gave the errors of the data.
+-- Computes the best parameters of a problem. weight: weight of the roughness, or "auto"; told: true if the
+-- user gave the errors of the data.
 function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end

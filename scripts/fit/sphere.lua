@@ -1,4 +1,5 @@
--- Depth maps of a joint's head or cup as data of a fit: depths in directions theta, phi of the body's own frame.
+-- Depth maps of the head or the cup of a joint as data of a fit. Depths are given in directions theta, phi
+-- of the body's own frame.
 
 local check = require "archard.lib.check"
 local flat = require "archard.joint.flat"
@@ -16,8 +17,8 @@ local function direction(theta, phi)
   return { math.cos(theta), s * math.sin(phi), s * math.cos(phi) }
 end
 
--- Makes an item of data from a map of a joint. from: checked { map=, body=, distance= }; errors:
--- list or nil.
+-- Makes an item of data from a map of a joint. from: the checked fields map, body, distance and title;
+-- errors: a list or nil.
 function sphere.item(from, errors)
   local map, at, x = from.map, {}, {}
   for _, theta in ipairs(map.theta) do
@@ -31,7 +32,7 @@ function sphere.item(from, errors)
     title = from.title or ("map of the %s at %g mm"):format(from.body, from.distance) }
 end
 
--- Returns the simulated depths at the points of an item. surface: { h = values of a map of a run }.
+-- Returns the simulated depths at the points of an item. surface.h: values of the map of a run.
 function sphere.values(item, surface)
   local rows, list = math.tointeger(math.sqrt(#surface.h / 2)), {}
   for i, n in ipairs(item.at) do list[i] = flat.sampled(rows, surface.h, n) end

@@ -1,5 +1,5 @@
--- The unknowns of a fit: numbers of wear{}, model{} and bodies, or k and alpha as curves over the distance. Each number
--- is a parameter; bounds are enforced by a change of variables.
+-- The unknowns of a fit: numbers of wear{}, model{} and bodies, or k and alpha as curves over the distance.
+-- Each number is a parameter of the fit. A change of variables keeps parameters within their bounds.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
@@ -25,7 +25,7 @@ local fields = { start = start_kind, low = check.number, high = check.number, kn
   smooth = check.one_of({ "auto" }, not_below_0) }
 unknown.fields = fields
 
--- Returns the typical range of a parameter, the unit of its steps and its prior error.
+-- Returns the typical range of a parameter. It is used as the unit of steps and as the prior error.
 local function span_of(one)
   if one.low and one.high then return one.high - one.low end
   if one.low then return one.start - one.low end
@@ -33,7 +33,7 @@ local function span_of(one)
   return one.start ~= 0 and math.abs(one.start) or 1
 end
 
--- Checks that bounds are in order and within the range of the setting.
+-- Checks that low < high and that both bounds are within the range of the setting.
 local function check_bounds(where, field, setting, given)
   for _, name in ipairs{ "low", "high" } do
     local value = given[name]
@@ -48,8 +48,8 @@ local function check_bounds(where, field, setting, given)
   end
 end
 
--- Makes a parameter of an unknown. name: the user's name; given.paths: paths of the setting in
--- wear{}.
+-- Makes a parameter of an unknown. name: the user's name; given.paths: paths of the setting in wear{};
+-- distance: distance of the knot [mm], or nil.
 local function parameter(where, field, name, setting, given, start, distance)
   local one = { path = name, paths = given.paths, unit = setting.unit or "", start = start, distance = distance,
     name = distance and ("%s at %g mm"):format(name, distance) or name,
@@ -98,8 +98,8 @@ local function add(self, where, name, given, paths)
   end
 end
 
--- Returns the paths of the settings by name, each used only once. The model is read only if a name
--- is not a field of wear{}.
+-- Returns the paths of the settings for each name. A path that belongs to two names is refused. The model
+-- is read only if a name is not a field of wear{}.
 local function paths_of(where, names, model)
   local by_name, flat, there, beneath = {}, {}, {}, nil
   for _, name in ipairs(names) do
@@ -116,8 +116,8 @@ local function paths_of(where, names, model)
   return by_name
 end
 
--- Checks and reads the user's unknowns. model: the user's model, or nil. Returns the list of
--- parameters { name=, path=, paths=, unit=, start=, low=, high=, span= } with `curves`.
+-- Checks and reads the user's unknowns. model: the user's model, or nil. Returns the list of parameters {
+-- name=, path=, paths=, unit=, start=, low=, high=, span= }; its field `curves` contains the curves.
 function unknown.read(where, given, model)
   local names, self = {}, { curves = {} }
   for name in pairs(given) do
@@ -137,10 +137,10 @@ local function slice(values, curve)
   return table.move(values, curve.first, curve.first + #curve.knots - 1, 1, {})
 end
 
--- Returns the curve for the values of all parameters, { distance=, value= }.
+-- Returns a curve { distance=, value= } from the values of all parameters.
 function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
 
--- Returns the settings for the values of all parameters, by path.
+-- Returns the settings by path from the values of all parameters.
 function unknown.settings(self, values)
   local flat = {}
   for i, one in ipairs(self) do
@@ -155,13 +155,14 @@ function unknown.settings(self, values)
 end
 
 -- --- bounds by a change of variables -------------------------------------------------------------
--- A variable is 1 at the start value and changes by about 1 over the typical range of its parameter.
+-- The search changes one variable per parameter. It is 1 at the start value and changes by about 1 over the
+-- typical range of the parameter.
 
-local function phase(one) -- phase of the start value between both bounds
+local function phase(one) -- returns the phase of the start value between both bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
 end
 
--- Returns the parameter's value at the variable u and its derivative by u.
+-- Returns the value of a parameter at the variable u, and its derivative by u.
 function unknown.value(one, u)
   if one.low and one.high then
     local half, angle = (one.high - one.low) / 2, u - 1 + phase(one)
@@ -176,14 +177,14 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
--- Returns the value after a step, which is limited to nine tenths of the distance to a bound.
+-- Returns the value after a step. The step is limited to nine tenths of the distance to a bound.
 function unknown.inside(one, value, step)
   if one.low then step = math.max(step, 0.9 * (one.low - value)) end
   if one.high then step = math.min(step, 0.9 * (one.high - value)) end
   return value + step
 end
 
--- Returns the bound reached by a value, "low" or "high", or nil.
+-- Returns "low" or "high" if a value is at that bound, else nil.
 function unknown.at_bound(one, value)
   if one.low and value - one.low < 1e-4 * one.span then return "low" end
   if one.high and one.high - value < 1e-4 * one.span then return "high" end
@@ -191,8 +192,8 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Returns the rows of a matrix over all parameters: second differences of the knots of each curve,
--- in units of the start value, with distances in units of the mean knot spacing.
+-- Returns the roughness of all curves as rows of a matrix over the parameters: second differences of the
+-- values at the knots, divided by the typical range. Distances are divided by the mean knot spacing.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do
@@ -209,7 +210,7 @@ function unknown.roughness(self)
   return rows
 end
 
--- Returns the weight of roughness: a number, or "auto" if a curve has smooth = "auto".
+-- Returns the largest weight of roughness of all curves, or "auto" if a curve has smooth = "auto".
 function unknown.smooth(self)
   local most = 0
   for _, curve in ipairs(self.curves) do

@@ -1,6 +1,6 @@
--- Help entries of the objects that compute: material, hertz, model, contact, wear. Form: help.lua.
--- Each: { address, kind=, type=, unit=, default=, values=, class=, use=, text= }. The equations are
--- those of Mattei and Di Puccio, "Influence of the wear partition factor on wear evolution
+-- Help entries of the objects that compute: material, hertz, model, contact, wear. help/init.lua explains
+-- addresses. An entry is { address, kind=, type=, unit=, default=, values=, class=, use=, text= }. Equation
+-- numbers refer to Mattei and Di Puccio, "Influence of the wear partition factor on wear evolution
 -- modelling of sliding surfaces".
 
 local of_all = '. Further fields, see help "body": E, nu, k or material, layers, name.'
@@ -430,7 +430,7 @@ return {
     text = "Wear depth partition factor alpha-tilde: the cylinder's share of the sum of both largest depths (Eq. "
       .. "29)." },
 
-  -- --- the definition, read back --------------------------------------------------------------
+  -- --- fields of the definition -----------------------------------------------------------------
   { "wear.stroke", kind = "field", unit = "mm",
     text = "Stroke: distance between the extreme positions of the plate, in the present block of loading. "
       .. "The column travel of the history has the stroke of each update." },

@@ -1,4 +1,4 @@
--- Help entries of fits and designs of tests. Form: help.lua.
+-- Help entries of fits and of designs of tests. help/engine.lua explains the form of an entry.
 
 return {
   { "fit", kind = "function", class = "fitted",

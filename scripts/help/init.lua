@@ -1,9 +1,10 @@
--- help(): explains objects, fields and methods. The entries are in the files of this folder (engine, tools, maps, joint,
--- session, study, fit, uncertainty), the topics in topics.lua. This file finds and shows them. Completion uses it for
--- names that no table contains, and the manual page is written from it.
+-- help() explains objects, fields and methods. The entries are in the other files of this folder, and the
+-- topics are in topics.lua. This file searches the entries and shows them. Completion uses the entries for
+-- names that no table contains, and the manual page is made from them.
 --
--- Addresses: "wear" is an object, "wear.step" its method or field, "wear{jump}" a field of its definition table, and
--- "wear{loading.x}" a field of a table in that table.
+-- Addresses of entries: "wear" is an object, "wear.step" is a method or field of this object, "wear{jump}"
+-- is a field of the definition table of wear{}, and "wear{loading.x}" is a field of a table inside that
+-- table.
 
 local debug, next, print, rawget, select, string, table, type =
   debug, next, print, rawget, select, string, table, type
@@ -14,11 +15,12 @@ local search = require "archard.help.search"
 
 local help = {}
 
-local entries     -- by address
-local ordered     -- as written
-local topics = {}  -- by name, and as written
+local entries     -- entries by address
+local ordered     -- entries in the order of the files
+local topics = {}  -- topics by name, and in the order of the overview
 
--- Splits an address into the owner, the name within it, and true if the name is in the definition table of the owner.
+-- Splits an address into its owner, the name within the owner, and a flag: true if the name is in the
+-- definition table of the owner.
 local function split(address)
   local owner, option = address:match("^(.-){(.*)}$")
   if owner then return owner, option, true end
@@ -41,7 +43,7 @@ local function add(list)
   end
 end
 
--- Reads the entries on first use, so that scripts without help do not need time for them.
+-- Loads the entries at the first use of help, since scripts without help do not need them.
 local function load_entries()
   if entries then return end
   entries, ordered = {}, {}
@@ -61,8 +63,9 @@ end
 
 -- --- for completion and the manual ------------------------------------------------------------
 
--- Returns the entry of an address, or nil. Fields: address, name, owner, kind, type, unit, default, values, class (of its
--- value or result), takes (the object whose definition has further fields of it), use (an example of its use), text.
+-- Returns the entry at an address, or nil. Fields of an entry: address, name, owner, kind, type, unit,
+-- default, values; class: class of its value or result; takes: object whose definition has further fields
+-- of this table; use: an example; text.
 function help.entry(address)
   load_entries()
   return entries[address]
@@ -80,7 +83,7 @@ function help.addresses()
   return list
 end
 
--- Returns the methods and fields of an object.
+-- Returns the entries of the methods and fields of an object.
 function help.members(address)
   local list = {}
   for _, entry in ipairs(help.all()) do
@@ -89,7 +92,8 @@ function help.members(address)
   return list
 end
 
--- Returns the fields of the definition table of `address`, or of the table at `path` within it.
+-- Returns the entries of the fields in the definition table of `address`, or in the table at `path` within
+-- it.
 function help.definition(address, path)
   local list = {}
   for _, entry in ipairs(help.all()) do
@@ -105,9 +109,9 @@ local function names_fit(address, path)
   return type(address) == "string" and (path == nil or type(path) == "string")
 end
 
--- Follows a path into tables whose fields are those of another definition, such as wear{ model={ ... } }, or plot{} in
--- plot.pressure(w, { ... }). Returns an address and the rest of the path within it; nil for a field that cannot be
--- changed in an existing object.
+-- Follows a path into tables with the fields of another definition, such as wear{ model={ ... } } or the
+-- options of plot{} in plot.pressure(w, { ... }). Returns the address of that definition and the rest of
+-- the path within it. Returns nil for a field that cannot be changed in an existing object.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -126,8 +130,8 @@ local function follow(address, path)
   return at, rest
 end
 
--- Returns all fields that a table may have, including those of another definition, without fields that cannot be changed
--- in an existing object.
+-- Returns the entries of all fields that a table may have, including the fields of another definition.
+-- Fields that cannot be changed in an existing object are omitted.
 function help.fields(address, path)
   if not names_fit(address, path) then return {} end
   load_entries()
@@ -162,7 +166,8 @@ local function find_in(methods, value, prefix)
   end
 end
 
--- Returns the address of a function that is a method of some class, from the metatables in the registry.
+-- Returns the address of a function that is a method of a class. The metatables in the registry are
+-- searched.
 local function find_method(value)
   for key, metatable in next, debug.getregistry() do
     if type(key) == "string" and type(metatable) == "table" then
@@ -176,7 +181,8 @@ local function find_method(value)
   end
 end
 
--- Returns the address of a global of archard, a function in it, an object or a method; nil for other values.
+-- Returns the address of a value: a global of archard, a function in such a global, an object or a method.
+-- Returns nil for other values.
 function help.address_of(value)
   load_entries()
   if value == nil then return nil end
@@ -201,14 +207,15 @@ local function spoken(name)
   return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))
 end
 
--- Returns the entry "wear.step" for "w.step" if w is a global wear object.
+-- Returns the entry "wear.step" for the name "w.step" if the global w is a wear object.
 local function by_object(name)
   local object, member = name:match("^([%a_][%w_]*)%.(.+)$")
   local class = object and help.address_of(rawget(_G, object))
   return class and entries[class .. "." .. member]
 end
 
--- Returns true if the entry has this name. An option may also have its path, such as mesh.size or model.mesh.size.
+-- Returns true if an entry has the given name. The name of an option can include its path, such as
+-- mesh.size or model.mesh.size.
 local function is_called(entry, name)
   if entry.name == name then return true end
   if entry.kind ~= "option" then return false end
@@ -216,8 +223,8 @@ local function is_called(entry, name)
   return place == name or entry.owner .. "." .. place == name
 end
 
--- Returns every entry that a name can mean: the entry with this address, else all entries with this name, options of
--- methods last.
+-- Returns all entries that a name can mean. If an entry has this address, it is the only one; else all
+-- topics and entries with this name are returned, with options of methods at the end.
 function help.find(name)
   if type(name) ~= "string" then return {} end
   load_entries()
@@ -239,8 +246,8 @@ local function example_entries()
   return fine and list or {}
 end
 
--- Returns the topics, entries and examples that contain all words of the text or explain its synonym, and how many of
--- them answer it.
+-- Returns the topics, entries and examples that contain all words of a text or belong to it as a synonym,
+-- the best first, and the number of good answers among them.
 function help.matches(text)
   if type(text) ~= "string" then return {}, 0 end
   load_entries()
@@ -255,7 +262,7 @@ end
 
 local show = require "archard.help.show"
 
--- Returns the known name nearest to `name`, or to its last part, if it is similar enough for a typing error.
+-- Returns the known name that is most similar to `name` or to its last part; nil if none is similar enough.
 local function nearest(name)
   local known = {}
   for _, entry in ipairs(ordered) do
@@ -268,7 +275,7 @@ end
 local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
   ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
 
--- Returns the best entries for the single words of a phrase, or nil if there are none.
+-- Returns a text with the best entries for each word of a phrase, or nil if there are none.
 local function explain_words(phrase)
   local texts, words = {}, search.words(phrase)
   for _, word in ipairs(#words > 1 and words or {}) do
@@ -278,7 +285,8 @@ local function explain_words(phrase)
   return texts[1] and ("no help for %q; help for its words:\n\n%s"):format(phrase, table.concat(texts, "\n\n"))
 end
 
--- Returns the entries of a name; else those that a search finds; else those of its words; else a similar name.
+-- Returns the help text of a name. If no entry has the name, the text lists the entries that a search
+-- finds, the entries of the single words, or a similar name.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end
@@ -309,7 +317,7 @@ function help.text(...)
   return ("no help for this %s; help() lists all names"):format(type(value))
 end
 
--- help.search(text): a list of the texts that contain it.
+-- Prints a list of all topics, entries and examples that contain the words of `text`.
 function help.search(text)
   local found = help.matches(text)
   if not found[1] then

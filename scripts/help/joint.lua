@@ -1,4 +1,4 @@
--- Help entries of balls in sockets: joint, gait. Form: help.lua.
+-- Help entries of balls in sockets: joint, gait. help/engine.lua explains the form of an entry.
 
 return {
   { "joint", kind = "function", use = "joint{ head={ radius=14 }, cup={ clearance=0.06 } }",

@@ -1,4 +1,5 @@
--- Help entries of maps: heights, depths and pressures over a rectangle. Form: help.lua.
+-- Help entries of maps: heights, depths and pressures over a rectangle. help/engine.lua explains the form
+-- of an entry.
 
 return {
   { "map", kind = "function", use = "map{ x=..., z=..., y=... }",

@@ -4,14 +4,15 @@ local synonyms = require "archard.help.synonyms"
 
 local search = {}
 
--- Returns a text in lower case; hyphens and underscores count as blanks, so that "cross-shear"
--- finds cross_shear.
+-- Returns a text in lower case with blanks instead of hyphens and underscores: "cross-shear" then finds
+-- cross_shear.
 function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
 
-local meanings = {} -- the synonyms by their plain text
+local meanings = {} -- addresses of each synonym, by its plain text
 for name, addresses in pairs(synonyms) do meanings[search.plain(name)] = addresses end
 
--- Returns true if all words are in the text, either as whole words or also as parts of words.
+-- Returns true if a text contains all words. whole: true if only whole words count, false if parts of words
+-- count too.
 local function contains(words, text, whole)
   text = search.plain(text)
   for _, word in ipairs(words) do
@@ -24,8 +25,9 @@ local function contains(words, text, whole)
   return true
 end
 
--- Returns the rank of an entry: 1 if its name is the phrase, 2 for topics and examples, 3 if its address contains the
--- words, 4 if its text does; 5 to 7 likewise for parts of words; nil if it does not contain them.
+-- Returns the rank of an entry, or nil if the entry does not contain the words. 1: its name is the phrase;
+-- 2: it is a topic or an example; 3: its address contains the words; 4: its text contains the words; 5 to
+-- 7: the same as 2 to 4 for parts of words.
 local function rank(words, joined, entry)
   if search.plain(entry.name) == joined then return 1 end
   local text = table.concat({ entry.address, entry.use or "", entry.unit or "", entry.text }, " ")
@@ -40,7 +42,7 @@ local function rank(words, joined, entry)
   end
 end
 
--- Returns the positions of the entries that a synonym lists, by address.
+-- Returns a table from the addresses that a synonym lists to their positions in the list.
 local function by_synonym(joined)
   local positions = {}
   for position, address in ipairs(meanings[joined] or meanings[joined:gsub("s$", "")] or {}) do
@@ -49,15 +51,15 @@ local function by_synonym(joined)
   return positions
 end
 
--- search.words(text) -> the words of a phrase in plain form
+-- Returns the words of a phrase in plain form.
 function search.words(text)
   local words = {}
   for word in search.plain(text):gmatch("%S+") do words[#words + 1] = word end
   return words
 end
 
--- search.find(entries, text) -> a list of entries, the best first, and how many of them answer the phrase: those of a
--- synonym, else those that contain the whole words
+-- Returns the entries found for a phrase, the best first, and the number of good answers: the entries that
+-- a synonym lists or, without a synonym, the entries that contain the whole words.
 function search.find(entries, text)
   local words, found = search.words(text), {}
   if not words[1] then return found, 0 end

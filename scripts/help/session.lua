@@ -1,4 +1,5 @@
--- Help entries of the session itself: help, session, who, examples, time. Form: help/init.lua.
+-- Help entries of the session: help, session, who, examples, time. help/engine.lua explains the form of an
+-- entry.
 
 return {
   { "help.search", kind = "function", use = 'help.search "units"',

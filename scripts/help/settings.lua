@@ -1,5 +1,5 @@
--- Makes help entries of settings and of columns of the history from the engine's lists (archard.settings), and joins them
--- with the written entries, so that a new setting or column has an entry without a change here.
+-- Makes help entries from the engine's lists of settings and history columns (archard.settings), and joins
+-- them with the written entries. A new setting or column therefore needs no change in this file.
 
 local settings = require "archard.settings"
 
@@ -14,7 +14,7 @@ local function option_of(class, setting)
     text = setting.text }
 end
 
--- Returns entries for the two lists of a quantity over the distance.
+-- Returns entries for the lists distance and value of a quantity that may vary over the distance.
 local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {
@@ -35,7 +35,8 @@ local function options_of(class)
   return list
 end
 
--- Settings that can be read back from an object. A method and body.cylinder{} and so on have none.
+-- Returns entries for settings that can be read back from an object. Bodies and methods have no such
+-- settings.
 local function fields_of(class)
   local list = {}
   if class == "body" or class:find(".", 1, true) then return list end
@@ -64,7 +65,8 @@ local function history()
   return { "wear.history", kind = "field", keys = keys, text = table.concat(lines, "\n") }
 end
 
--- Returns columns as fields of a class, except columns that are settings of the class.
+-- Returns entries for the columns of the history as fields of a class. Columns that are also settings of
+-- the class are omitted.
 local function columns_of(class)
   local list, set = {}, {}
   for _, setting in ipairs(settings[class] or {}) do set[setting.name] = setting.name ~= "distance" end
@@ -77,7 +79,8 @@ local function columns_of(class)
   return list
 end
 
--- Returns the written options inside another one, such as "wear{loading.x}" in "wear{loading}".
+-- Returns the written entries of options inside another option, such as "wear{loading.x}" inside
+-- "wear{loading}".
 local function inside(written, option)
   local start = option:sub(1, -2) .. "."
   local list = {}
@@ -90,8 +93,8 @@ end
 local made = { wear = columns_of "wear", state = columns_of "state" }
 table.insert(made.wear, 1, history())
 
--- Returns the entries that follow the entry of a class: its options, each with the written options inside it, and its
--- fields.
+-- Returns the entries that follow the entry of a class: its options, each followed by the written options
+-- inside it, and its fields.
 local function behind(class, written)
   local list = {}
   for _, option in ipairs(settings[class] and options_of(class) or {}) do
@@ -103,7 +106,8 @@ local function behind(class, written)
   return list
 end
 
--- join(written) -> all entries; a written entry replaces a made one.
+-- Returns the written entries together with the entries made here. A written entry replaces a made entry
+-- with the same address.
 return function(written)
   local known, joined, placed = {}, {}, {}
   for _, entry in ipairs(written) do known[entry[1]] = true end

@@ -36,7 +36,7 @@ local function fill(text, width, margin)
   return (table.concat(lines, "\n"):gsub("\n+$", ""))
 end
 
--- Returns values, unit and default of an entry as text, as far as they are known.
+-- Returns the type or values, the unit and the default of an entry as text. Unknown facts are omitted.
 function show.facts(entry)
   local facts = {}
   if entry.type then
@@ -60,7 +60,8 @@ function show.first_sentence(text, most)
   return shortened(flat:match("^(.-[.])%s%u") or flat, most)
 end
 
--- Returns the number of words that a sentence contains; a word also counts with an ending, as in "wears" for "wear".
+-- Returns how many of the words a sentence contains. A word with an ending counts too, such as "wears" for
+-- "wear".
 local function count_words(words, sentence)
   local count = 0
   sentence = " " .. search.plain(sentence)
@@ -70,7 +71,8 @@ local function count_words(words, sentence)
   return count
 end
 
--- Returns the sentence of a text with most words of the phrase, the first of equal ones.
+-- Returns the sentence of a text that contains the most words of a phrase; among equal sentences, the first
+-- one.
 local function best_sentence(text, words, most)
   local best, sentence = 0, nil
   for each in (text:gsub("%s+", " ") .. " "):gsub("([.]) (%u)", "%1\n%2"):gmatch("[^\n]+") do
@@ -80,7 +82,7 @@ local function best_sentence(text, words, most)
   return sentence and shortened(sentence:match("^(.-)%s*$"), most) or show.first_sentence(text, most)
 end
 
--- Returns a table of entries: name, facts and first sentence of each.
+-- Returns a titled list of entries as text, with the name, the facts and the first sentence of each entry.
 local function listing(title, entries, width)
   if #entries == 0 then return nil end
   width = width or page_width()
@@ -100,7 +102,8 @@ end
 
 show.listing = listing
 
--- Returns the list of the first `most` entries found for a phrase, each with the sentence that is most like the phrase.
+-- Returns a text with the first `most` entries found for a phrase. Each entry is shown with its sentence
+-- that contains the most words of the phrase.
 function show.found(found, text, most)
   local list, words = {}, search.words(text)
   for i = 1, math.min(#found, most or #found) do
@@ -123,7 +126,8 @@ local function of_kind(entries, wanted)
   return list
 end
 
--- Returns the whole text of one entry, with its fields and functions from `help`.
+-- Returns the whole help text of an entry, including its fields and functions. help: the module
+-- help/init.lua.
 function show.entry(help, entry)
   local width = page_width()
   local parts = { heading(entry.use or entry.address) }

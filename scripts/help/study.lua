@@ -1,4 +1,5 @@
--- Help entries of studies, their cases, and what is made of them. Form: help.lua.
+-- Help entries of studies, their cases, and the results of studies. help/engine.lua explains the form of an
+-- entry.
 
 return {
   -- --- study ----------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
--- Words that users look for under another name: the topics, entries and examples that explain them,
--- the best first. An example is written as examples do: examples "coating".
+-- Words that users search for but that are no names in archard, with the addresses of the topics, entries
+-- and examples that explain them, the best first. An example has an address such as examples "coating".
 
 return {
   ["3-d"] = { "model{geometry}", "body.ball", 'examples "ball_on_flat"' },

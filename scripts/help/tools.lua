@@ -1,4 +1,5 @@
--- Help entries of what stands around the engine: plot, export, help. Form: help.lua.
+-- Help entries of the tools around the engine: csv, profile, plot, export, help. help/engine.lua explains
+-- the form of an entry.
 
 local columns = {}
 for i, column in ipairs(require "archard.settings".columns) do columns[i] = column.name end

@@ -1,5 +1,5 @@
--- Topics of help, which explain more than one name: { title, text }, in the order of the overview. Lines
--- that begin with two spaces are not wrapped.
+-- Topics of help. A topic explains more than one name. Each is { title, text }, in the order of the
+-- overview. Lines that begin with two spaces are not wrapped.
 
 return {
   { "units", [[

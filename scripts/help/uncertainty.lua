@@ -1,5 +1,5 @@
--- Help entries of uncertainties: samples of studies, what they tell, sensitivities of runs. Form:
--- help.lua.
+-- Help entries of uncertainties: samples of studies, results of samples, and sensitivities of runs.
+-- help/engine.lua explains the form of an entry.
 
 local columns = require "archard.uncertainty.outcomes".columns
 
@@ -48,7 +48,7 @@ return {
   { "distribution", kind = "object", use = "uniform{...}  normal{...}  lognormal{...}",
     text = "Distribution of an uncertain number, for study{ sample={...} }." },
 
-  -- --- what samples tell ------------------------------------------------------------------------
+  -- --- results of samples -----------------------------------------------------------------------
   { "study.uncertainty", kind = "method", class = "uncertainty",
     use = 's:uncertainty{ of={"depth_cylinder", "p_center"} }',
     text = "Statistics of a sampled study: mean, standard deviation and quantiles of results over the distance, the "
