@@ -1,12 +1,13 @@
 -- Contact of a cylinder and a plate, unworn: pressure, width and stresses, compared with Hertz' formulas.
 --   archard examples/01_contact.lua
 
-local c = contact{ model = { radius = 10 }, load = 100 } -- mm, N; all else by default: steel on steel
+local c = contact{ model = { radius = 10 }, load = 100 } -- mm, N; default material: steel on steel
 local closed = hertz{ radius = 10, load = 100 }
 local field = c:stress()
 
--- Under a line contact the largest von Mises stress lies 0.7 half widths deep: 0.5575 of the pressure
--- at the centre on half-planes with nu = 0.3, slightly more in a body of finite size with supports.
+-- The largest von Mises stress under a line contact is 0.7 half widths below the surface. On half-planes
+-- with nu = 0.3 it is 0.5575 of the pressure at the centre; in a body of finite size with supports it is
+-- slightly larger.
 local deepest = { mises = 0 }
 for i, mises in ipairs(field.plate.mises) do
   if mises > deepest.mises then deepest = { mises = mises, y = field.plate.y[i] } end

@@ -5,7 +5,7 @@ local w = wear{ stroke = 0.11, alpha = 0.5, k = 1e-8, load = 100, distance = 132
 print(w)
 print()
 
--- step() and run() continue from the present state; a clone keeps an earlier one.
+-- step() and run() continue from the present state of a run. clone() copies the run in this state.
 local states = { w:clone() }
 local start = os.clock()
 for _, distance in ipairs{ 22, 66, 220, 660, 1320 } do

@@ -1,5 +1,6 @@
--- Cycles per update of the geometry: fixed jumps and automatic ones, with their errors. Fixed jumps must stay below the
--- stability limit, above which ripples grow; the error increases with the jump.
+-- Cycles per update of the geometry: fixed and automatic numbers, with their errors. A fixed number must be
+-- below the stability limit, above which ripples grow. Below the limit, the error increases with the
+-- number.
 --   archard examples/04_steps.lua
 
 local m = model{}

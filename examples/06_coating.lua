@@ -1,7 +1,8 @@
--- A coated plate whose coating of 0.4 um wears through. When the deepest point is through, the bare plate receives most
--- of the wear. It is computed in two variants: with alpha as a function of the state, evaluated in the middle of every
--- update; and with a run that ends at this depth and continues with a new alpha. The coating changes only alpha here;
--- for a layer with its own E and k see examples "coating_wear_through".
+-- A coated plate whose coating of 0.4 um wears through. When the deepest point has reached the bare plate,
+-- the plate receives most of the wear. Two variants are computed: a run with alpha as a function of the
+-- state, which is evaluated in the middle of every update; and a run that ends at this depth and continues
+-- with a new alpha. The coating changes only alpha here; examples "coating_wear_through" has a layer with
+-- its own E and k.
 --   archard examples/06_coating.lua
 
 local thickness = 0.4e-3 -- mm

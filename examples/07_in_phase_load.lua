@@ -1,6 +1,7 @@
--- Reciprocating motion under a load that varies in phase with the position or with the speed. In phase with the
--- position it wears one side of the plate more; in phase with the speed it does not. The load varies between 40 and
--- 160 N over a sine of 0.22 mm, and the worn volume is the same.
+-- Reciprocating motion under a load that varies in phase with the position or with the speed. A load in
+-- phase with the position wears one side of the plate more; a load in phase with the speed wears both sides
+-- equally. The load varies between 40 and 160 N, and the motion is a sine with a stroke of 0.22 mm. The
+-- worn volume is the same in both cases.
 --   archard examples/07_in_phase_load.lua
 
 local amplitude = 0.11 -- mm
@@ -17,7 +18,7 @@ local function run(load)
   }:run()
 end
 
--- Position of the centroid of the plate's wear [mm].
+-- Returns the position of the centroid of the plate's wear [mm].
 local function centre(profile)
   local sum, moment = 0, 0
   for i, h in ipairs(profile.h) do

@@ -1,4 +1,4 @@
--- Blocks of variable amplitude, read from a table: each block is a sine under its own load.
+-- Blocks of variable amplitude, which are read from a table. Each block is a sine under its own load.
 --   archard examples/08_block_program.lua [file.csv]
 
 local path = arg[1] or (arg[0]:match("^(.*)/") or ".") .. "/08_block_program.csv"
@@ -18,7 +18,7 @@ local w = wear{ loading = blocks, load = 100, jump = 50 }
 local ends = { w:clone() }
 print(("%-8s %10s %12s %14s %14s %12s"):format("block", "cycles", "sliding [mm]", "cylinder [um]", "plate [um]", "volume [mm3]"))
 for i, block in ipairs(blocks) do
-  -- a block ends after its sliding distance: four amplitudes a cycle
+  -- The sliding distance of a block is four amplitudes per cycle.
   local goal = w.distance + 4 * program.amplitude[i] * block.cycles
   w:run{ distance = math.min(goal, w.total_distance) }
   print(("%-8s %10.0f %12.1f %14.4f %14.4f %12.3e"):format(program.name[i], w.cycle, w.distance,

@@ -1,13 +1,14 @@
--- Cross-shear as a local factor on k: polymers such as UHMWPE wear faster where the direction of sliding changes. Here
--- the counterface also moves across the plane, with an amplitude that grows with the distance from the middle; the
--- share CS of the friction work across the main direction determines the factor.
+-- Cross-shear as a local factor on k: polymers such as UHMWPE wear faster where the direction of sliding
+-- changes. Here the counterface also moves across the plane, with an amplitude that grows with the distance
+-- from the middle. The factor depends on CS, the share of the friction work that is done across the main
+-- direction.
 --   archard examples/09_cross_shear.lua
 
-local reach = 0.25 -- distance from the middle where the motion across reaches its full angle [mm]
+local reach = 0.25 -- distance from the middle at which the angle of the motion is largest [mm]
 local unidirectional, across = 0.4, 2.4 -- factor on k at CS = 0, and its slope
 
 local function cross_shear(x)
-  local angle = math.rad(35) * math.min(1, math.abs(x) / reach) -- of the motion across
+  local angle = math.rad(35) * math.min(1, math.abs(x) / reach) -- angle of the motion at x
   return math.sin(angle) ^ 2
 end
 

@@ -1,12 +1,12 @@
--- A study of nine cases, its table, and the case with the least wear of the plate. A second call reads the stored
--- results instead of computing them.
+-- A study of nine cases, its table, and the case with the least wear of the plate. A second call reads the
+-- results from the run file instead of computing them.
 --   archard examples/10_study.lua [run file]
 local s = study{
   name = "strokes",
   base = { distance = 660, increments = 40 },
   vary = { alpha = { 0.25, 0.5, 0.75 }, stroke = { 0.11, 0.22, 0.44 } },
 }
--- Longer strokes need fewer cycles between updates, so the list of cases is changed.
+-- Longer strokes need fewer cycles between updates. The list of cases is therefore replaced.
 local cases = {}
 for i, case in ipairs(s:cases()) do
   cases[i] = { alpha = case.alpha, stroke = case.stroke, jump = math.floor(11 / case.stroke) }

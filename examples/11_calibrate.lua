@@ -1,5 +1,5 @@
--- Calibration: k and alpha from volumes measured on three specimens, then a prediction of the depths after twice the
--- distance.
+-- Calibration: k and alpha are computed from volumes measured on three specimens. The depths after twice
+-- the distance are then predicted.
 --   archard examples/11_calibrate.lua
 
 local measured = calibrate{
@@ -13,11 +13,12 @@ local forecast = wear{ k = measured.k, alpha = measured.alpha, stroke = 0.22, ju
 forecast:run()
 print(forecast)
 
--- Measured depths give k and alpha as well, with a few runs.
+-- Measured depths also give k and alpha; this needs a few runs.
 print(calibrate{ depth = { cylinder = forecast.depth.cylinder, plate = forecast.depth.plate },
   load = 100, stroke = 0.22, jump = 50, distance = 2640 })
 
--- Volumes at intermediate distances give k and alpha as functions of the distance; three tests, six readings.
+-- Volumes at intermediate distances give k and alpha as functions of the distance. Here: three tests with
+-- six readings each.
 local course = calibrate{
   distance = { 60, 150, 300, 600, 900, 1320 }, load = 100,
   volume = {

@@ -1,4 +1,5 @@
--- Export of a run to files of other programs, and reading them back.
+-- Export of a run to files of other programs, a run that continues from its file, and a table that is read
+-- from a file.
 --   archard examples/12_files.lua [folder]
 
 local folder = arg[1] or "."
@@ -16,13 +17,14 @@ for _, path in ipairs{ to ".archard", to ".csv", to ".json", to ".inp", upper, l
   print(("%-36s %7.0f kB"):format(path, file:seek "end" / 1000))
 end
 
--- A run continues from its file with the same bits as an uninterrupted run.
+-- A run that continues from its file has exactly the same results as an uninterrupted run.
 local again = wear.open(to ".archard"):run{ distance = 1320, progress = false }
 local through = wear{ distance = 1320, jump = 100 }:run{ progress = false }
 print(("\nplate %.9f um by way of the file, %.9f um in one go\n"):format(1e3 * again.depth.plate,
   1e3 * through.depth.plate))
 
--- Measured points are drawn over curves; these are every fifth row of the file of the first half.
+-- plot.points draws measured points over curves. These points are every fifth row of the .csv file of the
+-- first half of the run.
 local half = csv.read(to ".csv", { d = "distance [mm]", p = "p_center [MPa]" })
 local d, p = {}, {}
 for i = 1, #half.d, 5 do d[#d + 1], p[#p + 1] = half.d[i], half.p[i] end

@@ -1,8 +1,9 @@
--- A profilometer's trace across a wear scar: its area with its uncertainty, compared with a simulated run.
+-- A profilometer's trace across a wear scar: area of the scar with its uncertainty, compared with a
+-- simulated run.
 --   archard examples/13_measured_profile.lua [trace.csv]
 --   archard examples/13_measured_profile.lua make trace.csv    writes such a trace
--- The trace here is generated: the plate of a run with a tilt, grinding waves and noise from a seeded generator,
--- so that the results can be checked.
+-- The trace of this example is generated and not measured, so that the results can be checked: it is the
+-- plate of a run with a tilt, grinding waves and noise from a seeded generator.
 
 local settings = { stroke = 0.22, alpha = 0.4, jump = 50, distance = 660 }
 
@@ -12,7 +13,7 @@ local function run()
   return w
 end
 
--- Depth of a profile by linear interpolation between its nodes.
+-- Returns the depth of a profile at x by linear interpolation between its nodes.
 local function depth_at(profile, x)
   for i = 2, #profile.x do
     if x >= profile.x[i - 1] and x <= profile.x[i] then
@@ -53,7 +54,8 @@ local rough = trace:cut(-0.8, scar.from):roughness{ cutoff = 0.08 }
 print(("beside the scar: Ra %.4f um, Rq %.4f um, Rz %.3f um, of which noise %.4f um"):format(1000 * rough.Ra,
   1000 * rough.Rq, 1000 * rough.Rz, 1000 * rough.noise))
 
--- A run that starts from the measured trace instead of a smooth plate, without waves shorter than a few elements.
+-- The contact of a plate that starts with the measured trace instead of a smooth surface. The filter
+-- removes waves that are shorter than a few elements.
 local start = contact{ worn = { plate = trace:filter(0.08):depth() } }
 print(("pressure on the measured scar: %.1f MPa, on the simulated one: %.1f MPa (plate worn alone)"):format(start.p_max,
   contact{ worn = { plate = w:profile "plate" } }.p_max))

@@ -1,6 +1,6 @@
--- Fretting loops of a cylinder on a plate with friction 0.6 under 100 N, for strokes from partial to gross slip. In partial
--- slip the loop is narrow, and the middle of the contact sticks; in gross slip it is a parallelogram of height
--- 2 mu L, whose area is the energy of the cycle.
+-- Fretting loops of a cylinder on a plate with friction 0.6 under 100 N, for strokes from partial to gross
+-- slip. In partial slip the loop is narrow, and the middle of the contact sticks. In gross slip the loop is
+-- a parallelogram of height 2 mu L, and its area is the friction energy of the cycle.
 --   archard examples/15_fretting_loop.lua
 
 local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }

@@ -1,6 +1,6 @@
--- The fretting case of McColl, Ding and Leen (Wear 256, 2004): a cylinder of radius 6 mm on a flat, 18.5 N per mm,
--- +-25 um, friction 0.9, 18000 cycles in gross slip. Depths of the flat are compared with published ones by mesh
--- motion and by level sets, which needed hours.
+-- The fretting case of McColl, Ding and Leen (Wear 256, 2004): a cylinder of radius 6 mm on a flat, 18.5 N
+-- per mm, an amplitude of 25 um, friction 0.9, and 18000 cycles in gross slip. The depths of the flat are
+-- compared with published depths, which were computed by mesh motion and by level sets and took hours.
 --   archard examples/16_mccoll.lua
 
 local cycles = { 1000, 5000, 10000, 18000 }

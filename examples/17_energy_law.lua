@@ -1,5 +1,5 @@
--- Energy wear: volume proportional to the energy dissipated by friction. Three pairs of different friction wear the same
--- per N mm dissipated, V = k E, but not per cycle; the energy law is used for this purpose.
+-- Energy wear: the worn volume is proportional to the energy dissipated by friction, V = k E. Three pairs
+-- with different friction have the same volume per N mm of energy, but not per cycle.
 --   archard examples/17_energy_law.lua
 
 local bodies = model{ mesh = { size = 0.02, height = 0.025 } }

@@ -1,6 +1,6 @@
--- Fretting under a load that varies with a phase shift to the tangential force: 100 +- 40 N, +-30 N, friction 0.6. In
--- quadrature, where the load falls as the force rises, more of the contact slips than in phase, and the same forces
--- dissipate several times as much.
+-- Fretting under a load that varies with a phase shift to the tangential force: load 100 +- 40 N, force
+-- +-30 N, friction 0.6. At a shift of 90 degrees, where the load falls as the force rises, more of the
+-- contact slips than in phase, and the same forces dissipate several times as much energy.
 --   archard examples/18_phase_shifted_load.lua
 
 local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }
@@ -22,7 +22,7 @@ for i, degrees in ipairs{ 0, 45, 90 } do
 end
 print()
 
--- Most of the motion is elastic; it is subtracted, as the loops would overlap otherwise.
+-- Most of the motion is elastic. This part is subtracted, since the loops would overlap otherwise.
 local top, bottom = 1, 1
 for i, force in ipairs(loops[1].tangential) do
   if force > loops[1].tangential[top] then top = i end

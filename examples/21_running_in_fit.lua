@@ -1,11 +1,11 @@
--- Fit of k and alpha as curves over the distance during running-in, from volumes measured at intervals. The smoothness
--- of the curves is the one that predicts each volume best from the others (cross-validation).
+-- Fit of k and alpha as curves over the distance during running-in, from volumes measured at intervals. The
+-- smoothness of the curves is chosen by cross-validation: each volume is predicted from the others.
 --   archard examples/21_running_in_fit.lua
 
 local measured = csv.read((arg[0]:match("^(.*)/") or ".") .. "/running_in_fit.csv",
   { distance = "distance [mm]", cylinder = "cylinder [mm3]", plate = "plate [mm3]" })
 
--- Volumes do not depend on the mesh, so a coarse one is sufficient.
+-- Volumes do not depend on the mesh; a coarse mesh is sufficient.
 local knots = { 0, 150, 500, 1320 }
 local f = fit{
   base = { stroke = 0.22, jump = 50, increments = 20, geometry = "frozen",

@@ -1,5 +1,5 @@
--- Design of a test: the measurements that determine k and alpha best, with the standard errors that each of them gives
--- and the order in which they help most.
+-- Design of a test: the measurements that determine k and alpha best. The standard errors for each
+-- measurement alone and the best order of the measurements are computed before the test.
 --   archard examples/22_test_design.lua
 
 local d = fit.design{

@@ -1,7 +1,8 @@
--- Fit of k to published depths: a steel cylinder on a flat (radius 6 mm, 18.5 N/mm, +-25 um). The depths of the flat
--- after 1000 to 18000 cycles were computed by a level-set program with a coefficient of friction of 0.9 and
--- k of the flat 2.9e-8, of the cylinder 1.9e-8 mm2/N. The fit here is without friction: elastic
--- tangential displacements then do not shorten the stroke, and the fitted k is 2.5 % smaller.
+-- Fit of k to published depths of a steel cylinder on a flat (radius 6 mm, 18.5 N/mm, amplitude 25 um). The
+-- depths of the flat after 1000 to 18000 cycles were computed by a level-set program with a coefficient of
+-- friction of 0.9 and with k = 2.9e-8 mm2/N of the flat and 1.9e-8 mm2/N of the cylinder. The fit is
+-- without friction: elastic tangential displacements then do not shorten the stroke, and the fitted k is
+-- 2.5 % smaller.
 --   archard examples/23_fit_published.lua
 
 local cycles, depth = { 1000, 5000, 10000, 18000 }, { 0.3784e-3, 1.1311e-3, 1.8145e-3, 2.7130e-3 }

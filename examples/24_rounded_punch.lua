@@ -1,4 +1,5 @@
--- A punch with rounded edges on a block: the pressure rises towards the edges, less with a larger radius.
+-- A punch with rounded edges on a block. The pressure rises towards the edges; this rise is smaller for a
+-- larger radius.
 --   archard examples/24_rounded_punch.lua
 
 local contacts, titles = {}, {}

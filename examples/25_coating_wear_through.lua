@@ -1,5 +1,5 @@
--- A hard coating of 2 um on a block that wears through. It is stiffer than the steel below and wears ten times slower,
--- so the wear rate rises when it is worn through.
+-- A block with a hard coating of 2 um, which wears through. The coating is stiffer than the steel below it
+-- and wears ten times slower, so the wear rate rises afterwards.
 --   archard examples/25_coating_wear_through.lua
 
 local w = wear{ load = 100, stroke = 0.2, distance = 6000, jump = "auto", model = {

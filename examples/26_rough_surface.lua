@@ -1,4 +1,5 @@
--- A wavy surface, pressed flat and worn flat: at first the crests carry the load, then the pressure becomes uniform.
+-- A wavy surface that is pressed flat and worn flat. At first the crests carry the load, then the pressure
+-- becomes uniform.
 --   archard examples/26_rough_surface.lua
 
 local length, height = 0.1, 0.1e-3 -- mm

@@ -1,5 +1,5 @@
--- A steel pin in a liner of UHMWPE, in section: only the liner wears, and its contact widens
--- until the pressure follows the cosine of the angle. x is the length along the liner's arc.
+-- A steel pin in a liner of UHMWPE, in a plane section. Only the liner wears, and the contact widens until
+-- the pressure follows the cosine of the angle. x is the length along the liner's arc.
 --   archard examples/27_pin_in_bush.lua
 
 local R, clearance, load = 14, 0.1, 100 -- mm, mm, N for each mm

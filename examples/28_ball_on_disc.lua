@@ -1,5 +1,6 @@
--- A steel ball on a rotating disc: the ball wears flat, the disc along its track. Loads are total forces,
--- volumes those of ball and track; the disc's depth is the mean over the track.
+-- A steel ball on a rotating disc. The ball wears flat, and the disc wears along its track. The load is the
+-- total force, and the volumes are those of the whole ball and the whole track. The disc's depth is the
+-- mean over the track.
 --   archard examples/28_ball_on_disc.lua
 
 local radius, load, track = 10, 50, 20 -- mm, N, mm

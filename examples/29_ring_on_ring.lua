@@ -1,15 +1,15 @@
--- A copper ring of circular section that rotates on a flat steel ring: section radius 30 mm, 100 mm from the axis. The
--- load is high enough for elastic effects to be visible. First only the copper wears, then both; slip grows with
--- the distance from the axis.
+-- A copper ring of circular section that rotates on a flat steel ring. The radius of the section is 30 mm,
+-- and its centre is 100 mm from the axis. The load is high enough for elastic effects to be visible. First
+-- only the copper wears, then both rings. The slip grows with the distance from the axis.
 --   archard examples/29_ring_on_ring.lua
 
-local load, seconds = 150796320, 3 -- N, s; one turn a second, so that copper loses 6.283e-5 mm a second and MPa
+local load, seconds = 150796320, 3 -- N, s; at one turn a second, copper loses 6.283e-5 mm per second and MPa
 local k, turn = 1e-7, 2 * math.pi * 100 -- mm2/N, mm at the mean radius
 local rings = model{ geometry = "axisymmetric", axis = 100,
   upper = body.cylinder{ radius = 30, E = 120e3, nu = 0.34 }, lower = body.block{ width = 100, height = 40 },
   mesh = { size = 0.8, height = 0.8, rows = 7, far = 4, zone = { cylinder = 44, plate = 44 } } }
 
-warn "@off" -- pressures at which copper would yield
+warn "@off" -- copper would yield at these pressures, which causes a warning
 local new = contact{ model = rings, load = load }
 print(("new: %.0f MPa at the mean radius, %.0f MPa at most, %.2f mm wide"):format(new.p_center, new.p_max, 2 * new.half_width))
 

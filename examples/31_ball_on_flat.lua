@@ -1,4 +1,5 @@
--- A ball that slides to and fro on a flat in three dimensions; both wear. The scars are shown as maps and sections.
+-- A ball that slides to and fro on a flat in three dimensions. Both bodies wear, and their scars are shown
+-- as maps and sections.
 --   archard examples/31_ball_on_flat.lua
 
 local m = model{ geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} }

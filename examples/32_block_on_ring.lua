@@ -1,15 +1,16 @@
--- A steel ring that rotates on a block over 3600 m; only the block wears, and the scar becomes 25 times as wide as the
--- first contact. Depths are compared with published ones by level sets, and with the rigid limit.
+-- A steel ring that rotates on a block over 3600 m. Only the block wears, and the scar becomes 25 times as
+-- wide as the first contact. The depths are compared with depths published for a level-set method, and with
+-- the depths of a rigid ring.
 --   archard examples/32_block_on_ring.lua
 
 local radius, width, load, k, metres = 20, 6, 65, 2e-9, { 800, 1600, 3600 } -- mm, mm, N, mm2/N, m
-local published = { 16.155, 25.709, 44.280 } -- um; 18.5 hours of computing time, 25 with mesh motion
+local published = { 16.155, 25.709, 44.280 } -- um; computed in 18.5 hours (25 hours with mesh motion)
 
 local began = os.clock()
 local w = wear{ model = { radius = radius, thickness = width }, load = load, k_cylinder = 0, k_plate = k, slide = "z",
   distance = 1000 * metres[#metres], scheme = "implicit", tolerance = 1e-2 }
 
--- Rigid limit: a circular segment of the worn area.
+-- Returns the depth [mm] of the scar of a rigid ring: a circular segment with the worn area [mm2].
 local function rigid(area)
   local low, high = 0, radius
   for _ = 1, 60 do

@@ -1,8 +1,10 @@
--- A metal-on-metal hip of 28 mm over a million cycles of walking; head and cup both wear. The head's share of the wear
--- coefficient (alpha) determines the depth of each scar, but not its shape: the head's is wider.
+-- A metal-on-metal hip of 28 mm over a million cycles of walking; head and cup both wear. The head's share
+-- of the wear coefficient (alpha) determines the depths of both scars, but not their shapes: the scar of
+-- the head is wider.
 --   archard examples/33_metal_on_metal_hip.lua
--- The angles and the load of walking have the ranges of the standard; the curves between them are approximate. Edge
--- loading, microseparation and lubrication, which cause many clinical failures, are not included.
+-- The angles and the load of walking have the ranges of the standard; the curves between these ranges are
+-- approximate. The model does not include edge loading, microseparation and lubrication, which cause many
+-- clinical failures.
 
 local j = joint{ head = { radius = 14, material = material{ E = 230e3, nu = 0.3 } }, cup = { clearance = 0.06 } }
 local c = contact{ model = j, load = 3000 }

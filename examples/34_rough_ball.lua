@@ -1,8 +1,9 @@
--- A ball with a measured roughness on a flat: its areas of contact, and the wear of its peaks.
+-- A ball with a measured roughness on a flat: areas of contact, and wear of the peaks.
 --   archard examples/34_rough_ball.lua [ball.sdf]
 --   archard examples/34_rough_ball.lua make ball.sdf    writes such a map
--- The map here is generated: a ball of 5 mm with waves of all directions, 0.1 um rms, a tilt, noise and points without
--- a value from a seeded generator, in the format of an instrument (ISO 25178-71, heights in nm).
+-- The map of this example is generated and not measured: a ball of radius 5 mm with waves of all directions
+-- (0.1 um rms), a tilt, noise from a seeded generator and points without a value. The file has the format
+-- of an instrument (ISO 25178-71, heights in nm).
 
 local step, count = 0.006, 81 -- mm, points along x and z
 

@@ -1,5 +1,6 @@
--- A ball on a rotating disc in three dimensions; both wear, the disc to a track. The ball's cap
--- and the track conform to each other; on a disc that remains flat the cap would be h = sqrt(V / (pi R)) deep.
+-- A ball on a rotating disc in three dimensions; both bodies wear, and the disc gets a track. The cap worn
+-- off the ball and the track conform to each other. On a disc that remains flat, the cap would have the
+-- height h = sqrt(V / (pi R)).
 --   archard examples/35_pin_on_disc_3d.lua
 
 local radius, load, track = 5, 10, 10 -- mm, N, mm

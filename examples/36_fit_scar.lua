@@ -1,6 +1,7 @@
--- k and alpha of a ball test from microscope data: profiles of the ball's scar along and across the motion, a trace
--- across the flat's, and the flat's volume. Shift, tilt and offset of each trace are fitted. The data are generated here by
--- a run with k = 1.3e-8 mm2/N and alpha = 0.4, with noise of 0.01 um and 1 %.
+-- k and alpha of a ball test from microscope data: profiles of the ball's scar along and across the motion,
+-- a trace across the scar of the flat, and the worn volume of the flat. Shift, tilt and offset of each
+-- trace are fitted too. The data are generated here by a run with k = 1.3e-8 mm2/N and alpha = 0.4, with
+-- noise of 0.01 um and 1 %.
 --   archard examples/36_fit_scar.lua
 
 local test = { model = { geometry = "3-D", upper = body.ball{ radius = 5 }, lower = body.block{}, mesh = { fineness = 0.5 } }, load = 10,

@@ -1,5 +1,5 @@
--- A crowned roller that slides to and fro on a flat: an elliptic contact, worn on both sides. The scar across the roller
--- is compared with the line contact of a plane model in its middle.
+-- A crowned roller that slides to and fro on a flat: an elliptic contact in which both bodies wear. The
+-- scar across the roller is compared with the line contact of a plane model at the middle of the roller.
 --   archard examples/37_crowned_roller.lua
 
 local radius, crown, load = 5, 60, 40 -- mm along and across the motion, N
@@ -20,7 +20,8 @@ for _, distance in ipairs{ 100, 400, 1000 } do
     1e3 * w.depth.roller, 1e3 * w.depth.block))
 end
 
--- Load per length in the middle: the area worn there over k times the distance. It is applied to a plane model.
+-- Load per length in the middle of the roller: the area worn there, divided by k times the distance. A
+-- plane model is run under this load.
 local area = 0
 for _, name in ipairs{ "roller", "block" } do
   local line = w:profile(name, { z = 0 })

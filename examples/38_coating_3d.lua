@@ -1,5 +1,6 @@
--- A ball on a coated flat in three dimensions: pressures with a hard and a soft coating, and the remaining coating in
--- the middle of the scar. The compliance is that of the whole coating, so results hold while little of it is worn.
+-- A ball on a coated flat in three dimensions: pressures with a hard and a soft coating, and the thickness
+-- of coating that remains in the middle of the scar. The model uses the compliance of the unworn coating;
+-- the results are therefore valid only while little of the coating is worn.
 --   archard examples/38_coating_3d.lua
 
 local radius, load, thickness = 5, 10, 0.02 -- mm, N, mm

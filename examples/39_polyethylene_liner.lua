@@ -1,13 +1,14 @@
 -- A hip with a polyethylene liner of 8 mm, inclined by 30 degrees, over five million cycles of walking: penetration of
 -- the head of 28 mm by creep and by wear. Creep comes first and removes no volume.
 --   archard examples/39_polyethylene_liner.lua
--- The angles and the load of walking have the ranges of the standard; the curves between them are approximate. The constants
--- of creep are typical of a conventional polyethylene and have no source: use those of your own tests. Edge loading,
--- microseparation and lubrication, which cause many clinical failures, are not included.
--- Springs (foundation = "winkler") are accurate to 4 % for this material, and the difference vanishes as the liner wears;
--- without this setting the full problem is solved, in about a minute.
+-- The angles and the load of walking have the ranges of the standard; the curves between these ranges are
+-- approximate. The constants of creep are typical of a conventional polyethylene and have no source: use
+-- the constants of your own tests. The model does not include edge loading, microseparation and
+-- lubrication, which cause many clinical failures.
+-- Springs (foundation = "winkler") are accurate to 4 % for this material, and the error vanishes as the
+-- liner wears. Without this setting, the full elastic problem is solved in about a minute.
 
-warn "@off" -- the contact approaches the rim; its distance is printed below
+warn "@off" -- the contact approaches the rim, which causes a warning; its distance is printed below
 
 local pe = material{ E = 1000, nu = 0.4 }
 local liner = joint{ head = { radius = 14, material = material{ E = 230e3, nu = 0.3 } }, foundation = "winkler", mesh = { size = 3 },

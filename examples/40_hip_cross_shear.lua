@@ -1,10 +1,10 @@
--- Wear of a polyethylene hip whose k grows with cross-shear, the share of the friction work across the main direction of
--- sliding (0: one line, 0.5: no main direction). Flexion alone wears the liner much less than walking along a path of
--- the same length.
+-- Wear of a polyethylene hip whose k grows with cross-shear. Cross-shear is the share of the friction work
+-- across the main direction of sliding (0: motion along one line, 0.5: no main direction). Flexion alone
+-- wears the liner much less than walking along a path of the same length.
 --   archard examples/40_hip_cross_shear.lua
--- The coefficient is a user function; this one is an example of the magnitude seen in pin-on-disc tests. The angles and the
--- load of walking have the ranges of the standard; the curves between them are approximate. Edge loading, microseparation and
--- lubrication are not included.
+-- The coefficient is a function of the user; this one is an example with a magnitude seen in pin-on-disc
+-- tests. The angles and the load of walking have the ranges of the standard; the curves between these
+-- ranges are approximate. The model does not include edge loading, microseparation and lubrication.
 
 local liner = joint{ foundation = "winkler", mesh = { size = 3 },
   cup = { clearance = 0.1, layers = { { thickness = 8, material = material{ E = 1000, nu = 0.4 } } } } }

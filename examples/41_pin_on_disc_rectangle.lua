@@ -1,16 +1,17 @@
--- Pin-on-disc tests along rectangles of sides a and b: their cross-shear is b / (a + b), exactly. Polyethylene pins are
--- moved along rectangles because they wear much less along a line. Here a ball in a socket that rotates by a few degrees
--- follows the same paths: its cross-shear under the load has this value, and the volume shows the effect of a
--- coefficient that grows with cross-shear.
+-- Pin-on-disc tests along rectangles of sides a and b, whose cross-shear is exactly b / (a + b).
+-- Polyethylene pins are moved along rectangles because they wear much less along a line. Here a ball in a
+-- socket that rotates by a few degrees follows the same paths. The cross-shear under the load has the value
+-- b / (a + b), and the volume shows the effect of a coefficient that grows with cross-shear.
 --   archard examples/41_pin_on_disc_rectangle.lua
--- The coefficient is an example of the magnitude seen in pin-on-disc tests. Lubrication and the reorientation of molecules
--- are not included.
+-- The coefficient is an example with a magnitude seen in pin-on-disc tests. The model does not include
+-- lubrication and the reorientation of molecules.
 
 local function k(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
 local seat = joint{ foundation = "winkler", mesh = { size = 4 },
   cup = { clearance = 0.1, layers = { { thickness = 8, material = material{ E = 1000, nu = 0.4 } } } } }
 
--- Angles of flexion and adduction over a cycle along the rectangle, its sides in degrees, at constant speed.
+-- Returns a gait that moves along a rectangle at constant speed. a, b: sides as angles of flexion and
+-- adduction [degree].
 local function rectangle(a, b)
   local turn = a / (2 * (a + b))
   return gait{ t = { 0, turn, 0.5, 0.5 + turn, 1 }, flexion = { 0, a, a, 0, 0 }, adduction = { 0, 0, b, b, 0 }, load = 1000, increments = 48 }

@@ -1,2 +1,2 @@
--- Names of a joint's bodies, in the form of a model, for archard.measure.
+-- Names of the bodies of a joint, in the form in which archard.measure expects the bodies of a model.
 return { upper = { name = "head" }, lower = { name = "cup" } }

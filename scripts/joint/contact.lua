@@ -1,4 +1,5 @@
--- Contacts of unworn joints, contact{ model=j, load=, direction= }. Lengths in mm, loads in N, angles in degrees.
+-- Contacts of unworn joints: contact{ model=j, load=, direction= }. Lengths are in mm, loads in N, angles
+-- in degrees.
 
 local check = require "archard.lib.check"
 local flat = require "archard.joint.flat"
@@ -16,7 +17,7 @@ local direction_kind = check.kind("{ x, y, z }, three numbers, not all 0", funct
     and math.max(math.abs(v[1]), math.abs(v[2]), math.abs(v[3])) > 0
 end)
 
--- c:flat(): the pressure in an azimuthal equal-area projection about the z axis.
+-- c:flat() returns the pressure as a flat map, in an azimuthal equal-area projection about the z axis.
 function methods:flat(what)
   if what ~= nil and what ~= "pressure" then check.refuse("joint_contact:flat", "what", '"pressure"', what) end
   return flat.map(#self.pressure.theta, self.pressure.values, self.model.head.radius, "pressure", "MPa")
@@ -33,12 +34,12 @@ end
 
 strict.class(class)
 
--- (joint, { load=, direction= }) -> contact
+-- Solves the contact of an unworn joint. given: { load= [N], direction= }. Returns a contact object.
 return function(joint, given)
   local where = "joint:contact"
   given = check.definition(where, given or {}, { load = check.positive, direction = direction_kind })
   local load, n = given.load or 3000, given.direction or { 0, 0, 1 }
-  local scale = math.max(math.abs(n[1]), math.abs(n[2]), math.abs(n[3])) -- so that no square overflows
+  local scale = math.max(math.abs(n[1]), math.abs(n[2]), math.abs(n[3])) -- avoids an overflow of the squares
   local length = scale * math.sqrt((n[1] / scale) ^ 2 + (n[2] / scale) ^ 2 + (n[3] / scale) ^ 2)
   local result = check.as(where, sphere.press, joint.engine, load * (n[1] / length), load * (n[2] / length), load * (n[3] / length))
   result.model, result.load, result.direction = joint, load, { n[1], n[2], n[3] }

@@ -1,6 +1,6 @@
--- Runs of joints in run files. A case has the fields of wear{} that make the run again, and among
--- its results the state, the history and the last record. The functions `save`, `wear`, `history`
--- and `surfaces` also work for runs of the engine.
+-- Runs of joints in run files. A case has the fields of wear{} that make the run again. Its results include
+-- the state, the history and the last record. The functions `save`, `wear`, `history` and `surfaces` also
+-- accept runs of the engine.
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -17,7 +17,7 @@ local counted = { "updates", "solutions" }
 
 -- --- runs ---------------------------------------------------------------------------------------
 
--- Returns the definition of a run as flat fields, with functions as the word "function".
+-- Returns the definition of a run as flat fields. Functions are replaced by the word "function".
 local function flat_definition(run)
   local definition = run:definition()
   for _, name in ipairs(callable) do
@@ -48,7 +48,7 @@ local function part(results, prefix)
   return found
 end
 
--- Puts the user's functions into a definition that was saved with functions.
+-- Inserts the user's functions into a definition that was saved with the word "function" in their fields.
 local function with_functions(definition, functions)
   for _, name in ipairs(callable) do
     local f = type(functions) == "table" and functions[name]
@@ -82,8 +82,8 @@ local function results_of(from, id)
   return results.state and results or nil
 end
 
--- Saves a run as the case with a number. surfaces: earlier surfaces of a run of the engine; others:
--- further results, by name.
+-- Saves a run as the case `id`. surfaces: earlier surfaces, for a run of the engine; others: further
+-- results by name, or nil.
 function file.save(to, id, run, surfaces, others)
   if not is_joint(run) then
     to:save(id, run, surfaces)
@@ -109,7 +109,7 @@ end
 
 function file.surfaces(from, id) return results_of(from, id) and {} or from:surfaces(id) end
 
--- Returns the stored definition of a run as flat fields.
+-- Returns the definition of a run as flat fields, as they are stored in a run file.
 function file.definition(run)
   local path = os.tmpname()
   os.remove(path)
@@ -131,7 +131,8 @@ local function check_path(where, path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
 end
 
--- Writes the file completely or not at all. Replaces a file of a joint and refuses any other file.
+-- Saves a run in a file, completely or not at all. An existing file of a joint is replaced; any other
+-- existing file is refused.
 function file.write(run, path)
   check_path("joint_wear:save", path)
   check.as("joint_wear:save", function()
@@ -165,7 +166,8 @@ function file.open(path, functions)
   return check.as("joint.open", read, path, functions)
 end
 
--- (path, functions, id) -> the run if case `id` of the study is a run of a joint, else nil
+-- Returns the run of case `id` of a run file if it is a run of a joint, else nil. functions: the user's
+-- functions by name.
 function file.open_case(path, functions, id)
   local from <close> = store.open(path, "read")
   return results_of(from, id) and file.wear(from, id, functions)

@@ -1,5 +1,6 @@
--- Converts maps of spheres to flat maps: azimuthal equal-area projection about the load over one half sphere. x is
--- anterior, z along the axis of flexion, in mm; values are 0 outside the half sphere.
+-- Converts maps of spheres to flat maps of the half sphere about the load, by an azimuthal equal-area
+-- projection. In the flat map, x is anterior and z is along the axis of flexion, in mm. Values are 0
+-- outside the half sphere.
 
 local made = require "archard.map.made"
 
@@ -7,7 +8,7 @@ local points = 121 -- along each side
 
 local flat = {}
 
--- Returns the value of a lattice in a direction, linear between cells.
+-- Returns the value of a lattice in a direction n (a unit vector), by linear interpolation between cells.
 function flat.sampled(rows, values, n)
   local row = math.acos(math.max(-1, math.min(1, n[1]))) / math.pi * rows + 0.5
   local column = (math.atan(n[2], n[3]) + math.pi) / math.pi * rows + 0.5
@@ -18,14 +19,15 @@ function flat.sampled(rows, values, n)
   return (1 - s) * ((1 - t) * at(i, k) + t * at(i, k + 1)) + s * ((1 - t) * at(i + 1, k) + t * at(i + 1, k + 1))
 end
 
--- Returns the position of a direction in the map, nil outside the half sphere.
+-- Returns the position x, z [mm] of a direction in the flat map, or nil outside the half sphere.
 function flat.point(radius, n)
   if n[3] < 0 then return nil end
   local share = radius * math.sqrt(2 / (1 + n[3]))
   return share * n[2], share * n[1]
 end
 
--- Returns the projected curve of directions n(s), s in [0, 1], with gaps outside the half sphere.
+-- Returns the curve of directions n(s), s in [0, 1], in the flat map. Points outside the half sphere become
+-- gaps (NaN).
 function flat.curve(radius, n, count)
   local x, y = {}, {}
   for i = 0, count do
@@ -35,7 +37,8 @@ function flat.curve(radius, n, count)
   return { x = x, y = y }
 end
 
--- Returns the rim of the cup's opening, which is `cover` degrees from its axis.
+-- Returns the rim of the cup's opening as a curve in the flat map. The rim is `cover` degrees from the axis
+-- of the cup.
 function flat.rim(joint)
   local tilt, cover = math.rad(joint.cup.inclination), math.rad(joint.cup.cover)
   local c, s = math.cos(tilt), math.sin(tilt)
@@ -46,7 +49,7 @@ function flat.rim(joint)
   end, 180)
 end
 
--- Returns the direction at a position of the map, nil outside the half sphere.
+-- Returns the direction at a position x, z [mm] of the flat map, or nil outside the half sphere.
 function flat.direction(radius, x, z)
   local r = math.sqrt(x ^ 2 + z ^ 2)
   if r > math.sqrt(2) * radius then return nil end
@@ -55,14 +58,14 @@ function flat.direction(radius, x, z)
   return { share * z, share * x, math.cos(angle) }
 end
 
--- Returns a function of a direction that is true where the cup covers it.
+-- Returns a function of a direction that returns true if the cup covers this direction.
 function flat.cover(cup)
   local tilt, least = math.rad(cup.inclination), math.cos(math.rad(cup.cover))
   return function(n) return n[1] * math.sin(tilt) + n[3] * math.cos(tilt) >= least end
 end
 
--- (rows of the lattice, its values, radius, name, unit) -> map; the arguments are those of
--- sphere.map
+-- Returns the flat map of the values of a lattice. rows: rows of the lattice; values: the list from
+-- sphere.map; radius: of the sphere [mm].
 function flat.map(rows, values, radius, name, unit)
   local reach, x, y = math.sqrt(2) * radius, {}, {}
   for i = 1, points do x[i] = reach * (2 * (i - 1) / (points - 1) - 1) end

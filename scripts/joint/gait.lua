@@ -1,5 +1,5 @@
--- gait("iso", { increments= }), gait{ flexion=, ... }, gait.rocking{}, gait.flexion{}, gait.read(path): rotations and loads
--- of a joint over a cycle.
+-- Gaits are the rotations and loads of a joint over a cycle. This file has gait("iso", { increments= }),
+-- gait{ flexion=, ... }, gait.rocking{}, gait.flexion{} and gait.read(path).
 
 local check = require "archard.lib.check"
 local given_gait = require "archard.joint.given_gait"
@@ -28,7 +28,8 @@ module.flexion = simple("flexion", 21.5)
 
 local columns = { t = true, flexion = true, adduction = true, rotation = true, load = true, Fx = true, Fy = true, Fz = true }
 
--- gait.read(path, { increments=, order=, period= }): reads the columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
+-- gait.read(path, { increments=, order=, period= }) reads a gait from the columns t, flexion, adduction,
+-- rotation and load (or Fx, Fy, Fz) of a text file.
 function module.read(path, options)
   local where = "gait.read"
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end

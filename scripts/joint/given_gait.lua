@@ -1,5 +1,5 @@
--- Gaits defined by their fields: rotations and loads over a cycle, as functions of t in [0, 1],
--- lists or numbers.
+-- Gaits that a user defines by fields. Rotations and loads over a cycle are functions of t in [0, 1], lists
+-- or numbers.
 
 local check = require "archard.lib.check"
 local made = require "archard.joint.made"
@@ -17,11 +17,11 @@ local load_kind = check.kind("a function of t, a number or a list of N, or { x=,
   return type(v) == "function" or type(v) == "table" or check.positive.test(v)
 end)
 given.kind = check.kind('a gait such as gait "iso", or its fields', function(v) return type(v) == "table" or given.is(v) end)
-given.fields = { gait = given.kind, name = check.text, instants = check.list } -- also for gaits of run files and blocks
+given.fields = { gait = given.kind, name = check.text, instants = check.list } -- also accepts gaits of run files
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
   increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true), period = check.positive }
 
--- Returns the times as shares of the cycle.
+-- Returns the times divided by the period. They must run from 0 to the period.
 local function over_cycle(t, period)
   local shares = {}
   for i, time in ipairs(t) do shares[i] = time / period end
@@ -33,7 +33,8 @@ local function over_cycle(t, period)
   return shares
 end
 
--- Converts a number, a list over times (evenly spaced without `times`) or a function to a function of t.
+-- Returns a function of t for a number, a list or a function. A list has one value for each of `times`;
+-- without `times` its values are evenly spaced.
 local function over_time(name, value, times)
   if type(value) == "number" then return function() return value end end
   if type(value) == "function" then
@@ -64,7 +65,8 @@ for name, kind in pairs(fields) do given.fields[name] = kind end
 
 local most = 60 -- degrees of rotation in half an increment
 
--- Returns the list of n instants from functions of three angles and three loads.
+-- Returns the list of n instants. parts: functions of t for the three angles [degree]; loads: functions of
+-- t for the three components of the load [N].
 local function instants_of(n, parts, loads, order)
   local angles, forces = {}, {}
   for i = 0, 2 * n do
@@ -83,7 +85,7 @@ local function instants_of(n, parts, loads, order)
   return sphere.angles(n, angles, forces, order)
 end
 
--- (fields of gait{}, name) -> gait
+-- Returns a gait from the fields of gait{}. name: name of the gait in texts, default "own".
 function given.read(from, name)
   check.definition("gait", from, fields, 'the name of a gait, "iso" or "prosim", or ')
   if not next(from) then check.fail("gait", "expected at least one angle (flexion, adduction or rotation), got none") end
@@ -103,7 +105,6 @@ function given.read(from, name)
   return made(name or "own", instants_of(n, parts, loads, from.order or "xyz"), instants_of(2 * n, parts, loads, from.order or "xyz"))
 end
 
--- Returns true for a gait.
 function given.is(value) return strict.is(value, "gait") end
 
 -- Returns a gait object unchanged, or creates one from its fields or from the fields of a run file (name and instants).

@@ -1,9 +1,10 @@
--- The history of a joint's run for files: columns by the names of its bodies, and their units.
+-- Returns the history of a joint's run for files. The names of the columns contain head and cup instead of
+-- cylinder and plate.
 
 local known = require "archard.settings".columns
 local body_names = { cylinder = "head", plate = "cup" }
 
--- (run) -> columns, units, names in the order of the history
+-- (run) returns the columns by name, their units, and the names in the order of the history.
 return function(run)
   local columns, units, names = {}, {}, {}
   for _, column in ipairs(known) do

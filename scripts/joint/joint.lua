@@ -1,5 +1,5 @@
--- joint{ head=, cup=, foundation=, mesh= }: a ball in a socket; j:contact{}, j:wear{}. Lengths in mm, angles in
--- degrees.
+-- joint{ head=, cup=, foundation=, mesh= } makes a ball in a socket, with the methods j:contact{} and
+-- j:wear{}. Lengths are in mm, angles in degrees.
 
 local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
@@ -32,7 +32,7 @@ local joint_fields = { head = check.table, cup = check.table, mesh = check.table
 local head_fields = { radius = check.positive, material = material_kind, layers = layers_kind }
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
--- Returns the fields of a material (an object or a table) as a plain table, as used in run files.
+-- Returns the fields of a material (an object or a table) as a plain table, the form for run files.
 local function plain(m, prefix)
   if type(m) == "table" then check.fields("joint", m, material_fields, prefix .. "material.") end
   return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil }
@@ -82,10 +82,10 @@ end
 -- j:contact{ load=, direction= }
 function methods:contact(given) return require "archard.joint.contact"(self, given) end
 
--- j:wear{ loading=, k=, alpha=, cycles=, ... }: makes a run on its own copy of the joint.
+-- j:wear{ loading=, k=, alpha=, cycles=, ... } makes a run, which works on its own copy of the joint.
 function methods:wear(given) return require "archard.joint.run".new(self, given) end
 
--- joint.open(path [, { k = f }]): opens a run saved by w:save(path).
+-- joint.open(path [, { k = f }]) opens a run that was saved by w:save(path).
 function joint.open(path, functions) return require "archard.joint.file".open(path, functions) end
 
 strict.class(class)

@@ -1,4 +1,4 @@
--- Maps of a joint and warnings on its contact, for single contacts and runs.
+-- Makes maps of joints and checks their contacts, for single contacts and for runs.
 
 local check = require "archard.lib.check"
 local sphere = require "archard.sphere"
@@ -6,7 +6,7 @@ local strict = require "archard.strict"
 
 local lattice = {}
 
--- Returns a map over theta and phi in degrees; phi varies fastest in the values.
+-- Returns a map over theta and phi [degree]. phi varies fastest in the list of values.
 function lattice.map(engine, what)
   local rows, values = sphere.map(engine, what)
   local d = 180 / rows
@@ -23,10 +23,10 @@ function lattice.deepest(engine, body)
   return most
 end
 
--- Warns if the contact reaches the rim to within a cell, or is so near the rim that the error of
--- complete spheres exceeds about 1 %. A run gives each warning once and records it in the table
--- `warned`. `share` scales the distance to the rim (default 1); at half a liner's thickness finite
--- elements differ by .7 %.
+-- Warns if the contact reaches the cup's rim to within a cell, or if it is so near the rim that the error
+-- of complete spheres exceeds about 1 %. The table `warned` records the warnings, so a run gives each
+-- warning once. share: factor on the smallest distance to the rim without a warning, default 1. At half a
+-- liner's thickness from the rim, finite elements differ by 0.7 %.
 function lattice.warn_of_rim(where, joint, margin, warned, share)
   if warned.reached then return end
   if margin < joint.mesh.size then
@@ -46,10 +46,10 @@ function lattice.warn_of_rim(where, joint, margin, warned, share)
   end
 end
 
-local fewest, enough = 3, 6 -- number of cells across a contact
+local fewest, enough = 3, 6 -- numbers of cells across a contact
 
--- Checks the number of cells across a contact with this half angle in degrees: fewer than three are
--- an error, fewer than six cause a warning.
+-- Checks the number of cells across a contact with the half angle `half_angle` [degree]. Fewer than three
+-- cells are an error; fewer than six cause a warning.
 function lattice.check_cells(where, engine, half_angle)
   local size = 180 / (sphere.map(engine, "pressure"))
   local across = 2 * half_angle / size

@@ -1,4 +1,4 @@
--- Gaits, stored as a list of instants with fifteen numbers each.
+-- Makes gaits. A gait is stored as a list of instants with fifteen numbers each.
 
 local check = require "archard.lib.check"
 local sphere = require "archard.sphere"
@@ -11,15 +11,15 @@ function class:__tostring()
     self.increments, self.track, self.work / 1000)
 end
 
--- Returns the fields that make an equal gait, for run files.
+-- Returns the fields from which a run file can make an equal gait.
 function class.__settings(g) return { name = g.name, instants = g.instants } end
 
 strict.class(class)
 
-local most_lost = 0.01 -- share of path or work that increments may lose without a warning
+local most_lost = 0.01 -- largest relative error of path or work without a warning
 
--- Warns if the increments lose more than this share. The error of chords falls with the square of
--- their number, so it is 4/3 of the difference from twice as many.
+-- Warns if the increments change path or work by more than `most_lost`. The error of chords falls with the
+-- square of the number of increments, so it is 4/3 of the difference from twice as many increments.
 local function warn_of_few(name, count, track, work, finer)
   local fine_track, fine_work = sphere.path(finer, 14)
   local lost = 4 / 3 * math.max(1 - track / fine_track, math.abs(1 - work / fine_work))
@@ -29,7 +29,7 @@ local function warn_of_few(name, count, track, work, finer)
   end
 end
 
--- Refuses a gait of constant angles, which causes no wear.
+-- Warns if all angles of a gait are constant, since such a gait causes no wear.
 local function warn_of_rest(name, instants)
   for i = 1, #instants, 15 do
     if instants[i + 9] ~= 0 or instants[i + 10] ~= 0 or instants[i + 11] ~= 0 then return end
@@ -37,7 +37,7 @@ local function warn_of_rest(name, instants)
   warn(("gait %s: the head does not move: flexion, adduction and rotation are constant"):format(name))
 end
 
--- (name, list of numbers [, list with twice as many increments]) -> gait
+-- Makes a gait. finer: the same gait with twice as many increments, or nil if the gait needs no check.
 return function(name, instants, finer)
   if type(name) ~= "string" or type(instants) ~= "table" or #instants < 15 or #instants % 15 ~= 0 then
     check.fail("gait", "expected a name and fifteen numbers for each instant")

@@ -1,5 +1,5 @@
--- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories, maps. A step that fails
--- leaves the run unchanged. Lengths in mm.
+-- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories and maps. If a
+-- step fails, the run is unchanged. Lengths are in mm.
 
 local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
@@ -16,7 +16,7 @@ local text = require "archard.joint.text"
 
 local runs = {}
 
-local none = math.abs(0 / 0) -- printed without a sign
+local none = math.abs(0 / 0) -- NaN that is printed without a sign
 
 local methods = {}
 local class = { __name = "joint_wear", __methods = methods,
@@ -44,7 +44,8 @@ local shape_kind = check.kind("a function of theta and phi in degrees, a map of 
   return type(v) == "function" or type(v) == "table"
 end)
 
--- Returns the loading as a list of { gait=, cycles= }; the last block has no end.
+-- Returns the loading as a list of blocks { gait=, cycles= }. If the last block has no cycles, it continues
+-- for ever.
 local function blocks_of(given)
   if given_gait.is(given) or #given == 0 then return { { gait = given_gait.of(given), cycles = math.huge } } end
   local blocks = {}
@@ -59,7 +60,7 @@ local function blocks_of(given)
   return blocks
 end
 
--- Returns the depths on the lattice from a function, a map or a list of the user.
+-- Returns the list of depths [mm] on the lattice, from a function, a map or a list that the user gave.
 local function depths_of(engine, name, given)
   if not shape_kind.test(given) then check.refuse("joint:wear", "worn." .. name, shape_kind.expected, given) end
   local map = lattice.map(engine, name)
@@ -91,13 +92,12 @@ local function put_shapes(engine, worn)
   end
 end
 
--- Columns of the history.
 local columns = { "update", "cycle", "distance", "jump", "load", "p_peak", "area", "depth_cylinder", "depth_plate", "volume_cylinder",
   "volume_plate", "depth_partition", "solutions" }
 runs.columns = columns
 
--- Returns a history made from its columns, or an empty one if there are no columns; its bodies are
--- named head and cup.
+-- Returns a history with the given columns, or an empty history if `given` has none. Its bodies are named
+-- head and cup.
 function runs.history(given)
   local history = {}
   for _, name in ipairs(columns) do history[name] = strict.table(given[name] or {}, "list of numbers") end
@@ -112,7 +112,7 @@ local function refuse_two(given, one, other)
   end
 end
 
--- Returns the sliding distance of the load over the head [mm] after a number of cycles.
+-- Returns the sliding distance of the load over the head [mm] after a given number of cycles.
 local function distance_of(run, cycles)
   local sum, first = 0, 0
   for _, block in ipairs(run.blocks) do
@@ -122,7 +122,7 @@ local function distance_of(run, cycles)
   return sum
 end
 
--- Returns the number of cycles after which this distance is reached.
+-- Returns the number of cycles after which the load has moved a given distance [mm] over the head.
 local function cycles_of(run, distance)
   local first = 0
   for i, block in ipairs(run.blocks) do
@@ -132,7 +132,7 @@ local function cycles_of(run, distance)
   end
 end
 
--- Sets the fields of a run from a record and its maps.
+-- Sets the result fields of a run from a record and from the depths on the bodies.
 local function read(run, record)
   run.record, run.cycle, run.p_peak, run.area = record, record.cycles, record.p_peak, record.area
   run.update, run.distance, run.done = math.tointeger(record.updates), distance_of(run, record.cycles), record.cycles >= run.cycles * (1 - 1e-12)
@@ -153,7 +153,7 @@ local function largest_load(instants)
   return load, most, instant
 end
 
--- Reads a record and appends its row to the history.
+-- Sets the fields of a run from a record and appends a row to the history.
 local function note(run, record)
   local h, n, before = run.history, #run.history.cycle + 1, run.cycle or 0
   read(run, record)
@@ -165,7 +165,7 @@ local function note(run, record)
   for _, name in ipairs(columns) do h[name][n] = row[name] or none end
 end
 
--- (joint, fields of the user) -> run
+-- Makes a run. model: a joint; given: the user's fields of wear{}.
 function runs.new(model, given)
   given = check.definition("joint:wear", given or {}, fields)
   local run = { model = model, engine = sphere.create(model), blocks = blocks_of(given.loading or gait "iso"),
@@ -192,7 +192,7 @@ function runs.new(model, given)
   return strict.object(run, class)
 end
 
--- Returns the fields of wear{} that make an equal run, without initial shapes.
+-- Returns the fields of wear{} that make an equal run. Initial shapes are not included.
 function methods:definition()
   local blocks = {}
   for i, block in ipairs(self.blocks) do
@@ -205,7 +205,7 @@ end
 
 -- --- steps --------------------------------------------------------------------------------------
 
--- Returns the block at the present cycle, and its last cycle.
+-- Returns the block at the present cycle of the run, and the cycle at which this block ends.
 local function block_at(run)
   local last = 0
   for _, block in ipairs(run.blocks) do
@@ -215,15 +215,15 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- Returns a value that restores the present state of the joint when it is closed, so that a contact
--- computed for a picture changes no bit of the run.
+-- Returns a value that restores the present state of the joint when it is closed. A contact computed for a
+-- picture therefore does not change the run.
 local function unchanged(run)
   local state = sphere.state(run.engine)
   return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })
 end
 
--- Computes the contact under a gait's largest load. Refuses cells that are too large, and warns if
--- the rim is near.
+-- Computes and returns the contact under the largest load of a gait. Raises an error if the cells are too
+-- large, and warns if the contact is near the rim.
 local function check_contact(run, gait_of_block)
   local load = largest_load(gait_of_block.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
@@ -233,8 +233,8 @@ local function check_contact(run, gait_of_block)
   return contact
 end
 
--- Checks the contact of the block that begins. Pressure and area of the first block's contact enter
--- the first row of the history.
+-- Checks the contact of a block that begins. Pressure and area of the first block's contact are written
+-- into the first row of the history.
 local function begin_block(run, block)
   if run.cycle > 0 then
     local _ <close> = unchanged(run)
@@ -246,13 +246,15 @@ local function begin_block(run, block)
   run.checked = block
 end
 
--- Returns the number of cycles up to the next of m updates, which end at goal (j/m)^1.5.
+-- Returns the number of cycles to the next of m = `updates` updates. Update j ends at the cycle goal
+-- (j/m)^1.5.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
   return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
 end
 
--- Returns the number of cycles of the next update, if the user gave updates or jump.
+-- Returns the number of cycles of the next update from the fields updates or jump; nil if the user gave
+-- neither.
 local function given_cycles(run)
   if run.updates then return next_of_updates(run) end
   if type(run.jump) ~= "function" then return run.jump end
@@ -261,8 +263,8 @@ local function given_cycles(run)
   return cycles
 end
 
--- Returns the number of cycles of an explicit update: the stability limit, at most a fixed part of
--- the goal.
+-- Returns the number of cycles of an explicit update. It is limited by jump or a fixed part of the total
+-- cycles, and by the stability limit.
 local function explicit_cycles(run, instants)
   local most = run.jump and given_cycles(run) or run.cycles / (run.updates or usual.updates)
   if run.k == 0 then return most end
@@ -270,7 +272,7 @@ local function explicit_cycles(run, instants)
   return math.min(most, run.limit)
 end
 
--- Computes one step of at most `most` cycles and returns its record.
+-- Computes one step of the run, of at most `most` cycles, and returns the record of the step.
 local function advance(run, instants, most)
   local function update(cycles)
     return check.as("joint_wear:run", sphere.update, run.engine, instants, run.k, run.alpha, math.min(cycles, most), run.record,
@@ -285,14 +287,15 @@ local function advance(run, instants, most)
   return record
 end
 
--- Restores a saved run whose maps are already set.
+-- Sets the results of a run that was read from a file. The maps of its engine must already be set.
 function runs.restore(run, record, history)
   run.history = runs.history(history)
   read(run, record)
   run.loading = block_at(run).gait
 end
 
--- Returns the function called after each step, a progress bar or the user's function, and the bar.
+-- Returns the function that is called after each step, and the progress bar or nil. The function is the
+-- user's own or updates the bar.
 local function watcher(run, given, goal)
   if given == false then return function() end, nil end
   if type(given) == "function" then return given, nil end
@@ -302,15 +305,15 @@ end
 
 local ended = setmetatable({}, { __close = function() process.report "" end })
 
--- Adds the progress to the error of Ctrl-C until the returned value is closed.
+-- Makes the error of Ctrl-C report the progress, until the returned value is closed.
 local function report(run, goal)
   process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
   return ended
 end
 
--- w:run{ cycles=, distance=, progress= }: runs up to a number of cycles or a sliding distance of
--- the load. After an error or Ctrl-C the run is at its last complete step, from which it can be
--- continued with identical results.
+-- w:run{ cycles=, distance=, progress= } runs up to a number of cycles or a sliding distance [mm] of the
+-- load. After an error or Ctrl-C, the run is at the end of its last complete step. If it is continued, the
+-- results are identical to those of an uninterrupted run.
 function methods:run(given)
   if not self.engine then check.fail("joint_wear:run", "expected a run, got a closed one") end
   given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, distance = check.positive,
@@ -330,7 +333,7 @@ function methods:run(given)
   return self
 end
 
--- Releases the memory of the run.
+-- w:close() releases the memory of the run.
 function methods:close() self.engine = nil end
 
 class.__close = methods.close
@@ -339,10 +342,10 @@ function methods:sensitivity(given) return sphere.sensitivity(self, given) end
 
 -- --- results ------------------------------------------------------------------------------------
 
--- Returns the instant of the cycle with the largest load, from 1.
+-- Returns the number of the instant with the largest load, from 1.
 function methods:heaviest() return (select(3, largest_load(self.loading.instants))) end
 
--- Solves the contact of the present surfaces at an instant of the cycle.
+-- Solves the contact of the present surfaces at an instant of the cycle, given by its number from 1.
 local function press_at(run, instant)
   local list, first = run.loading.instants, 15 * (instant - 1)
   check.as("joint_wear:map", sphere.press, run.engine, list[first + 13], list[first + 14], list[first + 15],
@@ -351,8 +354,9 @@ end
 
 local map_kind = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
 
--- w:map "cup" | "head" | "cross shear" | "creep" | "pressure", { instant= }: the pressure is that
--- of the present surfaces at an instant of the cycle, by default the instant of the largest load.
+-- w:map "cup" | "head" | "cross shear" | "creep" | "pressure", { instant= } returns a map over theta and
+-- phi. The pressure is computed for the present surfaces at an instant of the cycle, by default at the
+-- largest load.
 function methods:map(what, given)
   if not map_kind.test(what) then check.refuse("joint_wear:map", "what", map_kind.expected, what) end
   local instants = self.loading.increments
@@ -366,17 +370,17 @@ end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }
 
--- w:flat "cup" returns the map of w:map over positions in mm, in azimuthal equal-area projection
--- about the load.
+-- w:flat "cup" returns the same results as w:map, as a flat map over positions in mm (azimuthal equal-area
+-- projection about the load).
 function methods:flat(what)
   local map = self:map(what)
   return flat.map(#map.theta, map.values, self.model.head.radius, what, units[what] or "mm")
 end
 
--- w:penetration(): displacement of the head into the cup under the largest load [mm].
+-- w:penetration() returns the displacement of the head into the cup under the largest load [mm].
 function methods:penetration() return self.record.penetration end
 
--- w:save(path): saves the run so that it can be continued with identical results.
+-- w:save(path) saves the run. It can later be continued with the same results as without a pause.
 function methods:save(path) return require "archard.joint.file".write(self, path) end
 
 local function step_words(run)

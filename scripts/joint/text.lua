@@ -12,8 +12,8 @@ local function layers_text(layers, core)
   return table.concat(parts, ", ")
 end
 
--- (joint) -> a text such as "head of 28 mm, radial clearance 0.06 mm, elastic" and a line for each
--- body
+-- Returns a text such as "head of 28 mm, radial clearance 0.06 mm, elastic", with one more line for each
+-- body.
 return function(joint)
   return ("head of %g mm, radial clearance %g mm, %s\n  head      %s\n  cup       %s"):format(2 * joint.head.radius,
     joint.cup.clearance, joint.foundation, layers_text(joint.head.layers, joint.head.material), layers_text(joint.cup.layers))

@@ -1,5 +1,6 @@
--- Reads Alicona Imaging's .al3d files: tags of 52 bytes, then a depth image of single-precision numbers in metres, by
--- rows from the top, each row padded to a multiple of eight bytes.
+-- Reads .al3d files of Alicona Imaging. Such a file has tags of 52 bytes, then a depth image of
+-- single-precision numbers in metres. The image is stored by rows from the top; each row is padded to a
+-- multiple of eight bytes.
 
 local axis = require "archard.map.axis"
 

@@ -1,12 +1,13 @@
--- Coordinates of a map along one axis: even steps, position of a value between two points, and weights for resampling.
+-- Coordinates of a map along one axis: makes and checks even steps, locates a value between two points, and
+-- computes weights for resampling.
 
 local axis = {}
 
 -- Returns the mean step of the points.
 function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
 
--- Returns the index of the first point that differs from even steps by more than a twentieth of a
--- step; nil if all steps are even.
+-- Returns the index of the first point that differs from even steps by more than a twentieth of a step, or
+-- nil.
 function axis.uneven(list)
   local step = axis.step(list)
   for i = 2, #list do
@@ -21,9 +22,9 @@ function axis.even(first, step, count)
   return list
 end
 
--- Returns the index of the point before a value, and the share of the step between this point and
--- the value; nil outside the points. Values beyond an end by up to 1e-6 of a step, the error of
--- single precision, count as the end.
+-- Returns the index of the point before a value, and the distance between this point and the value as a
+-- share of the step. Returns nil if the value is outside the points. A value that is beyond an end by less
+-- than 1e-6 of a step (the error of single precision) is treated as the end.
 function axis.locate(list, value)
   local n, step = #list, axis.step(list)
   local beyond = 1e-6 * step
@@ -34,8 +35,8 @@ function axis.locate(list, value)
   return i, math.max(0, math.min(1, (value - list[i]) / (list[i + 1] - list[i])))
 end
 
--- Returns the indices of the first and the last point in a range, which may be open at either end;
--- nil if no point is in it.
+-- Returns the indices of the first and the last point in a range { from, to }, or nil if the range contains
+-- no point. Either end of the range may be nil.
 function axis.within(list, range)
   local low, high = range[1] or -math.huge, range[2] or math.huge
   local beyond, first, last = 1e-6 * axis.step(list), nil, nil
@@ -50,8 +51,8 @@ local function linear(list, value)
   return { first = i, 1 - share, share }
 end
 
--- Returns the weights of the mean over a cell of width `size` about a value: the overlap of each
--- point with the cell.
+-- Returns the weights for the mean over a cell of width `size` about a value. The weight of a point is the
+-- overlap of its own cell with this cell.
 local function mean(list, value, size)
   local step, total = axis.step(list), 0
   local low, high = value - size / 2, value + size / 2
@@ -67,9 +68,9 @@ local function mean(list, value, size)
   return weights
 end
 
--- Returns points at distance `size` over the same length, centred, and the weights of the old
--- points for each of them. They are weights of linear interpolation if the new points are closer,
--- else of means over cells of the new size.
+-- Returns points with the step `size`, centred in the same length, and for each of them the weights of the
+-- old points. If the new step is smaller, the weights interpolate linearly; else they compute means over
+-- cells of the new size.
 function axis.resampled(list, size)
   local whole = list[#list] - list[1]
   local count = math.floor(whole / size + 1e-9) + 1

@@ -1,5 +1,6 @@
--- Class map: values y over points (x, z) with even steps, in mm: x along the motion, z across, y up. y is a flat list
--- by rows of x: the value at x[i], z[j] is y[(i - 1) * #z + j]. Each method returns a new map.
+-- Class map: values y over points (x, z) with even steps, in mm. x is along the motion, z across it, and
+-- heights point upwards. y is a flat list by rows of x: the value at x[i], z[j] is y[(i - 1) * #z + j].
+-- Each method returns a new map.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -37,8 +38,8 @@ local function checked_axis(where, name, list)
   end
 end
 
--- Makes a map from (where, x, z, y, { unit=, name=, missing=, outliers=, path= }), lengths in mm. The lists are checked
--- and used without a copy.
+-- Makes a map from lists of coordinates x, z [mm] and values y. about: { unit=, name=, missing=, outliers=,
+-- path= }. The lists are checked and used without a copy.
 function map.new(where, x, z, y, about)
   checked_axis(where, "x", x)
   checked_axis(where, "z", z)
@@ -57,7 +58,8 @@ function map.new(where, x, z, y, about)
   return setmetatable(result, class)
 end
 
--- Returns a map with new points, values and changed fields; all other fields are those of t.
+-- Returns a map with new points and values. `changes` are changed fields; all other fields are copied from
+-- the map t.
 function map.derived(t, x, z, y, changes)
   local result = merged(t, changes)
   result.x, result.z, result.y, result.size = x, z, y, { #x, #z }
@@ -72,8 +74,8 @@ local function outside(where, t, name, value)
     check.shown(value)))
 end
 
--- Interpolates bilinearly between the points i, i + 1 and j, j + 1 at the shares u and v of the
--- steps.
+-- Returns the value of a map by bilinear interpolation between the points i, i + 1 along x and j, j + 1
+-- along z. u, v: shares of the steps, 0 to 1.
 local function bilinear(t, i, u, j, v)
   local y, n = t.y, #t.z
   local k = (i - 1) * n + j
@@ -87,7 +89,7 @@ local function located(where, t, name, value)
   return i, share
 end
 
--- t:at(x, z)
+-- t:at(x, z) returns the value at a position [mm] by bilinear interpolation.
 function methods:at(x, z)
   local where = "map:at"
   map.self(where, self)
@@ -97,7 +99,7 @@ end
 
 local line_fields = { x = check.number, z = check.number }
 
--- t:profile{ z= } | t:profile{ x= } -> { x=, y= }
+-- t:profile{ z= } or t:profile{ x= } returns the section { x=, y= } of the map along this line.
 function methods:profile(given)
   local where = "map:profile"
   map.self(where, self)
@@ -118,7 +120,7 @@ end
 
 -- --- cropping and resampling ------------------------------------------------------------------------
 
--- Returns the part of a map between two indices of each axis.
+-- Returns the part of a map between the indices i0 and i1 along x, and j0 and j1 along z.
 local function part(t, i0, i1, j0, j1)
   local y, n = {}, #t.z
   for i = i0, i1 do table.move(t.y, (i - 1) * n + j0, (i - 1) * n + j1, #y + 1, y) end
@@ -137,7 +139,7 @@ end
 
 local crop_fields = { x = check.range, z = check.range }
 
--- t:crop{ x={ from, to }, z={ from, to } }
+-- t:crop{ x={ from, to }, z={ from, to } } returns the part of the map in these ranges [mm].
 function methods:crop(given)
   local where = "map:crop"
   map.self(where, self)
@@ -152,13 +154,13 @@ local function centered(list)
   return result
 end
 
--- t:center(): the same points with x = z = 0 in their middle
+-- t:center() returns the same map with x = z = 0 at its middle.
 function methods:center()
   map.self("map:center", self)
   return map.derived(self, centered(self.x), centered(self.z), self.y)
 end
 
--- Resamples with weighted sums along x, then along z.
+-- Returns the values of a resampled map: weighted sums along x, then along z.
 local function weighted(t, wx, wz)
   local n, rows, y = #t.z, {}, {}
   for i = 1, #wx do
@@ -178,7 +180,7 @@ end
 
 local most = 4096 * 4096 -- largest number of points of a resampled map
 
--- t:resample(size)
+-- t:resample(size) returns the map over the same area with the step `size` [mm].
 function methods:resample(size)
   local where = "map:resample"
   map.self(where, self)
@@ -200,7 +202,7 @@ local function same_points(a, b)
   return true
 end
 
--- Returns the part of `a` that overlaps `b`, and the values of b at its points.
+-- Returns the part of map `a` that overlaps map `b`, and the values of b at the points of this part.
 local function shared(where, a, b)
   if same_points(a.x, b.x) and same_points(a.z, b.z) then return a, b.y end
   local i0, i1 = axis.within(a.x, { b.x[1], b.x[#b.x] })
@@ -236,7 +238,8 @@ function class.__add(a, b) return combined("map + map", a, b, 1) end
 
 -- --- volume -----------------------------------------------------------------------------------------
 
--- t:volume([level]): volumes above and below a level; the cell of each point has the size of one step along each axis.
+-- t:volume([level]) returns the volumes above and below a level. The cell of each point has the size of one
+-- step along each axis.
 function methods:volume(level)
   local where = "map:volume"
   map.self(where, self)
@@ -254,14 +257,14 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
--- Returns the smallest and the largest value.
+-- Returns the smallest and the largest value of a map.
 function map.limits(t)
   local low, high = math.huge, -math.huge
   for _, y in ipairs(t.y) do low, high = math.min(low, y), math.max(high, y) end
   return low, high
 end
 
--- Returns the unit in which values are shown, um for lengths, and the factor to it.
+-- Returns the unit in which values are printed (um for lengths), and the factor from the map's unit to it.
 function map.shown_unit(t)
   if t.unit == "mm" then return "um", 1000 end
   return t.unit, 1

@@ -1,16 +1,18 @@
--- Fits a plane or sphere to a map's heights by least squares of the vertical distances. The sphere is described by a
--- height, two slopes and a curvature, which also works for almost plane surfaces.
+-- Fits a plane or a sphere to the heights of a map by least squares of the vertical distances. The
+-- parameters of the sphere are a height, two slopes and a curvature, which also describe almost plane
+-- surfaces.
 
 local solve = require "archard.lib.linear"
 
 local form = { kinds = { "plane", "sphere" } }
 local models = {}
 
--- Returns the height and its derivatives by p at (u, v), in units of half the map's length from its middle.
+-- Returns the height of a plane at (u, v) and its derivatives by p. Lengths are in units of half the map's
+-- length; u and v are measured from the middle of the map.
 function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
 
--- Returns the height of a sphere at (u, v) and its derivatives by p. p: height, sines of both slopes at the middle,
--- curvature. Returns nil outside the sphere.
+-- Returns the height of a sphere at (u, v) and its derivatives by p, or nil outside the sphere. p: height,
+-- sines of both slopes in the middle, and curvature.
 function models.sphere(u, v, p)
   local t, s, k = p[2], p[3], p[4]
   local q, r = t + k * u, s + k * v
@@ -29,7 +31,8 @@ local function zeros(n)
   return list
 end
 
--- Returns the means over all points of J'J, J'r and r'r; nil if a point is outside the form.
+-- Returns the means over all points of J'J, J'r and r'r, where r are the residuals and J the derivatives of
+-- the form. Returns nil if a point is outside the form.
 local function normal(self, points, p)
   local n, a, b, rr = #p, {}, zeros(#p), 0
   for i = 1, n do a[i] = zeros(n) end
@@ -53,8 +56,8 @@ local function normal(self, points, p)
   return a, b, rr / #y
 end
 
--- Makes one Gauss-Newton step, halved until all points are inside the form and the residual does
--- not increase.
+-- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual
+-- does not increase. Returns the new means of `normal` and the size of the step, or nil.
 local function advance(self, points, a, b, rr)
   local right = {}
   for i = 1, #b do right[i] = { b[i] } end
@@ -74,8 +77,8 @@ local function advance(self, points, a, b, rr)
   end
 end
 
--- Scales the points to units of half the map's length about its middle and subtracts their mean height; only points
--- with is_used(x, z) are included.
+-- Returns the points in units of half the map's length, measured from its middle, without their mean
+-- height. Only points with is_used(x, z) are included.
 local function scaled(self, x, z, y, is_used)
   local points, sum = { u = {}, v = {}, y = {}, g = {} }, 0
   for i = 1, #x do
@@ -96,7 +99,8 @@ end
 local shape = {}
 shape.__index = shape
 
--- form.fit("plane" or "sphere", x, z, y, is_used(x, z) or nil) -> the form, or nil if the points do not determine it.
+-- Fits a form ("plane" or "sphere") to the points with is_used(x, z), or to all points. Returns the form,
+-- or nil if the points do not determine it.
 function form.fit(kind, x, z, y, is_used)
   local self = setmetatable({ kind = kind, x = (x[1] + x[#x]) / 2, z = (z[1] + z[#z]) / 2,
     half = math.max(x[#x] - x[1], z[#z] - z[1]) / 2, p = zeros(kind == "plane" and 3 or 4) }, shape)
@@ -118,7 +122,7 @@ function shape:height(x, z)
   return value and (value + self.mean) * self.half
 end
 
--- Returns the radius [mm], or nil for a plane.
+-- Returns the radius of the sphere [mm], or nil for a plane.
 function shape:radius() return self.p[4] and self.half / math.abs(self.p[4]) end
 
 return form

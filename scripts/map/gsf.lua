@@ -1,5 +1,6 @@
--- Reads and writes Gwyddion Simple Field files: header lines "name = value", zero bytes up to a multiple of four,
--- single-precision numbers by rows from the top. Units have no prefix; points are in the middle of cells.
+-- Reads and writes Gwyddion Simple Field files. Such a file has header lines "name = value", zero bytes up
+-- to a multiple of four, and single-precision numbers by rows from the top. Units have no prefix; points
+-- are in the middle of cells.
 
 local axis = require "archard.map.axis"
 local files = require "archard.files"
@@ -40,7 +41,7 @@ function gsf.read(source)
     unit_y = header.ZUnits, name = header.Title }
 end
 
--- Returns the content of a .gsf file for a map, with lengths in m and pressures in Pa.
+-- Returns the content of a .gsf file for a map. Lengths are converted to m and pressures to Pa.
 function gsf.text(t)
   local nx, nz, dx, dz = #t.x, #t.z, axis.step(t.x) / 1000, axis.step(t.z) / 1000
   local pressure = t.unit == "MPa"

@@ -1,5 +1,5 @@
--- map{ x=, z=, y= } and map.read: heights, depths or pressures over a rectangle. This module only lists the public
--- functions, of map/made.lua and map/read.lua.
+-- map{ x=, z=, y= } and map.read make maps of heights, depths or pressures over a rectangle. This module
+-- only lists the public functions of map/made.lua and map/read.lua.
 
 local lazy = require "archard.lib.lazy"
 

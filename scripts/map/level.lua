@@ -1,4 +1,5 @@
--- t:level: subtracts the plane or sphere fitted to the unworn part of a map.
+-- t:level subtracts a plane or a sphere from a map. The form is fitted to all points or only to the unworn
+-- part of the map.
 
 local check = require "archard.lib.check"
 local form = require "archard.map.form"
@@ -17,7 +18,8 @@ local function refuse(where, kind, scar)
     scar and " outside the scar" or ""))
 end
 
--- (where, map, kind, scar or nil) -> the map minus the form fitted outside the scar.
+-- Returns a map minus the form that was fitted outside the scar. scar: { x0, x1, z0, z1 } [mm], or nil to
+-- fit all points.
 function level.off(where, t, kind, scar)
   local found, y = form.fit(kind, t.x, t.z, t.y, outside(scar)), {}
   if not found then refuse(where, kind, scar) end

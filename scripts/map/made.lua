@@ -1,4 +1,4 @@
--- map{ x=, z=, y= }: checks the fields and makes a map (class.lua).
+-- map{ x=, z=, y= } checks the fields of the user and makes a map (class.lua).
 
 local check = require "archard.lib.check"
 local map = require "archard.map.class"
@@ -11,14 +11,14 @@ local fields = { x = check.list, z = check.list, y = values, unit = check.text, 
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- Calls a user's function; its errors are raised again without the position that Lua adds.
+-- Calls a function of the user. An error is raised again without the position that Lua adds.
 local function called(f, x, z)
   local fine, value = pcall(f, x, z)
   if not fine then error(value, 0) end
   return value or false
 end
 
--- Returns the values of a function at all points.
+-- Returns the values of a function f(x, z) at all points of a map.
 local function sampled(f, x, z)
   local y = {}
   for i = 1, #x do for j = 1, #z do y[#y + 1] = called(f, x[i], z[j]) end end

@@ -1,4 +1,5 @@
--- map.read: recognizes the format of a file, converts its units, and crops, repairs and levels its points.
+-- map.read recognizes the format of a file, reads a map, converts units, and crops, repairs and levels the
+-- map.
 
 local check = require "archard.lib.check"
 local level = require "archard.map.level"
@@ -36,7 +37,8 @@ for _, version in ipairs{ "ISO-1.0", "ISO-2.0", "BCR-1.0" } do
   end
 end
 
--- Reads a text file; files with zero bytes are refused, as binary formats contain them near the start.
+-- Reads a text file: a matrix if the user gave `step`, else a list of points. A file with a zero byte near
+-- the start is binary and is refused.
 local function read_text(file, given)
   if file.text:sub(1, 4096):find "%z" then
     file:refuse("expected .xyz, .grd, .sdf, .gsf, .sur, .al3d or text, got other bytes: %q", file.text:sub(1, 12))
@@ -65,7 +67,7 @@ local unit_kind = check.kind('a unit such as "um", or { x="mm", y="um" }', funct
   return type(v) == "string" or type(v) == "table"
 end)
 
--- Returns the unit of x or y: the unit of the file, else the one given by the user.
+-- Returns the unit of x or y. The unit in the file has priority over the unit given by the user.
 local function unit_of(file, of_file, given, name)
   local stated = given
   if type(given) == "table" then
@@ -121,7 +123,7 @@ local function repaired(file, t, given)
   for k = 1, #y do if y[k] ~= y[k] then y[k] = given.fill end end
 end
 
--- map.read(path, { unit=, step=, crop=, outliers=, fill=, level=, scar= })
+-- map.read(path, { unit=, step=, crop=, outliers=, fill=, level=, scar= }) reads a map from a file.
 local function read(path, given)
   given = check.definition(where, given or {}, fields)
   if not check.file.test(path) then check.fail(where, "expected the path of a file, got " .. check.shown(path)) end

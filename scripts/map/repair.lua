@@ -1,10 +1,10 @@
--- Repairs points of a measured map: missing values and outliers.
+-- Replaces missing values and outliers of a measured map.
 
 local noise = require "archard.profile.noise"
 
 local repair = {}
 
--- Calls f(index) for each of the up to eight neighbours of the point (i, j).
+-- Calls f(index) for each neighbour of the point (i, j). A point has up to eight neighbours.
 local function each_neighbour(nx, nz, i, j, f)
   for a = math.max(1, i - 1), math.min(nx, i + 1) do
     for b = math.max(1, j - 1), math.min(nz, j + 1) do
@@ -13,7 +13,7 @@ local function each_neighbour(nx, nz, i, j, f)
   end
 end
 
--- Returns the values of those neighbours of a point that have a value.
+-- Returns the values of the neighbours of a point. Neighbours without a value are omitted.
 local function values_around(y, nx, nz, i, j)
   local list = {}
   each_neighbour(nx, nz, i, j, function(k) if y[k] == y[k] then list[#list + 1] = y[k] end end)
@@ -33,8 +33,8 @@ function repair.count_missing(y)
   return count, first
 end
 
--- Replaces points that differ from the median of their neighbours by more than `limit` times the scatter of these
--- differences; returns the number of replaced points.
+-- Replaces each value that differs from the median of its neighbours by more than `limit` times the scatter
+-- of these differences. Returns the number of replaced points.
 function repair.outliers(y, nx, nz, limit)
   local middle, off = {}, {}
   for i = 1, nx do
@@ -52,8 +52,8 @@ function repair.outliers(y, nx, nz, limit)
   return count
 end
 
--- Fills missing values with the mean of their neighbours, ring by ring from the edge of each hole; returns the indices
--- of these points.
+-- Fills missing values with the mean of their neighbours, ring by ring from the edge of each hole. Returns
+-- the indices of the filled points.
 local function grow(y, nx, nz)
   local holes = {}
   for k = 1, #y do if y[k] ~= y[k] then holes[#holes + 1] = k end end
@@ -71,10 +71,10 @@ local function grow(y, nx, nz)
   return all
 end
 
-local sweeps, most_visits = 400, 2e7 -- enough iterations for a hole 20 points wide
+local sweeps, most_visits = 400, 2e7 -- limits of the iteration; enough for a hole 20 points wide
 
--- Fills missing values such that each is the mean of its four neighbours, by iteration. At least one point must have a
--- value.
+-- Fills missing values by iteration, until each is nearly the mean of its four neighbours. At least one
+-- point must have a value.
 function repair.fill(y, nx, nz)
   local holes = grow(y, nx, nz)
   for _ = 1, math.min(sweeps, most_visits // math.max(1, #holes)) do

@@ -1,9 +1,9 @@
--- Reads surface data files (ISO 25178-71), text and binary, versions 1.0 (and its predecessor BCR-1.0) and 2.0. Lengths
--- are in metres; rows start at the smallest y.
+-- Reads surface data files (ISO 25178-71), text or binary: version 1.0, its predecessor BCR-1.0, and
+-- version 2.0. Lengths are in metres. Rows start at the smallest y.
 
 local axis = require "archard.map.axis"
 
--- Format of a binary item by DataType, and the value of missing points.
+-- Format of a binary number and the value that marks a missing point, for each DataType of the file.
 local types = { [0] = { "<I1" }, { "<I2", 65535 }, { "<I4", 4294967295 }, { "<f" }, { "<i1" }, { "<i2", -32768 },
   { "<i4", -2147483648 }, { "<d" } }
 
@@ -48,7 +48,8 @@ local function checked(source, header)
   return source:count(header.NumPoints, "NumPoints"), source:count(header.NumProfiles, "NumProfiles")
 end
 
--- (source, magic): magic is the first bytes of the file, such as "aISO-1.0".
+-- Reads a map from the source. magic: the first bytes of the file, such as "aISO-1.0"; "a" means text, "b"
+-- binary.
 return function(source, magic)
   local version, is_text = magic:sub(2), magic:sub(1, 1) == "a"
   source.at = 9

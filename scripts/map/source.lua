@@ -1,5 +1,5 @@
--- A map file during reading: reads its bytes in order, raises errors with its name, and reads grids of values. Sizes
--- from a header are compared with the size of the file before memory is allocated.
+-- A map file during reading: reads its bytes in order, reads grids of values, and raises errors with the
+-- name of the file. Sizes from a header are compared with the size of the file before memory is allocated.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -21,7 +21,7 @@ end
 
 function source:starts_with(text) return self.text:sub(1, #text) == text end
 
--- Reads the next values in a format of string.unpack; `what`: their name in errors.
+-- Reads the next values in a format of string.unpack. what: name of the values in errors.
 function source:take(format, what)
   local size = string.packsize(format)
   if #self.text < self.at + size - 1 then
@@ -32,12 +32,12 @@ function source:take(format, what)
   return table.unpack(values, 1, values.n - 1)
 end
 
--- Reads the next `size` bytes up to a zero byte, without blanks at both ends.
+-- Returns the text in the next `size` bytes, up to a zero byte, without blanks at both ends.
 function source:take_text(size, what)
   return (self:take("c" .. size, what):match("^[^\0]*"):match("^%s*(.-)%s*$"))
 end
 
--- Checks a number of points from a header.
+-- Checks and returns a number of points from a header.
 function source:count(value, what)
   if not (math.type(value) == "integer" and value >= 2) then
     self:refuse("expected %s, a whole number >= 2, got %s", what, tostring(value))
@@ -45,7 +45,7 @@ function source:count(value, what)
   return value
 end
 
--- Checks a step or scale from a header.
+-- Checks and returns a step or a scale from a header, which must be > 0.
 function source:positive(value, what)
   if not (type(value) == "number" and value > 0 and value < math.huge) then
     self:refuse("expected %s > 0, got %s", what, value ~= value and "nan" or tostring(value))
@@ -53,14 +53,15 @@ function source:positive(value, what)
   return value
 end
 
--- Returns the number in a text, or nil.
+-- Returns the number that a text contains, or nil.
 function source.number(word)
   if not word or not word:find "^[+-]?[%d.]" or word:find "^[+-]?0[xX]" then return nil end
   local value = tonumber(word)
   return value and value + 0.0
 end
 
--- Raises an error if the file has fewer bytes left than nx times nz values need.
+-- Raises an error if the rest of the file is too small for nz rows of nx values. size: bytes of a value;
+-- row: bytes from one row to the next.
 function source:check_size(nx, nz, size, row)
   local needed, left = row * (nz - 1) + size * nx, #self.text - self.at + 1
   if needed > left then
@@ -69,7 +70,7 @@ function source:check_size(nx, nz, size, row)
   end
 end
 
--- Returns a finite or missing value; refuses infinite ones.
+-- Returns a finite or missing value. An infinite value is an error; i, j: point and row for its message.
 function source:checked(value, i, j)
   if value == math.huge or value == -math.huge then
     self:refuse("point %d of row %d: expected a finite number, got %g", i, j, value)
@@ -77,10 +78,11 @@ function source:checked(value, i, j)
   return value
 end
 
--- Callers make the lists of x and z after reading the values, which checks nx and nz.
+-- Grids check nx and nz. Callers therefore make the lists of x and z only after reading the values.
 
--- Reads values in the binary format `item`, in rows of nx, into a flat list by rows of x. options: from_top: rows start
--- at the largest z; row: bytes from one row to the next; is_missing(value).
+-- Reads nz rows of nx values in the binary format `item` and returns a flat list by rows of x.
+-- options.from_top: true if rows start at the largest z; options.row: bytes from one row to the next;
+-- options.is_missing(value): true for a missing value.
 function source:grid(nx, nz, item, options)
   local size, y, from = string.packsize(item), {}, self.at
   local row = options.row or size * nx
@@ -97,8 +99,9 @@ function source:grid(nx, nz, item, options)
   return y
 end
 
--- Reads values from words instead of binary items, beginning at self.at. `bad` is the word for a
--- missing value. Further words are ignored.
+-- Reads nz rows of nx values as words of a text, from self.at on, and returns a flat list by rows of x.
+-- options.bad: word for a missing value; options.is_missing(value): true for a missing value. Further words
+-- in the file are ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
   if nx * nz > (left + 1) // 2 then -- at least a digit and a blank for each value

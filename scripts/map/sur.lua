@@ -1,5 +1,5 @@
--- Reads uncompressed .sur files of Digital Surf: a header of 512 bytes, then integers by rows from the top; heights are
--- multiples of a step.
+-- Reads uncompressed .sur files of Digital Surf. Such a file has a header of 512 bytes, then integers by
+-- rows from the top. A height is the integer times a step.
 
 local axis = require "archard.map.axis"
 
@@ -12,7 +12,7 @@ end
 local kinds = { [1] = "one profile", [2] = "a surface", [3] = "a binary image", [4] = "a series of profiles",
   [5] = "a series of surfaces" }
 
--- Reads the part of the header from the object's name to the number of points.
+-- Reads the part of the header from the name of the object to the number of points.
 local function sizes(source, order)
   source:take("c60c6", "the names of object and operator")
   local special, _ = source:take(order .. "i2i2c8", "the special points")
@@ -31,7 +31,7 @@ local function scales(source, order)
     dy = source:positive(dy, "the step of z"), unit_x = unit_of(source, unit_x, "x"), unit_y = unit_of(source, unit_y, "z") }
 end
 
--- Reads the offsets of x, y and z and moves to the first point.
+-- Returns the offsets of x, z and y in the header, and moves to the first point.
 local function offsets(source, order)
   source.at = 335
   local comment, private = source:take(order .. "I2I2", "the length of the comment")

@@ -1,5 +1,5 @@
--- Reads Golden Software's Surfer grids: text (DSAA), Surfer 6 (DSBB) and Surfer 7 (DSRB). Rows start at the smallest y.
--- The files contain no units.
+-- Reads Surfer grids of Golden Software: text (DSAA), Surfer 6 (DSBB) and Surfer 7 (DSRB). Rows start at
+-- the smallest y. The files contain no units.
 
 local axis = require "archard.map.axis"
 
@@ -51,7 +51,7 @@ end
 
 local sections = { header = 0x42525344, grid = 0x44495247, data = 0x41544144 }
 
--- Moves to the section with this name and returns its size.
+-- Moves to the section `name` of the file and returns its size in bytes.
 local function go_to(source, name)
   while true do
     local id, size = source:take("<i4i4", ("the %s section"):format(name))

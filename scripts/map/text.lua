@@ -1,5 +1,5 @@
--- Reads maps as text: points "x y z", one on each line, in any order, or matrices of heights, one row on each line,
--- starting at the smallest z.
+-- Reads maps as text. The text has either points "x y z", one on each line, in any order, or a matrix of
+-- heights, one row on each line, starting at the smallest z.
 
 local axis = require "archard.map.axis"
 local units = require "archard.lib.csv_units"
@@ -15,7 +15,8 @@ local function words_of(line)
   return words
 end
 
--- Calls row(words, number) for each line of numbers, and header(line) for a line of names before them.
+-- Calls row(words, number) for each line of numbers, with the number of the line, and header(line) for each
+-- line of names before them.
 local function each_line(source, row, header)
   local number, count = 0, 0
   for line in (source.text:gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch "(.-)\r?\n" do
@@ -40,7 +41,7 @@ local function number_in(source, word, line)
   return source.missing
 end
 
--- Returns the units after the names of the three columns, if any.
+-- Returns the unit of x and y and the unit of z from a line of names, or nil if the line has no units.
 local function header_units(source, line)
   local found = {}
   for unit in line:gmatch "[%[(]%s*([^%])]-)%s*[%])]" do found[#found + 1] = unit end
@@ -53,8 +54,8 @@ end
 
 -- --- points -----------------------------------------------------------------------------------------
 
--- Groups values that differ by less than a third of the largest gap between neighbours. Returns the mean of each group,
--- and for each value the index of its group.
+-- Groups values that differ by less than a third of the largest gap between neighbours. Returns the mean of
+-- each group, and a list with the group index of each value.
 local function levels(values)
   local order, gap = {}, 0
   for i = 1, #values do order[i] = i end

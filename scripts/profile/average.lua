@@ -2,8 +2,8 @@
 
 local average = {}
 
--- Averages over cells of width `step`. Returns lists of x, z and the number of points in each cell;
--- if a cell has no points, nil and its position.
+-- Averages the points of a trace over cells of width `step`. Returns lists of the cells' positions, mean
+-- heights and numbers of points. If a cell has no points, returns nil and its position.
 function average.cells(x, z, step)
   local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
   local first = (x[1] + x[#x] - (count - 1) * step) / 2
@@ -21,7 +21,8 @@ function average.cells(x, z, step)
   return cx, cz, counts
 end
 
--- Returns z at the increasing positions `at` within the range of x, by linear interpolation.
+-- Returns the heights at the increasing positions `at`, which must be within the range of x, by linear
+-- interpolation.
 function average.at(x, z, at)
   local result, i = {}, 1
   for k = 1, #at do
@@ -32,8 +33,9 @@ function average.at(x, z, at)
   return result
 end
 
--- Returns the weighted mean of several lists of heights with equal positions, and the standard
--- error of this mean from the differences between the traces.
+-- Returns the weighted mean of several traces with equal positions, and the standard error of this mean.
+-- The error is computed from the differences between the traces. lists: heights of each trace; errors:
+-- standard error of each trace, which sets its weight.
 function average.traces(lists, errors)
   local weights, total = {}, 0
   for t, e in ipairs(errors) do

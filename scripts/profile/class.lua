@@ -1,5 +1,6 @@
--- Class profile: a measured trace with positions x and heights z (or depths h) in mm, its noise, and the processing
--- applied. Each method returns a new profile. Results are computed in evaluate.lua.
+-- Class profile: a measured trace with positions x and heights z (or depths h) in mm, its noise, and the
+-- processing that was applied. Each method returns a new profile. evaluate.lua adds the methods that return
+-- results.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -28,7 +29,7 @@ end
 
 -- --- making ---------------------------------------------------------------------------------------
 
--- Returns the heights; for a profile of depths the negative depths.
+-- Returns the heights of a profile. For a profile of depths, these are the negative depths.
 function profile.heights(p)
   if p.z then return p.z end
   local z = {}
@@ -38,8 +39,8 @@ end
 
 function profile.step(p) return (p.x[#p.x] - p.x[1]) / (#p.x - 1) end
 
--- Returns a profile with new positions, heights and changed fields; `into` "z" or "h" converts to
--- heights or depths.
+-- Returns a profile with new positions x, new heights z and changed fields. into: "z" to store heights or
+-- "h" to store depths; default: as in p.
 function profile.derived(p, x, z, changes, into)
   local result = merged(p, changes)
   result.x, result.z, result.h = x, z, nil
@@ -50,7 +51,8 @@ function profile.derived(p, x, z, changes, into)
   return setmetatable(result, class)
 end
 
--- Sorts and checks the points. Points with NaN are removed and counted.
+-- Checks the points and returns them with increasing x. Points with NaN are removed; their number is
+-- returned too.
 local function clean(where, x, z, name)
   local cx, cz, missing = {}, {}, 0
   for i = 1, #x do
@@ -81,7 +83,9 @@ local function clean(where, x, z, name)
   return cx, cz, missing
 end
 
--- (where, x, values, "z" or "h", noise or nil, path or nil), lengths in mm. Checks the lists.
+-- Makes a profile from lists of positions and values [mm], and checks the lists. name: "z" for heights, "h"
+-- for depths; given: standard deviation of the noise, or nil to estimate it; path: file of the trace, or
+-- nil.
 function profile.new(where, x, values, name, given, path)
   if #x ~= #values then
     check.fail(where, ("fields 'x' and '%s': expected lists of equal length, got %d and %d")
@@ -101,7 +105,7 @@ local range = check.kind('"auto" or { from, to } in mm, from < to', function(v)
 end)
 profile.range, profile.level_kind = range, check.one_of(form.kinds)
 
--- Returns the heights before a form was subtracted.
+-- Returns the heights of a profile as they were before a form was subtracted.
 local function original(p)
   local z, off = profile.heights(p), p.removed
   if not off then return z end
@@ -126,7 +130,8 @@ local function fitted(where, p, z, kind, worn)
   return found, from and { from, to }, is_used
 end
 
--- Subtracts the form fitted to all points or, with `worn`, to the points beside the scar.
+-- Returns a profile minus a form. The form is fitted to all points or, if `worn` is given, to the points
+-- beside the scar.
 function profile.level(where, p, kind, worn)
   local z = original(p)
   local found, scar_at, is_used = fitted(where, p, z, kind, worn)
@@ -140,7 +145,7 @@ function profile.level(where, p, kind, worn)
     length = length }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
-  result.removed = found -- to repeat the levelling, and for the uncertainty of areas
+  result.removed = found -- for repeated levelling and for the uncertainty of areas
   return result
 end
 
@@ -155,7 +160,7 @@ end
 
 -- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- Returns the step of x, which must be even to a twentieth.
+-- Returns the mean step of x. Steps that are not even to a twentieth are an error.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do
@@ -167,8 +172,8 @@ function profile.even_step(where, p)
   return step
 end
 
--- Returns the long-wave part of the heights and the step. Refuses a cut-off below two steps or
--- above the length of the trace.
+-- Returns the long-wave part of the heights, and the step of x. A cut-off below two steps or above the
+-- length of the trace is an error. name: field of the cut-off in this error.
 function profile.long_waves(where, p, z, cutoff, name)
   local step, whole = profile.even_step(where, p), p.x[#p.x] - p.x[1]
   if not (check.positive.test(cutoff) and cutoff >= 2 * step and cutoff <= whole) then
@@ -178,7 +183,8 @@ function profile.long_waves(where, p, z, cutoff, name)
   return gaussian.long(z, step, cutoff), step
 end
 
--- p:filter(cutoff [, "long" | "short"])
+-- p:filter(cutoff [, "long" | "short"]) returns the long-wave or the short-wave part of the profile.
+-- cutoff: in mm.
 function methods:filter(cutoff, part)
   local where, kinds = "profile:filter", check.one_of{ "long", "short" }
   profile.self(where, self)
@@ -194,7 +200,7 @@ function methods:filter(cutoff, part)
   return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(rest) })
 end
 
--- p:average(step): means over cells
+-- p:average(step) returns the means over cells of length `step` [mm].
 function methods:average(step)
   local where, old = "profile:average", profile.step(profile.self("profile:average", self))
   local most = (self.x[#self.x] - self.x[1]) / 4
@@ -210,7 +216,7 @@ function methods:average(step)
     correlation = math.max(step, self.correlation) })
 end
 
--- p:cut(from, to): the part between two positions
+-- p:cut(from, to) returns the part between two positions [mm].
 function methods:cut(from, to)
   local where = "profile:cut"
   profile.self(where, self)
@@ -234,7 +240,8 @@ local function copied(given)
   return list
 end
 
--- profile.mean{ p1, p2, ... }: mean over the common range of x, at the positions of the first profile
+-- profile.mean{ p1, p2, ... } returns the mean over the common range of x, at the positions of the first
+-- profile.
 function profile.mean(given)
   local where = "profile.mean"
   local from, to, traces = -math.huge, math.huge, copied(given)
@@ -264,7 +271,7 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
-local uneven = 30 -- scatter about a line in multiples of the noise beyond which the surface may be round
+local uneven = 30 -- ratio of the scatter about a line to the noise above which the surface may be round
 
 local function um(value) return ("%.4g um"):format(1000 * value) end
 

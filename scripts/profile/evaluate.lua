@@ -1,5 +1,5 @@
--- Results of a profile: depths below a reference, area and volume of the scar with their uncertainty, roughness, and
--- the start shape of a run. Methods of the class in class.lua.
+-- Adds methods with results to the class profile (class.lua): depths below a reference, area and volume of
+-- the scar with their uncertainty, roughness, and the start shape of a run.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -17,7 +17,7 @@ local methods = profile.methods
 local depth_fields = { level = profile.level_kind, scar = profile.range,
   reference = check.kind("a profile of heights", function(v) return profile.is(v) and v.z ~= nil end) }
 
--- Returns heights minus the heights of a reference trace, over their common range.
+-- Returns a profile of the heights minus the heights of a reference trace, over the common range of both.
 local function change(where, p, reference)
   local from, to = math.max(p.x[1], reference.x[1]), math.min(p.x[#p.x], reference.x[#reference.x])
   if from >= to then
@@ -33,7 +33,8 @@ local function change(where, p, reference)
   return result
 end
 
--- p:depth() | p:depth(reference) | p:depth{ reference=, level=, scar= }
+-- p:depth(), p:depth(reference) or p:depth{ reference=, level=, scar= } returns depths below a form that is
+-- fitted beside the scar. The reference trace, if any, is subtracted first.
 function methods:depth(given)
   local where = "profile:depth"
   profile.self(where, self)
@@ -52,8 +53,8 @@ end
 
 local volume_fields = { scar = profile.range, length = check.positive }
 
--- Width beside the scar, as a share of the scar's width, where material may be piled up. The form
--- is fitted outside it.
+-- Width on each side of a scar, as a share of the scar's width, where material may be piled up. The form is
+-- fitted outside this width.
 local piled_share = 0.2
 
 local function dot(weights, values)
@@ -62,8 +63,8 @@ local function dot(weights, values)
   return sum
 end
 
--- Returns the depths and the ends of the scar. Heights are levelled beside the scar; depths are
--- levelled again only for "auto".
+-- Returns a profile of depths and the positions of both ends of its scar. Heights are levelled beside the
+-- scar; depths are levelled again only if options.scar is "auto".
 local function scar_of(p, options)
   if p.h and options.scar ~= "auto" then
     local at = options.scar or p.scar and { p.scar.from, p.scar.to } or { p.x[1], p.x[#p.x] }
@@ -77,8 +78,8 @@ local function scar_of(p, options)
   return depths, depths.scar.from, depths.scar.to
 end
 
--- Returns the standard errors of the weighted sum: from the scatter within the scar, and from the
--- fitted line or circle.
+-- Returns two standard errors of the weighted sum of the depths: the first from the scatter within the
+-- scar, the second from the fitted line or circle. width: width of the scar [mm].
 local function errors_of(p, weights, width)
   local deviation = p.scatter and p.scatter.deviation or p.error
   local length = p.scatter and p.scatter.length or p.correlation
@@ -87,7 +88,8 @@ local function errors_of(p, weights, width)
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end
 
--- Returns the largest mean depth over a fiftieth of the scar's width, or over one point.
+-- Returns the largest depth of a scar [mm], as a mean over a fiftieth of the scar's width but at least over
+-- one step.
 local function deepest(p, from, to)
   local cell = math.max((to - from) / 50, profile.step(p))
   local part = p:cut(from, to)
@@ -96,7 +98,8 @@ local function deepest(p, from, to)
   return math.max(table.unpack(h, 1, math.min(#h, 200)))
 end
 
--- p:volume{ scar=, length= }
+-- p:volume{ scar=, length= } returns the area, volume and depth of the scar, and the errors of area and
+-- volume.
 function methods:volume(given)
   local where = "profile:volume"
   profile.self(where, self)
@@ -127,8 +130,8 @@ local function without_line(x, z)
   return rest
 end
 
--- Returns the number of points in a sampling length and the number of sampling lengths; half a
--- cut-off is excluded at both ends.
+-- Returns the number of points in a sampling length, and the number of sampling lengths. Half a cut-off is
+-- excluded at each end of the trace.
 local function section_counts(where, p, step, cutoff, wanted)
   local size = math.floor(cutoff / step + 0.5)
   local there = (#p.x - 2 * math.ceil(cutoff / step / 2)) // size
@@ -144,7 +147,7 @@ local function middle_part(z, count)
   return table.move(z, first + 1, first + count, 1, {})
 end
 
--- p:roughness{ cutoff=, short=, sections= }
+-- p:roughness{ cutoff=, short=, sections= } returns the roughness parameters of the profile.
 function methods:roughness(given)
   local where = "profile:roughness"
   profile.self(where, self)
@@ -171,8 +174,8 @@ end
 
 -- --- start of a run --------------------------------------------------------------------------------------
 
--- Returns the initial depths of a run. Heights are measured from the highest point. Of depths,
--- values above the form within the scatter become 0.
+-- Returns the initial depths of a run. Heights are converted to depths below the highest point. If the
+-- profile has depths, negative depths within the scatter become 0; larger negative depths are an error.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then
@@ -192,9 +195,9 @@ local function start_of(p)
   return h
 end
 
-local clear = 5 -- a tilt is reported if the ends differ by more than this multiple of the scatter
+local clear = 5 -- smallest tilt that is reported, as difference between both ends in multiples of the scatter
 
--- Warns if a trace that was not levelled has a clear tilt, which may come from the instrument.
+-- Warns if a trace that was not levelled is clearly tilted, since the tilt may come from the instrument.
 local function warn_of_tilt(p)
   local line = p.z and not p.form and scar.find(p.x, p.z, "line")
   if not line then return end
@@ -206,7 +209,7 @@ local function warn_of_tilt(p)
   end
 end
 
--- Returns { x =, h = }, the initial depths for worn = { plate = p }.
+-- Returns the initial depths { x=, h= } of a run with worn = { plate = p }.
 function profile.class.__worn(p)
   warn_of_tilt(p)
   return { x = p.x, h = start_of(p) }

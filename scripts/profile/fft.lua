@@ -1,4 +1,5 @@
--- Discrete Fourier transform of 2^m complex numbers in place, as two lists, real and imaginary.
+-- Discrete Fourier transform of 2^m complex numbers in place. The real and the imaginary parts are two
+-- lists.
 
 -- Reorders the numbers by bit reversal of their indices.
 local function reorder(re, im, count)
@@ -14,7 +15,7 @@ local function reorder(re, im, count)
   end
 end
 
--- Cosines and sines of half a turn, each computed directly so that rounding errors do not
+-- Returns the cosines and sines of half a turn. Each is computed directly, so that rounding errors do not
 -- accumulate.
 local function twiddles(count, sign)
   local c, s = {}, {}
@@ -25,8 +26,8 @@ local function twiddles(count, sign)
   return c, s
 end
 
--- (re, im, sign): computes the sum over j of (re + i im)[j] exp(sign 2 pi i j k / count).
--- Transforms with both signs in turn return count times the input.
+-- Replaces the numbers by their transform: number k is the sum over j of (re + i im)[j] exp(sign 2 pi i j k
+-- / count). sign: 1 or -1. Transforms with both signs in turn give count times the input.
 return function(re, im, sign)
   local count = #re
   local cosines, sines = twiddles(count, sign)

@@ -1,5 +1,6 @@
--- Fits a line or circle to heights by least squares of the vertical distances, with its standard errors. The circle is
--- described by a height, a slope and a curvature, which also works for almost straight traces.
+-- Fits a line or a circle to heights by least squares of the vertical distances, with standard errors. The
+-- parameters of the circle are a height, a slope and a curvature, which also describe almost straight
+-- traces.
 
 local solve = require "archard.lib.linear"
 local strict = require "archard.strict"
@@ -8,7 +9,8 @@ local form = { kinds = { "line", "circle" } }
 local shape = {} -- methods of a form
 local class = { __name = "form", __methods = shape, __fields = {} }
 
--- Returns the height at u and its derivatives by p; lengths in units of half the trace's length, from its middle.
+-- Functions that return the height of a form at u and its derivatives by the parameters p. Lengths are in
+-- units of half the trace's length; u is measured from the middle of the trace.
 local models = {}
 
 function models.line(u, p) return p[1] + p[2] * u, 1, u end
@@ -25,7 +27,8 @@ function models.circle(u, p)
     u * u / sum + rise * q * u / d / sum ^ 2
 end
 
--- Returns sums over the points, J'J, J'r, r'r; nil if a point is outside the form.
+-- Returns J'J, J'r and r'r as sums over the points, and the number of points; r are the residuals and J the
+-- derivatives of the form. Returns nil if a point is outside the form.
 local function normal(self, x, z, is_used)
   local a11, a12, a13, a22, a23, a33, b1, b2, b3, rr, count = 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
   local model, p, middle, half = models[self.kind], self.p, self.middle, self.half
@@ -44,8 +47,8 @@ local function normal(self, x, z, is_used)
   return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
 end
 
--- Makes one Gauss-Newton step, halved until all points are inside the form and the residual does
--- not increase.
+-- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual
+-- does not increase. Returns the new sums of `normal` and the size of the step, or nil.
 local function advance(self, x, z, is_used, a, b, rr)
   local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end
@@ -73,7 +76,8 @@ local function identity(n)
   return rows
 end
 
--- form.fit("line" or "circle", x, z, is_used(x) or nil) -> the form, or nil if the points do not determine it.
+-- Fits a form ("line" or "circle") to the points with is_used(x), or to all points. Returns the form, or
+-- nil if the points do not determine it.
 function form.fit(kind, x, z, is_used)
   local self = setmetatable({ kind = kind, middle = (x[1] + x[#x]) / 2, half = (x[#x] - x[1]) / 2,
     p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, class)
@@ -100,12 +104,13 @@ function shape:height(x)
   return value and value * self.half
 end
 
--- Returns the curvature [1/mm], <= 0 on a convex body, and the radius [mm].
+-- Returns the curvature [1/mm], which is <= 0 on a convex body.
 function shape:curvature() return (self.p[3] or 0) / self.half end
+-- Returns the radius [mm], which is infinite for a line.
 function shape:radius() return 1 / math.abs(self:curvature()) end
 
--- Returns the variance of the sum of weights[i] * height(x[i]) for independent heights of variance
--- 1.
+-- Returns the variance of the sum of weights[i] * height(x[i]), if the fitted heights are independent with
+-- a variance of 1.
 function shape:variance(x, weights)
   local g = {}
   for c = 1, #self.p do g[c] = 0 end

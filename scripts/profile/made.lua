@@ -1,5 +1,5 @@
--- profile{ x=, z= } and profile.read: checks the fields, converts lengths to mm and makes a profile (class.lua,
--- evaluate.lua).
+-- profile{ x=, z= } and profile.read check the user's fields, convert lengths to mm and make a profile
+-- (class.lua, evaluate.lua).
 
 local check = require "archard.lib.check"
 local csv = require "archard.lib.csv"
@@ -32,8 +32,8 @@ local function one_of_both(where, given)
   return given.z and "z" or "h"
 end
 
--- Levels, then filters a profile, as the filter does not change a line and changes a circle little,
--- mostly at the ends.
+-- Levels and filters a profile as the user's fields require. It is levelled first, since the filter does
+-- not change a line, and changes a circle little, mostly at the ends.
 local function treated(where, p, given)
   if given.scar and not given.level then
     check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")
@@ -81,13 +81,12 @@ local function unit_of(where, given, name)
   return unit
 end
 
--- Returns the first of the usual column names that the file has, or nil.
+-- Returns the first of the usual column names that the file contains, or nil.
 local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
--- Returns the values of a column in mm; a unit in the header has priority over the one given by the
--- user.
+-- Returns the values of a column in mm. A unit in the header has priority over the unit given by the user.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]

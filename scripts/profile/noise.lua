@@ -1,4 +1,4 @@
--- Standard deviation and correlation length of a trace's noise.
+-- Estimates the standard deviation and the correlation length of the noise of a trace.
 
 local noise = {}
 
@@ -8,16 +8,17 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Returns a robust standard deviation from the median of distances from the median, which outliers
--- do not change.
+-- Returns a robust standard deviation of the numbers in a list, which is overwritten. It is computed from
+-- the median of the distances from the median, so that outliers hardly change it.
 function noise.robust(list)
   local middle = median(list)
   for i = 1, #list do list[i] = math.abs(list[i] - middle) end
   return 1.482602218505602 * median(list)
 end
 
--- Returns the standard deviation of white noise from the distances of points from the line between
--- their neighbours; the median removes the curvature of the form. 20000 points give 1 % accuracy.
+-- Returns the standard deviation of white noise. It is computed from the distances of points from the lines
+-- between their neighbours; their median is not sensitive to the curvature of the form. Of a long trace,
+-- about 20000 points are used, which give an accuracy of 1 %.
 function noise.estimate(x, z)
   local offs, stride = {}, math.max(1, (#x - 2) // 20000)
   for i = 2, #x - 1, stride do
@@ -34,8 +35,8 @@ local function covariance(list, lag, mean)
   return sum / (#list - lag)
 end
 
--- Returns the integral of the autocorrelation in points, 1 for independent points. The sum ends
--- where the correlation is no longer significant; lags increase by a quarter to limit the cost for
+-- Returns the integral of the autocorrelation in points, which is 1 for independent points. The sum ends
+-- where the correlation is no longer significant. The lags increase by a quarter, which limits the cost for
 -- long traces.
 function noise.length(list)
   local mean = 0

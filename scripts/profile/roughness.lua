@@ -1,4 +1,5 @@
--- Profile parameters by ISO 21920-2 (names as in ISO 4287), from heights about their mean line at even steps.
+-- Computes profile parameters by ISO 21920-2 (with the names of ISO 4287) from heights about their mean
+-- line at even steps.
 
 local roughness = {}
 
@@ -16,7 +17,8 @@ local function extremes(z, first, last)
   return low, high
 end
 
--- Returns Rp and Rv, the means over the sections of the largest peak and the largest depth.
+-- Returns Rp and Rv: the largest peak height and the largest valley depth of each section, averaged over
+-- the sections.
 local function sections(z, size, count)
   local p, v = 0, 0
   for section = 1, count do
@@ -26,8 +28,8 @@ local function sections(z, size, count)
   return p, v
 end
 
--- Returns the mean width of profile elements, between upward crossings of the mean line with a
--- valley and a hill beyond a tenth of Rz; nil for fewer than two crossings.
+-- Returns the mean width of the profile elements, or nil for fewer than two crossings. An element is
+-- between two upward crossings of the mean line; it has a valley and a hill beyond a tenth of Rz.
 local function width(z, step, height)
   local limit, state, crossing, first, last, count = height / 10, nil, nil, nil, nil, -1
   for i = 2, #z do
@@ -41,7 +43,7 @@ local function width(z, step, height)
   return count > 0 and (last - first) / count or nil
 end
 
--- Returns the root mean square slope by the formula for seven points.
+-- Returns the root mean square slope of the heights, by the formula for seven points.
 local function slope(z, step)
   local sum = 0
   for i = 4, #z - 3 do
@@ -51,7 +53,8 @@ local function slope(z, step)
   return math.sqrt(sum / (#z - 6))
 end
 
--- (heights [mm], step [mm], points of a section, sections, "R" or "P") -> Ra, Rq, ... in mm by name
+-- Returns the parameters Ra, Rq, ... by name, with lengths in mm. z: heights [mm]; step: [mm]; size: number
+-- of points of a section; count: number of sections; letter: "R" or "P", for the names.
 function roughness.of(z, step, size, count, letter)
   local middle = mean_power(z, 1, 0)
   local heights, a = {}, 0
