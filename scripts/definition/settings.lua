@@ -228,8 +228,8 @@ function settings.same(a, b)
   return true
 end
 
--- Returns a short text for a value. Control characters are removed from strings, which may come from an
--- untrusted file.
+-- Returns a short text for a value. Control characters are removed from strings, since a string can be from
+-- an untrusted file.
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end

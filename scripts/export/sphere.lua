@@ -22,8 +22,8 @@ local function turned(R, n)
   return list
 end
 
--- Returns the corners of the lattice, [rows + 1][2 rows], as texts of their coordinates [mm]. place:
--- function that converts a direction to the frame of the cup.
+-- Returns the corners of the lattice, [rows + 1][2 rows], as texts of their coordinates [mm]. The last
+-- argument is a function that converts a direction to the frame of the cup.
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows
   for i = 0, rows do

@@ -85,7 +85,7 @@ local function lines_of(path)
   return lines
 end
 
--- Converts the values of a column from a known unit, in place.
+-- Converts the values of a column from a known unit. The list is overwritten.
 local function scale(values, unit)
   for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
 end
