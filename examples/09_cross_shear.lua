@@ -5,7 +5,7 @@
 --   archard examples/09_cross_shear.lua
 
 local reach = 0.25 -- distance from the middle at which the angle of the motion is largest [mm]
-local unidirectional, across = 0.4, 2.4 -- factor on k at CS = 0, and its slope
+local unidirectional, across = 0.4, 2.4 -- factor on k at CS = 0, and its increase with CS
 
 local function cross_shear(x)
   local angle = math.rad(35) * math.min(1, math.abs(x) / reach) -- angle of the motion at x

@@ -24,7 +24,7 @@ local f = fit{
   unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } },
   data = {
     trace("cylinder", { z = 0 }, 0.004, 1e-4), -- the ball along the motion
-    trace("cylinder", { x = 0 }, -0.006, 0), -- and across it
+    trace("cylinder", { x = 0 }, -0.006, 0), -- the ball across the motion
     trace("plate", { x = 0 }, 0.005, 5e-5),
     { of = "volume_plate", distance = 600, value = worn.volume.block * (1 + noise(0.01)), relative = 0.01 },
   },

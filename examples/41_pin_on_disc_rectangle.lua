@@ -19,7 +19,7 @@ end
 
 print("  sides     b / (a + b)  cross-shear  mm3 a million cycles  mm3 / (N m)")
 for _, b in ipairs{ 0.5, 1, 2, 3, 4, 5, 6 } do
-  local a = 12 - b -- the same path for all
+  local a = 12 - b -- all paths have the same length
   local w = wear{ model = seat, loading = rectangle(a, b), k = k, alpha = 0, cycles = 1e5, updates = 4 }:run()
   local map = w:map "cross shear"
   local n = #map.theta

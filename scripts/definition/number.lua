@@ -15,7 +15,7 @@ end
 
 -- --- settings --------------------------------------------------------------------------------------
 
-local field_of = { upper = "cylinder", lower = "plate" } -- fields of the default pair, cylinder on plate
+local field_of = { upper = "cylinder", lower = "plate" } -- model{} fields of the default pair, a cylinder on a plate
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
@@ -56,8 +56,9 @@ end
 
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
--- Returns the role of the only body of this kind, or nil. If no body has this kind, "cylinder" and "plate"
--- are read as older names of the upper and the lower body. "cylinder" therefore never means the lower body.
+-- Returns the role ("upper" or "lower") of the only body with the kind `word`, or nil. If no body has this
+-- kind, "cylinder" and "plate" are read as older names of the upper and the lower body. "cylinder"
+-- therefore never means the lower body.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end

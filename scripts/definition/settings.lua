@@ -9,7 +9,7 @@ local number = require "archard.definition.number"
 
 local settings = {}
 
--- --- flat and nested ---------------------------------------------------------------------------
+-- --- conversion of flat and nested settings ----------------------------------------------------
 
 local function is_numbers(value)
   for i = 1, #value do
@@ -37,7 +37,7 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- contains the material
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- the body includes its material
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
@@ -96,8 +96,8 @@ end
 -- Converts { model = { radius = 8 } } to { ["model.radius"] = 8 }.
 function settings.flatten(where, given) return flatten(where, {}, "", given) end
 
--- Returns a table inside `nested`, and the key in this table, for a name such as "mesh.size". Missing
--- tables are made. Whole numbers in a name are list indices.
+-- Returns the table inside `nested` that contains a field such as "mesh.size", and the key of the field in
+-- this table. Missing tables are made. Whole numbers in the name are list indices.
 function settings.place(nested, name)
   local at, last = nested, nil
   for part in name:gmatch("[^.]+") do
@@ -120,9 +120,9 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases, most_values = 1000000, 4000000 -- limits of a study, for all its cases together
+local most_cases, most_values = 1000000, 4000000 -- limits for all cases of a study together
 
--- Raises an error if a study has too many cases. how: text that explains the number.
+-- Raises an error if a study has too many cases. how: explanation of the number in the message.
 function settings.check_count(where, name, count, how)
   if count <= most_cases then return end
   check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))
@@ -217,7 +217,7 @@ function settings.join(where, base, over)
   return number.rename(settings.flatten(where, joined), names)
 end
 
--- --- comparing and naming ----------------------------------------------------------------------
+-- --- comparison and labels of cases ------------------------------------------------------------
 
 function settings.same(a, b)
   if type(a) ~= "table" or type(b) ~= "table" then return a == b end

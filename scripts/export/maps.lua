@@ -37,7 +37,7 @@ local function differ(a, b)
   return math.abs(a[1] - b[1]) > tolerance or math.abs(a[#a] - b[#b]) > tolerance
 end
 
--- Returns a list of maps from one map or a list of maps. All maps must have the same points and different
+-- Checks a map or a list of maps, and returns a list. All maps must have the same points and different
 -- names.
 local function list_of(where, given)
   if map.is(given) then return { given } end
@@ -68,8 +68,8 @@ local function add_values(lines, t)
   end
 end
 
--- Returns the maps of a body of a run (depth, height and pressure), or nil if a map fails. A groove has no
--- maps.
+-- Returns the maps of a body of a run (depth, height and pressure), or nil for a body without maps, such as
+-- a groove.
 local function maps_of(run, body)
   local list = {}
   for i, what in ipairs{ "depth", "height", "pressure" } do
@@ -124,7 +124,7 @@ function maps.write(where, list, path)
   return path
 end
 
--- --- Gwyddion and CSV -------------------------------------------------------------------------------
+-- --- GSF and CSV files ------------------------------------------------------------------------------
 
 -- export.gsf(map, path): writes a map for Gwyddion and returns the path of the file.
 function maps.gsf(t, path)

@@ -14,9 +14,9 @@ local statistics = require "archard.lib.statistics"
 
 local data = {}
 
--- --- quantities besides the columns of the history ------------------------------------------------
+-- --- quantities of the history --------------------------------------------------------------------
 
--- Quantities that are computed from columns of the history: { columns to be summed, factor, unit, meaning }
+-- Quantities that are sums of columns of the history, each as { columns, factor, unit, meaning }.
 local made = {
   volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
   width = { { "half_width" }, 2, "mm", "contact width" },

@@ -97,9 +97,9 @@ end
 
 -- --- expected standard errors --------------------------------------------------------------------
 
--- Returns one row for each unknown with 1 / prior error. The prior error is the standard deviation of a
--- uniform distribution between the bounds, or the typical range. The prior keeps the errors finite if a
--- measurement does not determine an unknown.
+-- Returns the rows of the prior, one for each unknown, with 1 / prior error. The prior error is the
+-- standard deviation of a uniform distribution between the bounds, or the typical range. The prior keeps
+-- the errors finite if a measurement does not determine an unknown.
 local function prior_rows(problem)
   local rows = {}
   for j, one in ipairs(problem.unknowns) do

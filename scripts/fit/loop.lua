@@ -70,7 +70,7 @@ local function half(along, value, from, to)
   return points
 end
 
--- Interpolates linearly between points; the value is constant beyond the ends.
+-- Returns the value at x by linear interpolation between points. Beyond an end it is the value at this end.
 local function at(points, x)
   local low, high = 1, #points
   if x <= points[low][1] then return points[low][2] end

@@ -49,7 +49,7 @@ function problem:residuals(values)
   return list
 end
 
--- Returns the residuals, if jacobian was called for the same parameter values before. Simulated values that
+-- Returns the residuals at parameter values for which jacobian was called before. Simulated values that
 -- change in steps are replaced by the values of their regression lines.
 function problem:smoothed_residuals(values)
   local list = self:residuals(values)
@@ -275,7 +275,8 @@ end
 -- fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by residual index
+    -- rippled: values in the middle of regression lines, by index of the residual
+    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {},
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
   for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end

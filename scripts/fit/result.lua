@@ -258,7 +258,8 @@ local function data_line(item)
   return line
 end
 
--- Adds the correlations to the lines, three pairs on each line. More than ten pairs are omitted altogether.
+-- Adds the correlations to the lines, three pairs on each line. If there are more than ten pairs, none is
+-- added.
 local function add_correlations(lines, self)
   local words = {}
   for a = 1, #self.names do

@@ -36,7 +36,7 @@ function runs:given(values)
   return given
 end
 
--- --- in this process -----------------------------------------------------------------------------
+-- --- runs in this process ------------------------------------------------------------------------
 
 local function fail_at(self, label, why)
   if type(why) ~= "table" then error(why, 0) end
@@ -58,7 +58,7 @@ local function compute_here(self, label, values)
   if type(self.progress) == "function" then self.progress(self.count, label) end
 end
 
--- --- by workers, with a run file -----------------------------------------------------------------
+-- --- runs by workers, with a run file ------------------------------------------------------------
 
 local function same_fit(self, store)
   local base = observe.text(self.what) .. "\n" .. self.fingerprint

@@ -11,7 +11,7 @@ local solve = {}
 -- parameter.
 local most, small = 60, 1e-4
 
--- --- linear algebra of columns -------------------------------------------------------------------
+-- --- decomposition and covariance ----------------------------------------------------------------
 
 local function flat_of(columns, scales)
   local flat, p = {}, #columns
@@ -40,8 +40,8 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Smallest singular value, relative to the largest one, that is not treated as 0. Derivatives by
--- differences are not more accurate.
+-- Singular values below this share of the largest one are treated as 0, since derivatives by differences
+-- are not more accurate.
 local blind = 1e-5
 
 -- Returns the covariance of the parameters for unit errors, and the list of directions that the data do not

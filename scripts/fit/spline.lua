@@ -3,7 +3,7 @@
 
 local spline = {}
 
-local pieces = 8 -- parts per knot interval
+local pieces = 8 -- number of points per knot interval
 
 -- Returns the slope at an inner knot: the weighted harmonic mean of the slopes on both sides, or 0 at an
 -- extremum.

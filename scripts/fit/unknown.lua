@@ -155,8 +155,8 @@ function unknown.settings(self, values)
 end
 
 -- --- bounds by a change of variables -------------------------------------------------------------
--- The search changes one variable per parameter. It is 1 at the start value and changes by about 1 over the
--- typical range of the parameter.
+-- The search changes one variable for each parameter. The variable is 1 at the start value and changes by
+-- about 1 over the typical range of the parameter.
 
 local function phase(one) -- returns the phase of the start value between both bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)

@@ -61,11 +61,11 @@ local function load_entries()
   end
 end
 
--- --- for completion and the manual ------------------------------------------------------------
+-- --- functions for completion and the manual --------------------------------------------------
 
 -- Returns the entry at an address, or nil. Fields of an entry: address, name, owner, kind, type, unit,
--- default, values; class: class of its value or result; takes: object whose definition has further fields
--- of this table; use: an example; text.
+-- default, values, text; class: class of its value or result; takes: object whose definition has further
+-- fields of this table; use: an example of its use.
 function help.entry(address)
   load_entries()
   return entries[address]
@@ -104,7 +104,7 @@ function help.definition(address, path)
   return list
 end
 
--- Returns true if the address, and the path unless it is nil, are strings.
+-- Returns true if `address` is a string and `path` is a string or nil.
 local function names_fit(address, path)
   return type(address) == "string" and (path == nil or type(path) == "string")
 end
@@ -151,7 +151,7 @@ function help.option(address, path, name)
   end
 end
 
--- --- from a value to its address --------------------------------------------------------------
+-- --- addresses of values ----------------------------------------------------------------------
 
 local function class_name(value)
   local metatable = debug.getmetatable(value)
@@ -201,7 +201,7 @@ function help.address_of(value)
   return class and entries[class] and class or nil
 end
 
--- --- finding by name ---------------------------------------------------------------------------
+-- --- search by name ----------------------------------------------------------------------------
 
 local function spoken(name)
   return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))

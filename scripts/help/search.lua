@@ -8,7 +8,7 @@ local search = {}
 -- cross_shear.
 function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
 
-local meanings = {} -- addresses of each synonym, by its plain text
+local meanings = {} -- address lists of the synonyms, by their plain text
 for name, addresses in pairs(synonyms) do meanings[search.plain(name)] = addresses end
 
 -- Returns true if a text contains all words. whole: true if only whole words count, false if parts of words
@@ -58,8 +58,8 @@ function search.words(text)
   return words
 end
 
--- Returns the entries found for a phrase, the best first, and the number of good answers: the entries that
--- a synonym lists or, without a synonym, the entries that contain the whole words.
+-- Returns the entries found for a phrase, the best first, and the number of good answers. Good answers are
+-- the entries that a synonym lists or, without a synonym, the entries that contain the whole words.
 function search.find(entries, text)
   local words, found = search.words(text), {}
   if not words[1] then return found, 0 end

@@ -14,7 +14,8 @@ local function option_of(class, setting)
     text = setting.text }
 end
 
--- Returns entries for the lists distance and value of a quantity that may vary over the distance.
+-- Returns entries for the fields distance and value of a table over the distance, such as wear{k.distance}
+-- and wear{k.value}.
 local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {

@@ -71,7 +71,7 @@ local function restored(definition, results, functions)
   return run
 end
 
--- --- cases of run files, of a joint or of the engine ----------------------------------------------
+-- --- cases of run files: runs of a joint or of the engine ---------------------------------------
 
 local function is_joint(value) return strict.is(value, "joint_wear") end
 file.is_joint = is_joint

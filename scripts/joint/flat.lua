@@ -4,7 +4,7 @@
 
 local made = require "archard.map.made"
 
-local points = 121 -- along each side
+local points = 121 -- number of points along each side of a map
 
 local flat = {}
 

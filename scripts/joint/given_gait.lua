@@ -63,7 +63,7 @@ end
 
 for name, kind in pairs(fields) do given.fields[name] = kind end
 
-local most = 60 -- degrees of rotation in half an increment
+local most = 60 -- largest rotation in half an increment [degree]
 
 -- Returns the list of n instants. parts: functions of t for the three angles [degree]; loads: functions of
 -- t for the three components of the load [N].

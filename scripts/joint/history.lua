@@ -4,7 +4,7 @@
 local known = require "archard.settings".columns
 local body_names = { cylinder = "head", plate = "cup" }
 
--- (run) returns the columns by name, their units, and the names in the order of the history.
+-- Returns the columns of the history by name, their units, and the names in the order of the history.
 return function(run)
   local columns, units, names = {}, {}, {}
   for _, column in ipairs(known) do

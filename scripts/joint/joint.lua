@@ -63,7 +63,7 @@ local function new(given)
     cup = { clearance = cup.clearance or 0.06, inclination = cup.inclination or 0, cover = cup.cover or 90,
       layers = plain_layers(cup.layers or usual, "cup.layers") } }
   made.engine = sphere.create(made)
-  made.upper, made.lower = bodies.upper, bodies.lower -- names of results by body
+  made.upper, made.lower = bodies.upper, bodies.lower -- for results that are named by body
   made.bodies = measure.bodies(bodies)
   return strict.object(made, class)
 end
@@ -77,9 +77,9 @@ function class:__tostring()
   return ("joint: %s\n  not in this model: edge loading, microseparation, lubrication, the rim"):format(text(self))
 end
 
--- --- contact, wear and files ---------------------------------------------------------------------
+-- --- methods for contacts, wear and files --------------------------------------------------------
 
--- j:contact{ load=, direction= }
+-- j:contact{ load=, direction= } solves a contact of the unworn joint.
 function methods:contact(given) return require "archard.joint.contact"(self, given) end
 
 -- j:wear{ loading=, k=, alpha=, cycles=, ... } makes a run, which works on its own copy of the joint.

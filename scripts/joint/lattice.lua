@@ -46,7 +46,7 @@ function lattice.warn_of_rim(where, joint, margin, warned, share)
   end
 end
 
-local fewest, enough = 3, 6 -- numbers of cells across a contact
+local fewest, enough = 3, 6 -- limits of the number of cells across a contact
 
 -- Checks the number of cells across a contact with the half angle `half_angle` [degree]. Fewer than three
 -- cells are an error; fewer than six cause a warning.

@@ -45,7 +45,7 @@ local shape_kind = check.kind("a function of theta and phi in degrees, a map of 
 end)
 
 -- Returns the loading as a list of blocks { gait=, cycles= }. If the last block has no cycles, it continues
--- for ever.
+-- without end.
 local function blocks_of(given)
   if given_gait.is(given) or #given == 0 then return { { gait = given_gait.of(given), cycles = math.huge } } end
   local blocks = {}
@@ -246,8 +246,8 @@ local function begin_block(run, block)
   run.checked = block
 end
 
--- Returns the number of cycles to the next of m = `updates` updates. Update j ends at the cycle goal
--- (j/m)^1.5.
+-- Returns the number of cycles to the next update if the user gave the number of updates, m. Update j ends
+-- at the cycle goal (j/m)^1.5.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
   return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
@@ -263,8 +263,8 @@ local function given_cycles(run)
   return cycles
 end
 
--- Returns the number of cycles of an explicit update. It is limited by jump or a fixed part of the total
--- cycles, and by the stability limit.
+-- Returns the number of cycles of an explicit update. It is the smaller of two values: the stability limit,
+-- and `jump` or a fixed part of the total cycles.
 local function explicit_cycles(run, instants)
   local most = run.jump and given_cycles(run) or run.cycles / (run.updates or usual.updates)
   if run.k == 0 then return most end
@@ -305,7 +305,7 @@ end
 
 local ended = setmetatable({}, { __close = function() process.report "" end })
 
--- Makes the error of Ctrl-C report the progress, until the returned value is closed.
+-- Adds the progress to the error message of Ctrl-C until the returned value is closed.
 local function report(run, goal)
   process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
   return ended

@@ -31,8 +31,8 @@ check.shown = names.shown -- formats a value for a message: "dumb", 3, a wear ob
 -- --- kinds of values: a test and a text of the expected value ----------------------------------
 
 -- Returns a kind of values. expected: its text in messages; test(value): returns true for an accepted
--- value. Only for lists, item: kind of the items, to report the wrong item; growing: true if the items must
--- increase.
+-- value. For lists, `item` is the kind of the items (to report the wrong item), and `growing` is true if
+-- the items must increase.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end

@@ -85,7 +85,7 @@ local function lines_of(path)
   return lines
 end
 
--- Converts the values of a column from a known unit. The list is overwritten.
+-- Converts the values of a column from a known unit to mm, N, MPa, s or degrees. The list is overwritten.
 local function scale(values, unit)
   for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
 end
@@ -125,8 +125,8 @@ local function read_columns(path)
   return columns
 end
 
--- Returns the columns by number, by header and by name without unit. If two names are equal, the first
--- column is used.
+-- Returns a table that contains each column under its number, its header and its name without unit. If two
+-- names are equal, the first column is used.
 local function index_of(columns)
   local index = {}
   for i, column in ipairs(columns) do

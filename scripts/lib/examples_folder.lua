@@ -7,8 +7,8 @@ local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
--- Paths of the examples folder, relative to the program and to archard.so (the module for the stock
--- interpreter): when installed, and in the build folder.
+-- Paths of the examples folder for an installed copy and for the build folder. They are relative to the
+-- program or to archard.so, the module for the stock interpreter.
 local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
 local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
 

@@ -11,13 +11,13 @@ local term = require "archard.term"
 
 local pretty = {}
 
--- Limits of the output, after which "..." is printed.
+-- Limits of the output. "..." replaces the rest.
 local limits = {
-  depth = 5,        -- nesting of tables
+  depth = 5,        -- levels of nested tables
   list = 40,        -- items of the outermost list
   inner_head = 4,   -- first items shown of a long list inside a table
   keys = 200,       -- fields of one table
-  total = 2000,     -- items in total
+  total = 2000,     -- items of the whole output
 }
 
 local colours = { number = "36", string = "32", boolean = "35", ["nil"] = "35", dim = "2" }
@@ -150,7 +150,7 @@ local function fits(parts, available)
   return length - 2 <= available
 end
 
--- Writes the items of a list side by side, wrapped to the width.
+-- Returns the items of a list side by side, in lines that fit the width.
 local function fill(parts, indent, width)
   local margin = string.rep(" ", indent + 2)
   local lines, line, length = {}, {}, 0

@@ -14,7 +14,7 @@ local version = require "archard".version
 
 local prompt = {}
 
--- Loads `text` as if it started at line `line` of `name`.
+-- Compiles `text` as part of the chunk `name`, with line numbers that start at `line`.
 local function load_at(text, name, line)
   local parts = { string.rep("\n", line - 1), text }
   local next_part = 0

@@ -6,7 +6,7 @@ local files = require "archard.files"
 local load, loadfile = load, loadfile
 local globals, open, remove = _G, io.open, os.remove
 
--- --- for the program's own scripts ---------------------------------------------------------------
+-- --- functions for the program's own scripts -----------------------------------------------------
 
 function io.open(path, mode)
   local use = (mode or "r"):find "^r" and not (mode or ""):find("+", 1, true) and "read" or "write"
@@ -36,7 +36,7 @@ function os.tmpname()
   return (".archard-%d-%d"):format(os.time(), count)
 end
 
--- --- for the user's scripts ----------------------------------------------------------------------
+-- --- functions for the user's scripts ------------------------------------------------------------
 
 -- Loads a Lua file that may be read. Errors have the position of the caller.
 local function read_chunk(path, ...)

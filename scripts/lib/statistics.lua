@@ -11,7 +11,7 @@ function statistics.mean(list)
   return sum / #list
 end
 
--- Returns the largest absolute value.
+-- Returns the largest absolute value of a list.
 function statistics.largest(list)
   local most = 0
   for _, value in ipairs(list) do most = math.max(most, math.abs(value)) end

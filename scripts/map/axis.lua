@@ -7,7 +7,7 @@ local axis = {}
 function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
 
 -- Returns the index of the first point that differs from even steps by more than a twentieth of a step, or
--- nil.
+-- nil if all steps are even.
 function axis.uneven(list)
   local step = axis.step(list)
   for i = 2, #list do

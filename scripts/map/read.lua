@@ -25,7 +25,7 @@ local function refused(what)
   end
 end
 
--- First bytes of each format, and the function that reads it.
+-- List of formats: the first bytes of a file, and the function that reads the file.
 local formats = { { "DSAA", of("surfer", "DSAA") }, { "DSBB", of("surfer", "DSBB") }, { "DSRB", of("surfer", "DSRB") },
   { "Gwyddion Simple Field 1.0\n", of("gsf", "read") }, { "DIGITAL SURF", of "sur" },
   { "DSCOMPRESSED", refused "a compressed .sur; save it without compression" },

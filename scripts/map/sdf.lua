@@ -48,7 +48,7 @@ local function checked(source, header)
   return source:count(header.NumPoints, "NumPoints"), source:count(header.NumProfiles, "NumProfiles")
 end
 
--- Reads a map from the source. magic: the first bytes of the file, such as "aISO-1.0"; "a" means text, "b"
+-- Reads a surface data file. magic: the first bytes of the file, such as "aISO-1.0"; "a" means text, "b"
 -- binary.
 return function(source, magic)
   local version, is_text = magic:sub(2), magic:sub(1, 1) == "a"

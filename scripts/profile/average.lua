@@ -1,9 +1,10 @@
--- Reduces points and noise of traces: means over cells of equal length, and means of several traces.
+-- Reduces the points and the noise of traces by means over cells of equal length and by means of several
+-- traces.
 
 local average = {}
 
 -- Averages the points of a trace over cells of width `step`. Returns lists of the cells' positions, mean
--- heights and numbers of points. If a cell has no points, returns nil and its position.
+-- heights and numbers of points. If a cell has no points, returns nil and the position of the cell.
 function average.cells(x, z, step)
   local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
   local first = (x[1] + x[#x] - (count - 1) * step) / 2
@@ -21,8 +22,8 @@ function average.cells(x, z, step)
   return cx, cz, counts
 end
 
--- Returns the heights at the increasing positions `at`, which must be within the range of x, by linear
--- interpolation.
+-- Returns heights by linear interpolation at the increasing positions `at`, which must be within the range
+-- of x.
 function average.at(x, z, at)
   local result, i = {}, 1
   for k = 1, #at do

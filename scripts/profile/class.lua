@@ -160,7 +160,8 @@ end
 
 -- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- Returns the mean step of x. Steps that are not even to a twentieth are an error.
+-- Returns the mean step of x. Positions that differ from even steps by more than a twentieth of a step are
+-- an error.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do

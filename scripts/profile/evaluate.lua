@@ -88,8 +88,8 @@ local function errors_of(p, weights, width)
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end
 
--- Returns the largest depth of a scar [mm], as a mean over a fiftieth of the scar's width but at least over
--- one step.
+-- Returns the largest depth of a scar [mm]. The depths are averaged over a fiftieth of the scar's width,
+-- but at least over one step.
 local function deepest(p, from, to)
   local cell = math.max((to - from) / 50, profile.step(p))
   local part = p:cut(from, to)
@@ -122,7 +122,7 @@ local roughness_fields = { short = check.positive, sections = check.whole(1, 100
   "a number > 0 in mm, or false for the whole profile (P-parameters)", function(v)
     return v == false or check.positive.test(v)
   end) }
-local usual_cutoff, usual_sections = 0.8, 5 -- mm, ISO 21920-3 for the usual roughness
+local usual_cutoff, usual_sections = 0.8, 5 -- cut-off [mm] and number of sections of ISO 21920-3 for usual roughness
 
 local function without_line(x, z)
   local line, rest = form.fit("line", x, z), {}
@@ -172,7 +172,8 @@ function methods:roughness(given)
     length = #z * step, noise = self.error }), "profile:roughness")
 end
 
--- --- start of a run --------------------------------------------------------------------------------------
+-- --- initial surface of a run
+-- ------------------------------------------------------------------------------
 
 -- Returns the initial depths of a run. Heights are converted to depths below the highest point. If the
 -- profile has depths, negative depths within the scatter become 0; larger negative depths are an error.

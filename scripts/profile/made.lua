@@ -32,8 +32,8 @@ local function one_of_both(where, given)
   return given.z and "z" or "h"
 end
 
--- Levels and filters a profile as the user's fields require. It is levelled first, since the filter does
--- not change a line, and changes a circle little, mostly at the ends.
+-- Levels and filters a profile as the user's fields require. Levelling is the first step, since the filter
+-- does not change a line, and changes a circle little, mostly at the ends.
 local function treated(where, p, given)
   if given.scar and not given.level then
     check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")

@@ -8,8 +8,8 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Returns a robust standard deviation of the numbers in a list, which is overwritten. It is computed from
--- the median of the distances from the median, so that outliers hardly change it.
+-- Returns a robust standard deviation of a list of numbers. It is computed from the median of the distances
+-- from the median, so that outliers hardly change it. The list is overwritten.
 function noise.robust(list)
   local middle = median(list)
   for i = 1, #list do list[i] = math.abs(list[i] - middle) end
