@@ -20,7 +20,7 @@ end
 row("pressure at the centre [MPa]", "%.1f", c.p_center, closed.p_max)
 row("half width [mm]", "%.4f", c.half_width, closed.half_width)
 row("von Mises stress, plate [MPa]", "%.1f", deepest.mises, 0.5575 * closed.p_max)
-row("how deep it lies [mm]", "%.4f", -deepest.y, 0.704 * closed.half_width)
+row("depth of this stress [mm]", "%.4f", -deepest.y, 0.704 * closed.half_width)
 print()
 
 plot.stress(c, { title = "Von Mises stress, unworn contact" })

@@ -15,7 +15,7 @@ local choices = {
   { 'jump = "auto"', { jump = "auto" } },
   { 'scheme = "implicit"', { scheme = "implicit", tolerance = 1e-3 } },
 }
-print(("%-20s %8s %10s %15s %9s"):format("", "updates", "solutions", "plate off by", "seconds"))
+print(("%-20s %8s %10s %15s %9s"):format("", "updates", "solutions", "plate error", "seconds"))
 local chosen, titles = {}, {}
 for _, choice in ipairs(choices) do
   local definition = choice[2]

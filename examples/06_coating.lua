@@ -15,7 +15,7 @@ local watched = wear{
 
 local exact = wear{ jump = 100, alpha = coated }
 local _, why = exact:run{ depth = { plate = thickness } }
-assert(why == "depth.plate", "the coating outlives the run")
+assert(why == "depth.plate", "the coating does not wear through in this run")
 print(("the coating is through after %.1f mm of sliding, %.0f cycles"):format(exact.distance, exact.cycle))
 local at_breakthrough = exact:clone()
 exact:set{ alpha = bare }:run()

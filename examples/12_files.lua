@@ -20,7 +20,7 @@ end
 -- A run that continues from its file has exactly the same results as an uninterrupted run.
 local again = wear.open(to ".archard"):run{ distance = 1320, progress = false }
 local through = wear{ distance = 1320, jump = 100 }:run{ progress = false }
-print(("\nplate %.9f um by way of the file, %.9f um in one go\n"):format(1e3 * again.depth.plate,
+print(("\nplate %.9f um continued from the file, %.9f um without interruption\n"):format(1e3 * again.depth.plate,
   1e3 * through.depth.plate))
 
 -- plot.points draws measured points over curves. These points are every fifth row of the .csv file of the

@@ -18,6 +18,6 @@ local f = fit{
   data = { { of = "depth_plate", distance = distance, value = depth, relative = 0.005 } },
 }
 print(f)
-print(("k %.3e mm2/N without friction, %.3e given there: %+.1f %%"):format(f.value.k, k_cylinder + k_flat,
+print(("k %.3e mm2/N without friction, %.3e published: %+.1f %%"):format(f.value.k, k_cylinder + k_flat,
   100 * (f.value.k / (k_cylinder + k_flat) - 1)))
 plot.fit(f)

@@ -15,5 +15,5 @@ local w = wear{ model = joint, load = load, stroke = 0.1, distance = 2e4, jump =
 w:run()
 print(("after %g m: %.2f MPa, liner worn by %.1f um and %.3f mm3"):format(w.distance / 1e3, w.p_center, 1e3 * w.depth_plate,
   w.volume_plate))
-print(("k times the normal force times the way: %.3f mm3"):format(1e-6 * w.load_distance))
+print(("k times the normal force times the distance: %.3f mm3"):format(1e-6 * w.load_distance))
 plot.pressure(new, w:contact(), { titles = { "new", "worn" }, title = "A joint in its liner" })

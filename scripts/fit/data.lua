@@ -387,7 +387,7 @@ end
 -- unit.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
-  return (", distances in mm (they go to %g)"):format(item.x[#item.x])
+  return (", distances in mm (up to %g)"):format(item.x[#item.x])
 end
 
 local function refuse_size(where, number, name, item, most, expected)

@@ -8,9 +8,9 @@ local of_all = '. Further fields, see help "body": E, nu, k or material, layers,
 return {
   -- --- material -------------------------------------------------------------------------------
   { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
-    text = 'A linear elastic material, for example material{ E=114e3, nu=0.34, name="Ti-6Al-4V" }; there is '
-      .. "no library. Use it as model{ cylinder=material{...} }, in bodies and in layers. The defaults are "
-      .. "the steel of the paper's case." },
+    text = 'A linear elastic material, for example material{ E=114e3, nu=0.34, name="Ti-6Al-4V" }; archard '
+      .. "has no library of materials. Use a material as model{ cylinder=material{...} }, in bodies and in "
+      .. "layers. Defaults: the steel of the reference case." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
 
@@ -150,7 +150,7 @@ return {
       .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact. Its error is 0.03 of an element for unworn surfaces and 0.07 for "
-      .. "worn ones that meet smoothly; at edges of scars it is 0.2 on average and at most 0.6." },
+      .. "worn ones that are smooth; at edges of scars the error is 0.2 on average and at most 0.6." },
   { "contact.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, in 3-D; 0 in 2-D." },
   { "contact.area", kind = "field", unit = "mm2", text = "Contact area in 3-D; 0 in 2-D." },
@@ -193,13 +193,12 @@ return {
   { "contact.energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by friction since the bodies came together: shear traction times slip, "
       .. "integrated over the contact. On the automatic mesh of a contact with friction, 27 elements in the "
-      .. "half width, the energy of a cycle has an error of 0.5 % for similar bodies; for others it is 1.5 "
-      .. "% if the force is at least 0.3 of that of full slip, and 6 % at 0.2. On coarser meshes of similar "
-      .. "bodies (Dundurs' beta up to 0.01, such as steels) in partial slip under constant load, the error "
-      .. "is 1.6 % if one element slips at each edge and 0.3 % if three do; for beta up to 0.1 it is 12 % "
-      .. "and 1.5 %. For larger beta, changing loads and edges of scars it is 45, 15 and 6 % if one, one "
-      .. "and a half and two elements slip. For the energy of wear runs see wear.energy and "
-      .. "wear.cycle_energy." },
+      .. "half width, the energy of a cycle has an error of 0.5 % for similar bodies; for others it is 1.5 % "
+      .. "if the force is at least 0.3 of that of full slip, and 6 % at 0.2. Coarser meshes, similar bodies "
+      .. "(Dundurs' beta up to 0.01, such as steels), partial slip under constant load: 1.6 % if one element "
+      .. "slips at each edge, 0.3 % if three do. The same with beta up to 0.1: 12 % and 1.5 %. Larger beta, "
+      .. "changing loads or edges of scars: 45, 15 and 6 % if one, one and a half and two elements slip. For "
+      .. "the energy of wear runs see wear.energy and wear.cycle_energy." },
   { "contact.energy_error", kind = "field", unit = "N mm",
     text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the "
       .. "difference from the energy with half as many increments, which is close to the true error where "
@@ -245,7 +244,7 @@ return {
   { "wear{loading.x}", type = "function(t) or list", unit = "mm",
     text = "Position of the plate during the cycle." },
   { "wear{loading.load}", type = "function(t), list or number", unit = "N",
-    default = "that of the run", text = "Normal load during the cycle; 0: no contact, no wear." },
+    default = "load of the run", text = "Normal load during the cycle; 0: no contact, no wear." },
   { "wear{loading.t}", type = "list",
     text = "Increasing times of the values in the lists, in any unit; the first is the start of the cycle "
       .. "(t = 0), the last its end (t = 1). Default: equal intervals." },
@@ -372,8 +371,7 @@ return {
   { "wear.stick_width", kind = "field", unit = "mm",
     text = "Width of the contact that never slips in a periodic cycle on the present surfaces; 0 in gross slip." },
   { "wear.gross", kind = "field",
-    text = "1: the whole contact slips at some time of a periodic cycle; 0: a part always sticks, or "
-      .. "friction is 0." },
+    text = "1 if the whole contact slips at some time of a periodic cycle; else 0, also without friction." },
   { "wear.model", kind = "field", class = "model", text = "The model of the run." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
     text = "The worn meshes of cylinder and plate, for w.mesh.plate:quality(), plot.mesh(w) and export. "
@@ -407,7 +405,7 @@ return {
       .. "cause differences. NaN in runs of files older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is 0.03 of "
-      .. "an element for unworn surfaces and 0.07 for worn ones that meet smoothly; at edges of scars it is "
+      .. "an element for unworn surfaces and 0.07 for smooth worn surfaces; at edges of scars the error is "
       .. "0.2 on average and at most 0.6." },
   { "wear.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, with the plate at x = 0, in 3-D; 0 in 2-D." },

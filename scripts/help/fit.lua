@@ -3,14 +3,14 @@
 return {
   { "fit", kind = "function", class = "fitted",
     use = "f = fit{ unknown={ k=1e-8, alpha={ start=0.5 } }, data={...} }",
-    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, at once "
+    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, in one search "
       .. "(some tens of runs); k and alpha together need data of both bodies. Weighted nonlinear least "
       .. "squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are differences of runs, "
       .. "with steps chosen by their noise. Several kinds of data need their errors; for one kind without "
       .. "errors they are estimated from the residuals. Standard errors, correlations and bands are "
       .. "linearised at the result. Refused: too few data, implausible units, an unknown without effect. A "
-      .. "fit that does not converge raises an error with the last values; better start values, bounds "
-      .. "(low, high) or fewer unknowns can help." },
+      .. "fit that does not converge raises an error with the last values; better start values, bounds (low, "
+      .. "high) or fewer unknowns can help." },
   { "fit.best", type = "table { value=, chi2=, runs= }",
     text = "After Ctrl-C: the best values of the fit that was interrupted, by name." },
   { "fit{unknown}", type = "table of tables",
@@ -36,7 +36,7 @@ return {
     text = "Start value, inside the bounds. With knots: one value for all knots, or a list." },
   { "fit{unknown.low}", type = "number", text = "Lower bound; default: the lower limit of the field." },
   { "fit{unknown.high}", type = "number", text = "Upper bound; default: the upper limit of the field." },
-  { "fit{unknown.knots}", type = "list of growing numbers", unit = "mm",
+  { "fit{unknown.knots}", type = "list of increasing numbers", unit = "mm",
     text = "k or alpha as a curve over the distance, with unknown values at these distances: a cubic that preserves "
       .. "monotonicity in between, constant beyond the ends." },
   { "fit{unknown.smooth}", type = 'number >= 0 or "auto"', default = 0,
@@ -56,10 +56,10 @@ return {
   { "fit{data.cycle}", type = "number or list of numbers", unit = "cycles",
     text = "Number of cycles, instead of distance. It is converted with the motion of the start values." },
   { "fit{data.map}", type = "table { theta=, phi=, values= }", unit = "degree, mm",
-    text = "Measured depths of a joint's head or cup (body) in directions theta and phi, phi fastest, as of w:map "
+    text = "Measured depths of a joint's head or cup (body) in directions theta and phi, phi fastest, as returned by w:map "
       .. '"cup".' },
   { "fit{data.loop}", type = "table of lists", unit = "mm and N",
-    text = "Motion x and tangential force of one cycle in the order of time, as of w:loop(); for runs with friction. "
+    text = "Motion x and tangential force of one cycle in the order of time, as returned by w:loop(); for runs with friction. "
       .. "It identifies the coefficient of friction. Each half cycle is compared with that of the run: forces at the "
       .. "measured positions or, if a force drives the run (tangential=), positions at the measured forces. error is "
       .. "in N, or in mm." },
@@ -121,10 +121,11 @@ return {
 
   { "fit.design", kind = "function", class = "design",
     use = "d = fit.design{ unknown={ k=1e-8 }, measure={...} }",
-    text = "Plans a test: the standard errors that measurements would give, from derivatives at the start values. "
-      .. "For each measurement alone (with the prior knowledge: the start value, or the interval between the "
-      .. "bounds), in the best order, and together. Slopes of widths and pressures, which jump between nodes, are "
-      .. "taken over +-0.6 of the start value. Prints a table; plot.fit(d) draws it." },
+    text = "Plans a test: the standard errors that measurements would give, from derivatives at the start "
+      .. "values. They are given for each measurement alone (with the prior knowledge: the start value, or "
+      .. "the interval between the bounds), for the best order of the measurements, and for all together. "
+      .. "Slopes of widths and pressures, which jump between nodes, are taken over +-0.6 of the start value. "
+      .. "Prints a table; plot.fit(d) draws it." },
   { "fit.design{unknown}", type = "table of tables", text = "Parameters to identify, see fit{unknown}." },
   { "fit.design{base}", type = "table", takes = "wear",
     text = "Fields of wear{} in common to all runs, see fit{base}." },

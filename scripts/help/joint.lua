@@ -16,8 +16,8 @@ return {
       .. "the nominal load (0 degrees), angle from the axis to the rim (90 degrees), and layers from the "
       .. "inside outwards." },
   { "joint{foundation}", values = { "elastic", "winkler", "column" }, default = '"elastic"',
-    text = "\"elastic\": layered spheres. \"winkler\": the cup's first layer as springs that are exact for "
-      .. "uniform pressure; the error is 4 % for polyethylene with nu up to 0.4; not for metal on metal. "
+    text = "\"elastic\": layered spheres. \"winkler\": the cup's first layer as springs that are exact for uniform "
+      .. "pressure; the error is 4 % for polyethylene with nu up to 0.4; do not use them for metal on metal. "
       .. '"column": springs with the stiffness of a confined column.' },
   { "joint{order}", type = "number", values = { 1, 2 }, default = "1",
     text = "2: gaps to second order in the head's displacement over the radius. This adds 0.6 % to the pressure of a "
@@ -68,15 +68,15 @@ return {
     text = "Reads a joint run written by w:save(path) and continues it with the same results. The functions "
       .. "k, alpha and creep must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
-    text = "Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "
-      .. '"iso", cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate '
-      .. 'curves in between; "prosim" is a simplified walking cycle of simulators. To define a cycle give '
-      .. "flexion, adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of "
-      .. "t in [0, 1], a number, or a list over t (period=100: t in percent); increments without load do "
-      .. 'not wear. Order of the rotations ("xyz"), increments (20), also of named gaits: gait("iso", { '
-      .. "increments=40 }). A gait must be closed. .track [mm] and .work [N mm] are those of one cycle with "
-      .. "a head of 28 mm; .instants has fifteen numbers for each increment: rotation by rows, rotation "
-      .. "vector, load." },
+    text = 'Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "iso", '
+      .. 'cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate curves in '
+      .. 'between; "prosim" is a simplified walking cycle of simulators. To define a cycle give flexion, '
+      .. "adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, "
+      .. "1], a number, or a list over t (period=100: t in percent); increments without load do not wear. "
+      .. 'Order of the rotations ("xyz"), increments (20); increments= also applies to named gaits: '
+      .. 'gait("iso", { increments=40 }). A gait must be closed. .track [mm] and .work [N mm] are those of '
+      .. "one cycle with a head of 28 mm; .instants has fifteen numbers for each increment: rotation by "
+      .. "rows, rotation vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },
   { "gait.flexion", kind = "function", use = "gait.flexion{ angle=21.5, load=2000 }", result = "gait",

@@ -10,7 +10,7 @@ return {
   { "session.save", kind = "function", use = "session.save(path)",
     text = "Writes all objects into one run file. A saved session is replaced; other files are refused. Without a "
       .. "path: the file of the last save or open. Not saved: functions, stresses, and contacts on surfaces that no "
-      .. "longer exist; a study that has run stays in its own file. Returns a text that lists what was saved and "
+      .. "longer exist; a study with results remains in its own file. Returns a text that lists what was saved and "
       .. "what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
     text = "Restores all objects of the file as globals; runs continue with the same results. Functions are "

@@ -181,7 +181,7 @@ Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"
 help(wear) explains an object, help(w.step) a method, help "jump" a name,
 help "fretting map" any words; help.search "stability" searches all texts.
 Tab completes names, also the fields inside wear{ }. The last value is in _ .
-Ctrl-C stops a run after its step, Ctrl-D leaves.]]
+Ctrl-C stops a run after its step, Ctrl-D exits.]]
 
 function show.overview()
   return overview

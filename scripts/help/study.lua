@@ -11,8 +11,8 @@ return {
     text = "Fields of wear{} in common to all cases; no functions, as they cannot be stored. Fields of a case "
       .. "override them: tables of fields are merged, lists and numbers replaced." },
   { "study{vary}", type = "table of lists", takes = "wear",
-    text = "Fields of wear{} with a list of values each; the cases are all combinations, the last name by the "
-      .. 'alphabet changing fastest. Write fields within fields nested or as ["model.mesh.size"]. Short names: '
+    text = "Fields of wear{} with a list of values each; the cases are all combinations, and the alphabetically "
+      .. 'last name changes fastest. Write fields within fields nested or as ["model.mesh.size"]. Short names: '
       .. '["lower.E"] or ["pin.radius"] of a body by its role, name or kind, ["lower.layer1.thickness"] of a layer, '
       .. "E and nu of both bodies. Cases, samples, fits and sensitivities use the same names." },
   { "study{cases}", type = "list of tables", takes = "wear",
@@ -67,8 +67,8 @@ return {
       .. "and at half of it, with at least eight elements across the contact. Jump: the largest one below "
       .. "the stability limit for which the surfaces stay smooth and symmetric. Increments: the fewest that "
       .. "give the same profiles. Accepts the fields of study{} and those below, or a study and a table of "
-      .. "them; cases are distributed to workers. For study.paper() it prints the paper's Table 1 beside "
-      .. "its own." },
+      .. "them; cases are distributed to workers. For study.paper() it prints the paper's Table 1 next to "
+      .. "the computed values." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} in common to all cases, see study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
   { "study.converge{cases}", type = "list of tables", text = "A list of cases instead of vary, see study{cases}." },
@@ -78,10 +78,10 @@ return {
   { "study.converge{pressure}", type = "number", default = 0.01,
     text = "For the mesh: accepted relative error of the largest unworn pressure against Hertz." },
   { "study.converge{smooth}", type = "number", default = 0.005,
-    text = "For the jump: accepted sawtooth in the pressure over the middle of the contact, root mean "
-      .. "square relative to the pressure at the centre, in addition to that of a run in small steps (kinks "
-      .. "and coarse meshes cause roughness too). If a quarter of that roughness is larger, it is accepted "
-      .. "instead, with a note in the result." },
+    text = "For the jump: accepted sawtooth in the pressure over the middle of the contact, root mean square "
+      .. "relative to the pressure at the centre, beyond the sawtooth of a run in small steps (kinks and "
+      .. "coarse meshes also cause a sawtooth). At least a quarter of the sawtooth of that run is accepted; "
+      .. "the result notes this case." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,

@@ -19,7 +19,7 @@ return {
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface (the computed one is w:profile): positions x and heights z "
+    text = "A measured trace across a surface (w:profile is the computed profile): positions x and heights z "
       .. "(out of the body) or depths h, in mm, with the standard deviation of its noise. Use it as the "
       .. 'initial surface, worn = { plate = p }, for comparison, plot.profile(w, "plate", { measured = p '
       .. "}), and for evaluation. Methods return new profiles. Points without a value (NaN) are removed; "
@@ -104,10 +104,11 @@ return {
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
     text = "Length of the scar across the trace; 2 pi r of a wear track on a disc." },
   { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
-    text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope Rdq "
-      .. "over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean width of "
-      .. "elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is that of the "
-      .. "Gaussian filter; half a cut-off at both ends is excluded. noise is p.error; Rq^2 includes its square." },
+    text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope "
+      .. "Rdq over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean "
+      .. "width of elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is "
+      .. "that of the Gaussian filter; half a cut-off at both ends is excluded. The field noise equals "
+      .. "p.error; Rq^2 includes noise^2." },
   { "profile.roughness{cutoff}", type = "number > 0, or false", unit = "mm", default = 0.8,
     text = "Cut-off of long waves. false: no cut-off; the results are then Pa, Pq, ... about a straight line." },
   { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Cut-off of short waves; default: none." },
@@ -192,7 +193,7 @@ return {
       .. "journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in "
       .. "pixels, the default. Returns the present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
-    text = 'Width of the figure: that of a column ("single"), of the page ("double"), or a number.' },
+    text = 'Width of the figure: a column ("single"), the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
   { "plot.style{font}", type = "string", text = 'Font: "serif", "sans", or a name such as Helvetica.' },
   { "plot.style{title}", type = "boolean", text = "false: no automatic titles. A title= in a call is always "

@@ -113,7 +113,7 @@ mesh.zone is the full width of the contact zone of each body, automatic by defau
 the run continues on new meshes with a message; a single contact{} reports the zone to widen. study.converge{} searches the size,
 the jump and the increments for a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
   { "gmsh", [[
-model{ mesh = "pair.msh" } takes both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
+model{ mesh = "pair.msh" } reads both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
 triangles and quadrilaterals of first order. Physical groups name the parts:
 
   upper, lower      surfaces: the bodies, in contact without load; upper is
@@ -137,7 +137,7 @@ examples/gmsh_pair.geo is an example for Gmsh:
 
   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
-Cycle jump: one update of the geometry represents many cycles. Their number:
+Cycle jump: one update of the geometry represents many cycles. Fields of wear{} that set their number:
 
   jump = "auto"        default: explicit steps, with an error estimate
   scheme = "implicit"  long steps, controlled by tolerance (default 1e-3)

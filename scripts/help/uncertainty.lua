@@ -7,10 +7,10 @@ return {
   -- --- samples of a study -----------------------------------------------------------------------
   { "study{sample}", type = "table of distributions", takes = "wear",
     text = "Uncertain fields of wear{} instead of vary: sample={ k=lognormal{ mean=1e-8, variation=0.4 }, "
-      .. "alpha=uniform{ 0.3, 0.7 }, load=normal{ 100, 5 } }, with the names of vary, a number each. correlated={ "
-      .. '{"k", "alpha", -0.5}, ... } sets correlations of the normal scores; the distributions do not change. The '
-      .. "smallest and largest value of every field are tried first; a field that cannot run or has no effect is "
-      .. "refused." },
+      .. "alpha=uniform{ 0.3, 0.7 }, load=normal{ 100, 5 } }, with the names of vary; each field is one "
+      .. 'number. correlated={ {"k", "alpha", -0.5}, ... } sets correlations of the normal scores; the '
+      .. "distributions do not change. The smallest and largest value of every field are tried first; a "
+      .. "field that cannot run or has no effect is refused." },
   { "study{n}", type = "whole number >= 2", default = 1024,
     text = "Number of samples; with indices there are n (fields + 2) cases. Use a power of 2 for Sobol's sequence." },
   { "study{design}", values = { "sobol", "latin", "random" }, default = '"sobol"',
@@ -103,13 +103,14 @@ return {
   -- --- sensitivities ----------------------------------------------------------------------------
   { "wear.sensitivity", kind = "method", class = "sensitivity",
     use = 'w:sensitivity{ of="depth_cylinder", to={"k", "alpha", "E"} }',
-    text = "Derivatives and elasticities (percent per percent) of results with respect to numbers of the definition, "
-      .. "over the whole history, each with its error. The run is repeated 16 times per number, with changes from 3 "
-      .. "% to 4e-7, and the difference best confirmed by its neighbours is used. For results that jump between "
-      .. "nodes, such as half widths and pressures, a slope by least squares of 17 runs over a wider range is used. "
-      .. 'Automatic steps (jump = "auto", tolerance) are frozen, then divided into 4 and 8 parts: results are those '
-      .. "of 8 parts, errors include the change between both. With a given jump, results hold for these steps, and "
-      .. "errors are those of the difference alone." },
+    text = "Derivatives and elasticities (percent per percent) of results with respect to numbers of the "
+      .. "definition, over the whole history, each with its error. The run is repeated 16 times per number, "
+      .. "with changes from 3 % to 4e-7, and the difference best confirmed by its neighbours is used. For "
+      .. "results that jump between nodes, such as half widths and pressures, a slope by least squares of 17 "
+      .. 'runs over a wider range is used. Automatic steps (jump = "auto", tolerance) are frozen, then '
+      .. "divided into 4 and 8 parts: the results are from 8 parts; the errors include the difference "
+      .. "between 4 and 8 parts. With a given jump, results hold for these steps, and errors are those of "
+      .. "the difference alone." },
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',

@@ -31,7 +31,7 @@ function lattice.warn_of_rim(where, joint, margin, warned, share)
   if warned.reached then return end
   if margin < joint.mesh.size then
     warned.reached = true
-    warn(("%s: the contact reaches the cup's rim (from its outermost cell %.2g degrees, less than a cell of %.2g): edge loading is outside this model"):format(
+    warn(("%s: the contact reaches the cup's rim (its outermost cell is %.2g degrees from the rim, less than the cell size %.2g); the model does not include edge loading"):format(
       where, margin, joint.mesh.size))
     return
   end

@@ -136,7 +136,7 @@ end
 local texts = {
   first = "> ",
   more = ">> ",
-  banner = "archard " .. version .. ", wear of sliding surfaces. help() explains, Ctrl-D leaves.\n",
+  banner = "archard " .. version .. ", wear of sliding surfaces. help() explains, Ctrl-D exits.\n",
 }
 
 function prompt.text(which)
