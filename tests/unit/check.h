@@ -1,5 +1,6 @@
-/* Common parts of the unit tests: cmocka, a random generator that prints its seed, comparisons, a
- * small model. All functions are static, as each test program is one file. */
+/* Common parts of the unit tests: cmocka, a random generator that prints its seed, comparisons
+ * of numbers and a small model. All functions are static because each test program is compiled
+ * from one file. */
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 
@@ -22,7 +23,8 @@
 
 static uint64_t random_state = 1;
 
-/* Seeds the generator from ARCHARD_SEED, or with `usual`, and prints the seed. */
+/* Seeds the random generator with ARCHARD_SEED if this variable is set, otherwise with `usual`,
+ * and prints the seed. */
 UNUSED static void random_start(uint64_t usual) {
   const char *wish = getenv("ARCHARD_SEED");
   random_state = wish ? strtoull(wish, NULL, 10) : usual;
@@ -56,7 +58,7 @@ UNUSED static void check_near_at(double got, double expected, double tolerance, 
   _fail(file, line);
 }
 
-/* Like check_near, with a tolerance relative to the expected value. */
+/* Checks |got - expected| <= share * |expected|; a failure prints both numbers. */
 #define check_share(got, expected, share)                                                          \
   check_near_at(got, expected, (share)*fabs((double)(expected)), #got, __FILE__, __LINE__)
 
@@ -95,8 +97,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
-/* Replaces one of `count` numbers at a time by `wrong`, and checks that the call fails with
- * ARC_NUMERIC and a message that contains the part for this number. */
+/* Replaces each of `count` numbers in turn by its wrong value and checks that the call fails
+ * with ARC_NUMERIC and the message part listed for that number. */
 #define check_spoilt(call, count, numbers, wrong, parts)                                           \
   for (int spoilt = 0; spoilt < (count); spoilt++) {                                               \
     const double right = *(numbers)[spoilt];                                                       \
@@ -107,7 +109,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
 
 /* --- models ----------------------------------------------------------------------------------- */
 
-/* Returns a coarse model, built in milliseconds, for contacts up to 100 N. */
+/* Returns the definition of a coarse model that is built in milliseconds and is meant for loads
+ * up to 100 N. */
 UNUSED static arc_model_def coarse_definition(void) {
   arc_model_def def = arc_model_default();
   def.mesh.size = 0.04;

@@ -1,5 +1,5 @@
-/* Common parts of the export tests: a temporary folder, reading of lines and numbers, a worn
- * contact. */
+/* Common parts of the export tests: a temporary folder, functions that read lines and numbers,
+ * and a worn contact. */
 #ifndef TESTS_EXPORT_SHARED_H
 #define TESTS_EXPORT_SHARED_H
 
@@ -37,8 +37,8 @@ UNUSED static int files_in_folder(void) {
   return count;
 }
 
-/* Reads up to the line that starts with `start` and stores it in `line`; the test fails without
- * such a line. */
+/* find_line() reads lines up to the first one that starts with `start` and stores this line in
+ * `line`. The test fails if the file contains no such line. */
 UNUSED static char line[400];
 
 UNUSED static void find_line(FILE *file, const char *start) {

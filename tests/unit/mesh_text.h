@@ -1,5 +1,6 @@
-/* Texts of Gmsh files: tests/files/msh/NAME.msh, or good-41.msh changed by the entry "* NAME" of
- * tests/files/msh/broken. */
+/* Functions that return texts of Gmsh files by name. A text is the file
+ * tests/files/msh/NAME.msh, or good-41.msh with the change that tests/files/msh/broken lists
+ * under "* NAME". */
 #ifndef TESTS_MESH_TEXT_H
 #define TESTS_MESH_TEXT_H
 
@@ -15,7 +16,7 @@
 
 enum { MESH_TEXT_ROOM = 20000 };
 
-/* Reads a whole file; returns NULL if it does not exist. */
+/* Returns the content of a whole file, or NULL if the file does not exist. */
 static char *mesh_file(const char *name, size_t *length) {
   char path[100];
   snprintf(path, sizeof path, "tests/files/msh/%s", name);
@@ -35,7 +36,7 @@ static const char *next_line(const char *at) {
   return end ? end + 1 : at + strlen(at);
 }
 
-/* Copies lines from `*from` up to the line number `until`. */
+/* Appends the lines from `*from` up to but excluding line number `until` to `to`. */
 static void copy_lines(char *to, const char **from, long *line, long until) {
   for (; *line < until && **from; (*line)++) {
     const char *next = next_line(*from);
@@ -44,8 +45,8 @@ static void copy_lines(char *to, const char **from, long *line, long until) {
   }
 }
 
-/* Applies the change at `change`: "4a5" inserts lines after line 4, "4,6d3" deletes lines, "4c4"
- * replaces lines. */
+/* Applies one change to the text `good` and writes the result to `to`: "4a5" inserts lines after
+ * line 4, "4,6d3" deletes lines 4 to 6, "4c4" replaces line 4. */
 static void apply_change(const char *change, const char *good, char *to) {
   for (long line = 0; *change && *change != '*';) {
     char *kind;
@@ -59,7 +60,7 @@ static void apply_change(const char *change, const char *good, char *to) {
   }
 }
 
-/* Returns the text of a mesh by its name; the caller frees it. */
+/* Returns the text of the mesh with this name; the caller frees the text. */
 static char *mesh_text(const char *name, size_t *length) {
   char with_ending[60], entry[60];
   snprintf(with_ending, sizeof with_ending, "%s.msh", name);

@@ -1,4 +1,5 @@
-/* Common parts of the plot tests: a temporary folder, scripts that replace gnuplot, one curve. */
+/* Common parts of the plot tests: a temporary folder, scripts that replace gnuplot, and one
+ * curve. */
 #ifndef TESTS_PLOT_SHARED_H
 #define TESTS_PLOT_SHARED_H
 
@@ -30,7 +31,8 @@ static inline int exists(const char *name) {
   return access(path_of(name, path), F_OK) == 0;
 }
 
-/* Returns the content of a file in the test's folder; the next call overwrites the buffer. */
+/* Returns the content of a file in the test's folder. The next call overwrites the returned
+ * text. */
 static inline const char *content(const char *name) {
   static char text[20000];
   char path[256];
@@ -41,7 +43,7 @@ static inline const char *content(const char *name) {
   return text;
 }
 
-/* Writes a shell script that is started instead of gnuplot. */
+/* Writes a shell script that the plot functions start instead of gnuplot. */
 static inline char *fake(const char *name, const char *body, char path[256]) {
   FILE *file = fopen(path_of(name, path), "w");
   fprintf(file, "#!/bin/sh\n%s\n", body);
@@ -72,7 +74,7 @@ static inline arc_plot_panel panel_of(const arc_plot_curve *curves, size_t count
 
 static const arc_plot_output as_text = {.medium = ARC_PLOT_TEXT, .width = 70, .height = 20};
 
-/* Draws one curve as characters; the caller frees the text. */
+/* Draws one curve with characters and returns the text, which the caller frees. */
 __attribute__((noinline)) static char *draw_text(arc_gnuplot *session, const arc_plot_curve *c,
                                                  arc_error *error) {
   arc_plot_panel panel = panel_of(c, 1);

@@ -1,10 +1,12 @@
-/* Common parts of the tests of wear runs: a model, short runs, comparison of whole runs. */
+/* Common parts of the tests of wear runs: a coarse model, definitions of short runs, and a
+ * comparison of whole runs. */
 #ifndef TESTS_RUNS_H
 #define TESTS_RUNS_H
 
 #include "check.h"
 
-static arc_model *coarse; /* built once; its zone is wide enough for every stroke used here */
+static arc_model *coarse; /* built once; its meshed zone is wide enough for every stroke of these
+                           * tests */
 
 UNUSED static int set_up(void **state) {
   (void)state;
@@ -19,7 +21,7 @@ UNUSED static int tear_down(void **state) {
   return 0;
 }
 
-/* Returns a case with few steps and increments. */
+/* Returns the definition of a run with few steps and increments. */
 UNUSED static arc_wear_def quick(double stroke, double alpha) {
   arc_wear_def def = arc_wear_default();
   def.stroke = stroke;
@@ -54,7 +56,8 @@ UNUSED static void check_same_shape(const arc_shape *one, const arc_shape *two) 
   }
 }
 
-/* Checks that shape, definition and history are identical bit by bit, except `solutions`. */
+/* Checks that shapes, definitions and histories of two runs are identical bit by bit, except for
+ * the number of solutions. */
 UNUSED static void check_same(const arc_wear *one, const arc_wear *two) {
   size_t n, m;
   const arc_wear_record *r = arc_wear_history(one, &n), *s = arc_wear_history(two, &m);

@@ -1,4 +1,4 @@
-/* Contacts of half-spaces with friction over a history, for tests. */
+/* Common parts of the tests of half-space contacts with friction under a loading history. */
 #ifndef TESTS_SPACE_RUBBING_H
 #define TESTS_SPACE_RUBBING_H
 
@@ -11,13 +11,13 @@ UNUSED static arc_material elastic(double E, double nu) {
   return m;
 }
 
-/* A contact with friction during a loading history. */
+/* The contact, its friction state and the present load increment of one loading history. */
 typedef struct rubbing {
   arc_halfspace *h;
   arc_halfspace_friction s;
   arc_halfspace_increment to;
   arc_halfspace_effort effort;
-  double work; /* [N mm] work of the last leg */
+  double work; /* [N mm] work of friction in the last leg */
 } rubbing;
 
 UNUSED static void slide(rubbing *r) {

@@ -1,5 +1,5 @@
-/* Common parts of the tests of core/space: half-spaces of balls, positions of a stroke, histories.
- */
+/* Common parts of the tests of core/space: balls on half-spaces, positions of a stroke, and wear
+ * histories. */
 #ifndef TESTS_SPACE_SHARED_H
 #define TESTS_SPACE_SHARED_H
 
@@ -10,7 +10,7 @@
 #include <time.h>
 
 static const double steel_modulus =
-    200e3 / (2 * (1 - 0.09)); /* contact modulus of both bodies together [MPa] */
+    200e3 / (2 * (1 - 0.09)); /* contact modulus of two steel bodies [MPa] */
 
 UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   arc_halfspace *h = NULL;
@@ -18,7 +18,7 @@ UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   return h;
 }
 
-/* Returns a ball on a flat with n x n cells. */
+/* Returns the definition of a ball on a flat with n x n cells. */
 UNUSED static arc_halfspace_def ball(double radius, double size, int n) {
   arc_halfspace_def def = arc_halfspace_default();
   def.body[ARC_UPPER].radius_x = def.body[ARC_UPPER].radius_z = radius;
@@ -45,7 +45,7 @@ UNUSED static double largest_of(const double *value, int count) {
   return most;
 }
 
-/* Result of one contact solution at x = 0. */
+/* Result of one contact solution with the plate at x = 0. */
 typedef struct solved {
   arc_halfspace *h;
   double *p, approach;
@@ -72,8 +72,8 @@ UNUSED static void free_solved(solved *s) {
 
 /* --- histories -------------------------------------------------------------------------------- */
 
-/* A reciprocating stroke with cycles so short that wear can be treated as continuous in the
- * distance. */
+/* Definition of a reciprocating wear run. Its cycles are so short that wear can be treated as a
+ * continuous function of the sliding distance. */
 typedef struct history_def {
   arc_halfspace_def space;
   double load, k, alpha, stroke, distance;
@@ -142,7 +142,8 @@ UNUSED static void run_stage(history *w, const history_def *d, double *const kno
   w->stages++;
 }
 
-/* Makes one step of SDIRK2, gamma = 1 - 1 / sqrt 2, which is L-stable and of second order. */
+/* Computes one step with the implicit Runge-Kutta method SDIRK2 (gamma = 1 - 1 / sqrt 2), which
+ * is L-stable and of second order. */
 UNUSED static void run_step(history *w, const history_def *d, double length, int warm) {
   const double gamma = 1 - sqrt(0.5), carry = (1 - gamma) / gamma;
   run_stage(w, d, w->depth, gamma * length, warm, w->half);
@@ -152,8 +153,8 @@ UNUSED static void run_step(history *w, const history_def *d, double length, int
   run_stage(w, d, w->known, gamma * length, 1, w->depth);
 }
 
-/* Returns the ratio of successive steps for which `steps` steps beginning with `first` add up to
- * the distance. */
+/* Returns the ratio of successive step lengths with which `steps` steps, beginning with `first`,
+ * add up to the distance. */
 UNUSED static double ratio_of(double first, double distance, int steps) {
   double low = 1, high = 4;
   for (int k = 0; k < 100; k++) {
@@ -186,7 +187,7 @@ UNUSED static double volume_of(const history *w, arc_body body) {
          arc_halfspace_site_area(w->h, body);
 }
 
-/* Returns the depth at x = z = 0. */
+/* Returns the wear depth of the body at x = z = 0 [mm]. */
 UNUSED static double depth_of(const history *w, arc_body body) {
   return arc_halfspace_scar(w->h, body, w->depth[body], 0.01).center;
 }

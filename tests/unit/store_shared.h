@@ -1,4 +1,5 @@
-/* Common parts of the run file tests: a temporary folder, runs on a coarse mesh, comparisons. */
+/* Common parts of the run file tests: a temporary folder, runs on a coarse mesh, and
+ * comparisons. */
 #ifndef TESTS_STORE_SHARED_H
 #define TESTS_STORE_SHARED_H
 
@@ -22,7 +23,8 @@
 
 static char folder[] = "/tmp/archard-store-XXXXXX";
 
-/* Returns the path of a file in the test's folder, valid for the next three calls. */
+/* Returns the path of a file in the test's folder; the path is valid during the next three
+ * calls. */
 __attribute__((unused)) static const char *in_folder(const char *name) {
   static char path[4][200];
   static int turn;
@@ -84,7 +86,7 @@ __attribute__((unused)) static void copy_file(const char *path, const char *name
   free(bytes);
 }
 
-/* Copies the file "good" of the test's folder to another name. */
+/* Copies the file "good" of the test's folder to another name in this folder. */
 __attribute__((unused)) static void copy_good(const char *name) {
   copy_file(in_folder("good"), name);
 }
@@ -135,7 +137,7 @@ __attribute__((unused)) static void assert_same_runs(const arc_wear *a, const ar
   }
 }
 
-/* Stores a run with its present surfaces. */
+/* Stores a run together with its present surfaces as the case with number `id`. */
 __attribute__((unused)) static void save_run(arc_store *store, int id, const arc_wear *wear) {
   arc_error error = {0};
   arc_array *present;

@@ -1,4 +1,4 @@
-/* Helpers that change run files by SQL, bypassing archard, and read them. */
+/* Functions that read and change run files by SQL without the functions of archard. */
 #ifndef TESTS_STORE_SQL_H
 #define TESTS_STORE_SQL_H
 
@@ -14,7 +14,7 @@ __attribute__((unused)) static void run_sql(const char *name, const char *sql) {
   sqlite3_close(db);
 }
 
-/* Updates the checksum of case 1 after a change. */
+/* Updates the stored checksum of case 1 after a change by SQL. */
 __attribute__((unused)) static void seal(const char *name) {
   arc_error error = {0};
   arc_store *store = opened(name, ARC_STORE_WRITE);
@@ -22,7 +22,7 @@ __attribute__((unused)) static void seal(const char *name) {
   arc_store_close(&store);
 }
 
-/* Reads all data of case 1, creates its run and computes one step. */
+/* Reads all data of case 1, continues its run from the data and computes one step. */
 __attribute__((unused)) static arc_status read_run(arc_store *store, arc_error *error) {
   arc_stored_run run;
   arc_model *model = NULL;

@@ -1,4 +1,5 @@
-/* Tests of the active set: three rigid unknowns, areas of cells, coupled blocks, fallback. */
+/* Tests of the active-set solver: three rigid unknowns per block, cells of different area,
+ * coupled blocks, and the fallback method. */
 #include "check.h"
 
 #include "core/numeric/active_set.h"
@@ -6,7 +7,8 @@
 
 enum { side = 9, n = side * side, blocks = 2, modes = 3 };
 
-/* A dense compliance matrix that decreases with the distance and is self-adjoint with the areas. */
+/* A dense compliance matrix whose entries decrease with the distance and which is self-adjoint
+ * with respect to the cell areas. */
 static double kernel[n][n], area[n], mode[modes][n], gap[blocks][n], load[blocks][modes];
 
 static void set_up_problem(void) {
@@ -86,8 +88,8 @@ static void solve(double coupling, int guarded, double *p) {
   arc_active_work_destroy(&work);
 }
 
-/* Loads and both moments of each block are balanced, separately and coupled; some cells are open.
- */
+/* Tests that loads and both moments of each block are balanced, with separate and with coupled
+ * blocks, while some cells are open. */
 static void test_three_modes(void **state) {
   (void)state;
   double p[blocks * n];
@@ -99,7 +101,7 @@ static void test_three_modes(void **state) {
   }
 }
 
-/* The fallback gives the same pressures. */
+/* Tests that the fallback method gives the same pressures as the main method. */
 static void test_fallback(void **state) {
   (void)state;
   double p[blocks * n], q[blocks * n];
@@ -108,7 +110,8 @@ static void test_fallback(void **state) {
   for (int c = 0; c < blocks * n; c++) check_near(q[c], p[c], 1e-5);
 }
 
-/* Fewer cells than rigid unknowns cannot carry a load. */
+/* Tests that a problem with fewer cells than rigid unknowns is refused: such cells cannot carry
+ * a load. */
 static void test_singular(void **state) {
   (void)state;
   double p[blocks * n] = {0}, delta[blocks * modes], coupling = 0;

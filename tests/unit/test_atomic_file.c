@@ -1,5 +1,5 @@
-/* Tests of files that are written completely or not at all: replacement, links, remaining temporary
- * files. */
+/* Tests of files that are written completely or not at all: replacement, links and leftover
+ * temporary files. */
 #include "check.h"
 
 #include <dirent.h>
@@ -56,7 +56,7 @@ static int parts(const char *where) {
   return count;
 }
 
-/* Writes a text by the functions for atomic files, as all writers do. */
+/* Writes a text to a file by the same functions as all writers of archard. */
 static arc_status put(const char *path, const char *text, arc_error *error) {
   arc_atomic_file *file;
   arc_status status = arc_atomic_file_create(path, &file, error);
@@ -100,7 +100,7 @@ static void test_links_are_followed(void **state) {
   assert_non_null(strstr(error.message, strerror(ELOOP)));
 }
 
-/* Checks which file a name means, for all functions that open, create or confine files. */
+/* Tests to which file a name is resolved, for all functions that open, create or confine files. */
 static void test_names_mean_files(void **state) {
   (void)state;
   char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];
@@ -110,7 +110,7 @@ static void test_names_mean_files(void **state) {
   assert_int_equal(symlink("../meant/../to-new", "meant/chain"), 0);
   assert_int_equal(symlink("ring", "ring"), 0);
   static const struct meaning {
-    const char *name, *file; /* the file is below this folder */
+    const char *name, *file; /* the path of the file, relative to this folder */
   } known[] = {{"meant/file", "/meant/file"}, {"./meant//../meant/file", "/meant/file"},
                {"meant/none", "/meant/none"}, {"to-new", "/meant/new"},
                {"meant/chain", "/meant/new"}, {"file:meant", "/file:meant"},
@@ -149,7 +149,8 @@ static void test_permissions_stay(void **state) {
   assert_int_equal(facts.st_mode & 07777, 0640);
 }
 
-/* Each refusal has a message. Two of them are skipped for root, who may write everywhere. */
+/* Tests that each refusal has a message. Two refusals are skipped for root, which may write
+ * everywhere. */
 static void test_refused(void **state) {
   (void)state;
   arc_error error;
@@ -200,7 +201,8 @@ static void test_devices_are_written_to(void **state) {
   assert_true(S_ISFIFO(facts.st_mode));
 }
 
-/* The disk becomes full when the file is completed. */
+/* Tests a disk that becomes full while the new file is written: the write fails and the old file
+ * is unchanged. */
 static void test_no_room(void **state) {
   (void)state;
   struct rlimit limit, usual;
@@ -221,8 +223,9 @@ static void test_no_room(void **state) {
   assert_int_equal(parts("."), 0);
 }
 
-/* A killed program leaves its temporary file, and a database its journal. The next writer in the
- * folder removes them, but no file that is in use or has another origin. */
+/* Tests the removal of files that a killed program did not delete: its temporary file and the
+ * journal of its database. The next writer in the folder removes them, but no file that is in
+ * use or has another origin. */
 static void test_strays(void **state) {
   (void)state;
   arc_atomic_file *held;
@@ -249,8 +252,8 @@ static void test_strays(void **state) {
   arc_atomic_file_clean("nowhere");
 }
 
-/* A lock file belongs to the program named in it and is free after its end; a lock of a program on
- * another system is kept. */
+/* Tests that a lock file belongs to the program named in it and is free after the end of this
+ * program. A lock of a program on another system remains in force. */
 static void test_locks_by_name(void **state) {
   (void)state;
   char text[60] = "";
@@ -271,7 +274,8 @@ static void test_locks_by_name(void **state) {
   assert_int_equal(arc_lock_leave("file.lock"), -1);
 }
 
-/* Many programs write to one name: the first or the last file remains, always a complete one. */
+/* Tests programs that write to one name at the same time: the result is the complete file of one
+ * of them. */
 static void test_together(void **state) {
   (void)state;
   arc_atomic_file *early, *late;
@@ -298,8 +302,8 @@ static void test_together(void **state) {
   assert_int_equal(parts("."), 0);
 }
 
-/* Takes and releases a lock many times. Returns the errno of the first failure other than EEXIST,
- * or 0. */
+/* Acquires and releases a lock many times. Returns the errno of the first failure other than
+ * EEXIST, or 0. */
 static int compete(int times) {
   int wrong = 0;
   for (int i = 0; i < times && wrong == 0; i++) {
@@ -311,8 +315,8 @@ static int compete(int times) {
   return wrong;
 }
 
-/* A lock that is released while another program looks at its owner is a lock in use, not a missing
- * file. */
+/* Tests a lock that is released while another program reads its owner: the lock counts as in
+ * use, not as a missing file. */
 static void test_locks_compete(void **state) {
   enum { TIMES = 20000 };
   int ended = 0;

@@ -1,4 +1,4 @@
-/* Tests of status codes, error messages and measures of arrays. */
+/* Tests of status codes, error messages, and functions that measure arrays. */
 #include "archard/measure.h"
 #include "check.h"
 
@@ -110,7 +110,8 @@ static void test_interpolate(void **state) {
   assert_true(arc_measure_interpolate(NULL, NULL, 0, 0, -1) == -1);
 }
 
-/* A cubic has no sawtooth part; a sawtooth of amplitude 0.5 added to it is measured exactly. */
+/* Tests the sawtooth measure: a cubic has no sawtooth part, and the amplitude 0.5 of a sawtooth
+ * added to the cubic is measured exactly. */
 static void test_sawtooth(void **state) {
   (void)state;
   double x[21], y[21];

@@ -1,12 +1,13 @@
-/* Tests of condensed bodies against a direct solution on the whole mesh: unworn, worn, and inside.
- * Uses internal functions of elastic and contact to read the matrices. */
+/* Tests of condensed bodies against a direct solution on the whole mesh: unworn bodies, worn
+ * bodies, and displacements inside. They use internal functions of elastic and contact to read
+ * the matrices. */
 #include "check.h"
 
 #include "core/base/dense.h"
 #include "core/contact/shape.h"
 
-/* The matrix of the whole body with nodes at `xy`; unknown[node] is the index of its x
- * displacement, or -1 if fixed. */
+/* The stiffness matrix of the whole body with nodes at `xy`. unknown[node] is the index of the
+ * node's x displacement, or -1 if the node is fixed. */
 typedef struct whole {
   const elastic_body *body;
   int n, *unknown;
@@ -28,9 +29,10 @@ static void add_entry(const whole *w, sparse_entries *entries, int row, int colu
     assert_int_equal(arc_sparse_add(entries, i + row % 2, j + column % 2, value), ARC_OK);
 }
 
-/* Adds the square of the change of total area of triangles with the same first corner on one side
- * of the body, which have a common dilatation. The triangles are found by search, independent of
- * the order of elements. */
+/* Adds the stiffness of the common dilatation of a group of triangles: the square of the change
+ * of their total area. A group consists of the triangles with the same first corner on one side
+ * of the body. This function searches for them, so it does not depend on the order of the
+ * elements. */
 static void add_dilatation(const whole *w, const double *xy, int e, sparse_entries *entries) {
   const arc_mesh *m = w->body->mesh;
   int unknown[64], count = 0;
@@ -83,15 +85,16 @@ static void whole_free(whole *w) {
   free(w->unknown);
 }
 
-/* Computes the response to a unit force along x (0) or y (1) at surface node s, u [n]. */
+/* Computes the displacements u [n] due to a unit force along x (direction 0) or y (direction 1)
+ * at the surface node s. */
 static void push(const whole *w, int s, int direction, double *u) {
   memset(u, 0, (size_t)w->n * sizeof *u);
   u[w->unknown[w->body->mesh->surface_node[s]] + direction] = 1;
   check_ok(arc_factor_solve(w->k, u, why));
 }
 
-/* Compares the compliance with the direct solution, to 1e-10 of its largest entry, and checks its
- * symmetry. */
+/* Compares the condensed compliance with the direct solution, to 1e-10 of the largest entry, and
+ * checks that the compliance is symmetric. */
 static void check_compliance(const whole *w, const compliance *c) {
   const arc_mesh *m = w->body->mesh;
   assert_int_equal(c->n, m->surface);
@@ -136,7 +139,8 @@ static void test_unworn(void **state) {
     }
 }
 
-/* F is positive definite, so every contact problem has exactly one solution. */
+/* Tests that the condensed compliance is positive definite, so every contact problem has exactly
+ * one solution. */
 static void test_definite(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -151,7 +155,7 @@ static void test_definite(void **state) {
   arc_model_release(&model);
 }
 
-/* A mirrored force has the mirrored response. */
+/* Tests that mirrored forces give mirrored displacements. */
 static void test_mirror(void **state) {
   (void)state;
   arc_model *model = default_model();
@@ -170,8 +174,8 @@ static void test_mirror(void **state) {
   arc_model_release(&model);
 }
 
-/* Wears a rough, asymmetric scar of up to half the wear box, with no wear at the sides of the box,
- * where elements outside share its nodes. */
+/* Wears a body to a rough, asymmetric scar with a depth of up to half the wear box. The wear is
+ * zero at the sides of the box, where elements outside the box share nodes with it. */
 static void wear_at_random(arc_shape *shape, arc_body body) {
   const arc_mesh *m = arc_model_mesh(arc_shape_model(shape), body);
   const double most = 0.1 * m->rows * m->def.height;
@@ -209,8 +213,8 @@ static void test_worn(void **state) {
   }
 }
 
-/* Frozen geometry keeps the unworn compliance; moving geometry recomputes it only if the wear
- * exceeds `refresh`. */
+/* Tests when the compliance is recomputed: frozen geometry keeps the unworn compliance, and
+ * moving geometry recomputes it only if the wear exceeds `refresh`. */
 static void test_refresh(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -235,8 +239,8 @@ static void test_refresh(void **state) {
   arc_model_release(&model);
 }
 
-/* Between condensations the compliance is updated to first order: only a small part of the change
- * at the nodes remains as error. */
+/* Tests the update of the compliance between condensations. The update is of first order, so the
+ * remaining error is a small part of the change at the nodes. */
 static void test_drift(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -271,8 +275,8 @@ static void test_drift(void **state) {
   arc_model_release(&model);
 }
 
-/* Compares displacements inside, by back-substitution, with a solution on the whole mesh under the
- * same forces. */
+/* Compares the displacements inside the body, computed by back-substitution, with a solution on
+ * the whole mesh under the same forces. */
 static void check_field(const arc_contact *contact, const arc_shape *shape, arc_body b) {
   const elastic_body *body = arc_model_body(arc_shape_model(shape), b);
   const arc_mesh *m = body->mesh;
@@ -319,7 +323,7 @@ static void test_inside(void **state) {
   arc_model_release(&model);
 }
 
-/* A matrix without supports gives an error instead of a solution. */
+/* Tests that a matrix without supports gives an error instead of a solution. */
 static void test_not_definite(void **state) {
   (void)state;
   sparse_entries entries = {0};

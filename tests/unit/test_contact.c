@@ -1,5 +1,5 @@
-/* Tests of contact solutions: Hertz, balance, symmetry, position of the plate, worn shapes,
- * stresses, refused input. */
+/* Tests of contact solutions: Hertz theory, balance, symmetry, position of the plate, worn
+ * shapes, stresses, and refused input. */
 #include "check.h"
 
 static arc_model *steel; /* the default model, built once */
@@ -68,8 +68,8 @@ static void test_hertz_refused(void **state) {
   check_refused(arc_hertz_solve(10, 1, 100, fluid, &hertz, why), ARC_ARGUMENT, "nu'");
 }
 
-/* Compares the whole profile with Hertz for 75 to 200 N, with five to eight nodes in contact on
- * each side. */
+/* Tests the pressure profile against Hertz theory for loads of 75 to 200 N, with five to eight
+ * nodes in contact on each side. */
 static void test_hertz_profile(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -122,8 +122,8 @@ static void test_balance(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Gaps of 300 mm have rounding errors of 6e-14 mm, equivalent to 4e-9 N at a node, but the load is
- * balanced nevertheless. */
+/* Tests the balance of loads with gaps of 300 mm. Their rounding errors of 6e-14 mm are
+ * equivalent to 4e-9 N at a node, but the load is balanced nevertheless. */
 static void test_balance_far_away(void **state) {
   (void)state;
   static const double x[] = {-1, 0, 1}, h[] = {303, 300, 304}, load[] = {100, 3, 0.02};
@@ -132,7 +132,7 @@ static void test_balance_far_away(void **state) {
   check_ok(arc_shape_create(steel, ARC_FROZEN, 0, &shape, why));
   check_ok(
       arc_shape_sample(shape, ARC_PLATE, (arc_depths){.x = x, .h = h, .count = 3}, depth, why));
-  depth[0] = 0; /* depth lost by all nodes counts as an approach, not as a gap */
+  depth[0] = 0; /* a depth removed from all nodes counts as an approach, not as a gap */
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   for (int k = 0; k < 3; k++) {
     arc_contact *contact = solve(shape, load[k], 0);
@@ -158,7 +158,7 @@ static void test_symmetry(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* A plate moved to the right and one moved to the left give mirror images. */
+/* Tests that a plate moved to the right and a plate moved to the left have mirrored solutions. */
 static void test_mirrored_positions(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -179,8 +179,8 @@ static void test_mirrored_positions(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* On a flat plate the position has a small effect, caused only by the positions of the plate's
- * nodes. */
+/* Tests that the position of a flat plate has only a small effect, caused by the positions of
+ * the plate's nodes. */
 static void test_position(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -195,8 +195,8 @@ static void test_position(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Twice the thickness with twice the load, or moduli and load multiplied by k, give the same
- * contact. */
+/* Tests two scaling laws: twice the thickness with twice the load gives the same contact, and
+ * moduli and load multiplied by k give the same contact. */
 static void test_scaling(void **state) {
   (void)state;
   arc_model_def def = coarse_definition();
@@ -227,7 +227,8 @@ static void test_scaling(void **state) {
 
 /* --- worn shapes ------------------------------------------------------------------------------ */
 
-/* Wears a parabolic scar h0 (1 - (x/w)^2) on one body. */
+/* Wears one body to a parabolic scar of depth h0 (1 - (x/w)^2) with h0 = `deepest` and w =
+ * `half`. */
 static void wear_scar(arc_shape *shape, arc_body body, double deepest, double half) {
   const arc_profile profile = arc_shape_profile(shape, body);
   double *depth = calloc((size_t)profile.count, sizeof *depth);
@@ -237,8 +238,8 @@ static void wear_scar(arc_shape *shape, arc_body body, double deepest, double ha
   free(depth);
 }
 
-/* Wear that flattens the cylinder to three times its radius gives the Hertz contact of that radius,
- * on either body. */
+/* Tests worn shapes against Hertz theory: wear of either body that is equivalent to three times
+ * the cylinder's radius gives the Hertz contact of that radius. */
 static void test_other_radius(void **state) {
   (void)state;
   const double half = 0.45, deepest = half * half / 2 * (1 / 10.0 - 1 / 30.0);
@@ -257,7 +258,7 @@ static void test_other_radius(void **state) {
   }
 }
 
-/* A solution does not change when its shape is worn. */
+/* Tests that a contact solution does not change when its shape is worn afterwards. */
 static void test_keeps_its_shape(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -275,7 +276,8 @@ static void test_keeps_its_shape(void **state) {
   arc_contact_destroy(&contact);
 }
 
-/* Depth along the normal, its components in the vector sum, and the positions of the nodes. */
+/* Tests the wear depth along the normal, the sum of depth vectors from several calls, and the
+ * positions of the worn nodes. */
 static void test_profile(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -313,7 +315,7 @@ static void test_even_wear(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Wear through the box is refused and leaves the shape unchanged. */
+/* Tests that wear deeper than the wear box is refused and leaves the shape unchanged. */
 static void test_box_used_up(void **state) {
   (void)state;
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -335,7 +337,8 @@ static void test_box_used_up(void **state) {
 
 /* --- stresses --------------------------------------------------------------------------------- */
 
-/* Hertz stresses on the axis of both bodies: within 2 % of p_H from the second element row on. */
+/* Tests the stresses on the axis of both bodies against Hertz theory, to 2 % of the maximum
+ * pressure from the second element row on. */
 static void test_axis_stresses(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -425,7 +428,7 @@ static void test_models_refused(void **state) {
   check_refused(arc_model_build(&def, &model, why), ARC_ARGUMENT, "cylinder.nu");
 }
 
-/* A shape keeps a reference to its model, a contact to the model of its shape. */
+/* Tests that a shape keeps a reference to its model, and a contact to the model of its shape. */
 static void test_ownership(void **state) {
   (void)state;
   arc_model *model = coarse_model();

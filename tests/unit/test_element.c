@@ -1,6 +1,5 @@
 /* Tests of elements: patch tests on distorted patches and whole bodies, rigid motions, symmetry,
- * definiteness, bending.
- */
+ * positive definiteness, and bending. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -8,7 +7,7 @@
 
 static const arc_material steel = {.E = 200e3, .nu = 0.3};
 
-/* A linear displacement field with all strains and a rotation. */
+/* Computes a linear displacement field with all strains and a rotation. */
 static void linear_field(const double *xy, double *u) {
   u[0] = 3e-4 + 1.1e-3 * xy[0] - 0.7e-3 * xy[1];
   u[1] = -2e-4 + 0.4e-3 * xy[0] - 1.9e-3 * xy[1];
@@ -21,7 +20,7 @@ static void linear_stress(elasticity d, double stress[3]) {
   stress[2] = d.c33 * gxy;
 }
 
-/* Returns a random convex element of about unit size. */
+/* Returns a random convex element whose size is about one. */
 static element random_element(int corners, arc_element kind) {
   static const double unit[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   element e = {.corners = corners, .kind = kind};
@@ -49,7 +48,8 @@ static double largest(const double *value, int count) {
   return most;
 }
 
-/* f := K u. Returns the largest entry of |K| |u|, the scale of rounding errors. */
+/* Computes the nodal forces f = K u. Returns the largest entry of |K| |u|, the scale of rounding
+ * errors. */
 static double forces(const element *e, elasticity d, const double *u, double *f) {
   const int n = 2 * e->corners;
   double k[64], scale = 0;
@@ -81,8 +81,8 @@ static void test_symmetric(void **state) {
   }
 }
 
-/* Rigid motions need no force; all other motions need energy: K plus the rigid modes is positive
- * definite. */
+/* Tests that rigid motions need no force and that all other motions need energy: K plus the
+ * rigid modes is positive definite. */
 static void test_rigid_motions(void **state) {
   (void)state;
   random_start(8);
@@ -108,7 +108,8 @@ static void test_rigid_motions(void **state) {
   }
 }
 
-/* Constant strain: exact stress, and forces equal to the boundary integral of the tractions. */
+/* Tests a field of constant strain: the stress is exact, and the nodal forces equal the boundary
+ * integral of the tractions. */
 static void test_constant_strain(void **state) {
   (void)state;
   random_start(9);
@@ -130,8 +131,9 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* u = (x y, -x2/2 - nu/(1-nu) y2/2): bending of a rectangle. CPE4I has the exact energy for every
- * aspect ratio; CPE4 locks increasingly. */
+/* Returns the ratio of the element's strain energy to the exact one for the bending of a
+ * rectangle, u = (x y, -x2/2 - nu/(1-nu) y2/2). CPE4I has the exact energy for every aspect
+ * ratio; CPE4 is too stiff, increasingly so with the aspect ratio. */
 static double bending_energy_ratio(arc_element kind, double half_length) {
   const double half_height = 1, nu = steel.nu;
   element e = {.corners = 4,
@@ -156,14 +158,15 @@ static void test_bending(void **state) {
   (void)state;
   for (double length = 1; length < 20; length *= 2) {
     check_near(bending_energy_ratio(ARC_CPE4I, length), 1, 1e-12);
-    /* parasitic shear adds G over E* times the aspect ratio squared */
+    /* parasitic shear adds G / E* times the square of the aspect ratio */
     const double nu = steel.nu, shear = (1 - nu) / 2 * length * length;
     const double plane = (1 - nu) * (1 - nu) / (1 - 2 * nu);
     check_near(bending_energy_ratio(ARC_CPE4, length), plane + shear, 1e-9 * shear);
   }
 }
 
-/* "auto" is the paper's element up to nu = 0.4; an element given by the user is not changed. */
+/* Tests that "auto" means the CPE4 element of the reference paper up to nu = 0.4 and CPE4I
+ * above, and that an element chosen by the user is not changed. */
 static void test_kind_for_nu(void **state) {
   (void)state;
   for (double nu = -0.9; nu < 0.5; nu += 0.05) {
@@ -174,8 +177,8 @@ static void test_kind_for_nu(void **state) {
   assert_int_equal(arc_element_for(ARC_ELEMENT_AUTO, 0.4), ARC_CPE4);
 }
 
-/* The deviatoric stiffness of a triangle plus the square of its change of area is its whole
- * stiffness. */
+/* Tests that the deviatoric stiffness of a triangle plus the square of its change of area equals
+ * the whole stiffness. */
 static void test_volume_apart(void **state) {
   (void)state;
   random_start(10);
@@ -198,8 +201,9 @@ static void test_volume_apart(void **state) {
 
 /* --- patches ---------------------------------------------------------------------------------- */
 
-/* The standard patch: a rectangle of five quadrilaterals around a rotated one, or of ten triangles.
- * The outer nodes follow a linear field; the four free inner nodes must follow it too. */
+/* The standard patch: a rectangle of five quadrilaterals around a rotated one, or of ten
+ * triangles. The outer nodes follow a linear field; the test checks that the four free inner
+ * nodes follow the same field. */
 static const double patch_xy[16] = {0,    0,    0.24, 0,    0.24, 0.12, 0,    0.12,
                                     0.04, 0.02, 0.18, 0.03, 0.16, 0.08, 0.08, 0.08};
 static const int patch_quad[5][4] = {
@@ -245,8 +249,8 @@ static void test_patch(void **state) {
   }
 }
 
-/* The linear field on a whole graded mesh, including triangles at hanging nodes: no force remains
- * at an inner node, every element has the same stress. */
+/* Checks a linear field on a whole graded mesh, including triangles at hanging nodes: inner
+ * nodes have no force, and every element has the same stress. */
 static void check_body_patch(arc_body body, arc_element kind) {
   arc_mesh_def def = arc_mesh_default();
   def.element = kind;

@@ -1,5 +1,5 @@
-/* Tests of failures of all export formats: a failed write leaves no new file and keeps an existing
- * one. */
+/* Tests of failures of all export formats: a failed write creates no new file and does not
+ * change an existing one. */
 #include "export_shared.h"
 
 #include <signal.h>
@@ -51,7 +51,7 @@ static void limit_files(rlim_t bytes) {
   setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-/* A full disk: no new file, the old file unchanged. */
+/* Tests a full disk: no new file remains, and the old file is unchanged. */
 static void test_full_disk(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -81,7 +81,7 @@ static void test_full_disk(void **state) {
   arc_model_release(&model);
 }
 
-/* A missing folder, and a folder with the name of the file. */
+/* Tests writing into a missing folder and onto a folder that has the name of the file. */
 static void test_no_place(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -95,7 +95,7 @@ static void test_no_place(void **state) {
   arc_model_release(&model);
 }
 
-/* An existing file is replaced as a whole. */
+/* Tests that an existing file is replaced as a whole. */
 static void test_replaced(void **state) {
   (void)state;
   arc_model *model = coarse_model();

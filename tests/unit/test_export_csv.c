@@ -1,4 +1,4 @@
-/* Comma-separated columns, read back bit by bit. */
+/* Tests of exported comma-separated columns, which are read back and compared bit by bit. */
 #include "export_shared.h"
 
 #include <sys/stat.h>

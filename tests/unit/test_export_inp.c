@@ -1,7 +1,8 @@
-/* Input decks, read back with all their digits. */
+/* Tests of exported input decks of CalculiX, which are read back and compared with all their
+ * digits. */
 #include "export_shared.h"
 
-/* Reads a number of at most 20 characters, the limit of CalculiX. */
+/* Reads a number and checks that it has at most 20 characters, the limit of CalculiX. */
 static double read_short(FILE *file) {
   char text[64];
   assert_int_equal(fscanf(file, " , %63[^,\n]", text), 1);
@@ -9,7 +10,7 @@ static double read_short(FILE *file) {
   return strtod(text, NULL);
 }
 
-/* Checks the nodes of one face of a body. */
+/* Checks the node lines of one face of a body: their numbers and coordinates. */
 static void check_deck_nodes(FILE *file, int nodes, const double *xy, double shift, double z,
                              int first) {
   for (int n = 0; n < nodes; n++) {
@@ -23,8 +24,8 @@ static void check_deck_nodes(FILE *file, int nodes, const double *xy, double shi
   }
 }
 
-/* Checks the elements and their corners with the given offset. layer > 0: each element is a solid
- * with a second face, whose nodes have numbers higher by `layer`. */
+/* Checks the elements and their corners with the given offsets. With layer > 0, each element is
+ * a solid with a second face, whose node numbers are higher by `layer`. */
 static void check_deck_elements(FILE *file, const arc_mesh *m, int node, int element, int layer) {
   for (int corners = 4; corners >= 3; corners--) {
     find_line(file, "*ELEMENT, TYPE=");
@@ -53,7 +54,7 @@ static void check_deck_set(FILE *file, const int *list, int count, int offset, i
   }
 }
 
-/* Checks that every face of the contact surface connects two neighbouring candidate nodes. */
+/* Checks that every face of the contact surface connects two neighbouring nodes of the surface. */
 static void check_deck_surface(FILE *file, const arc_mesh *m, int element, int first_face) {
   find_line(file, "*SURFACE, NAME=");
   for (int k = 0; k + 1 < m->surface; k++) {

@@ -1,4 +1,5 @@
-/* VTK files, legacy and XML, read back bit by bit. */
+/* Tests of exported VTK files, in the legacy and the XML format, which are read back and
+ * compared bit by bit. */
 #include "export_shared.h"
 
 /* --- legacy ----------------------------------------------------------------------------------- */
@@ -119,7 +120,8 @@ static char *read_whole(const char *path, size_t *size) {
   return text;
 }
 
-/* Returns the bytes of the named array and their number, from its description. */
+/* Returns the bytes of the array with this name and writes their number, both from the array's
+ * header in the file. */
 static const void *array_bytes(const char *text, const char *name, uint64_t *bytes) {
   char start[80];
   snprintf(start, sizeof start, "Name=\"%s\"", name);
@@ -159,7 +161,8 @@ static void check_cells(const char *text, const arc_mesh *m) {
   }
 }
 
-/* Values of surface columns are at the nodes of the surface, 0 elsewhere. */
+/* Checks that the values of a surface column are written at the nodes of the surface and that
+ * all other nodes have the value 0. */
 static void check_surface(const char *text, const char *name, const arc_mesh *m,
                           const double *expected) {
   double *all = calloc((size_t)m->nodes, sizeof *all), sum = 0;
