@@ -1,6 +1,6 @@
-/* Tests of increments of Coulomb friction: every increment satisfies its conditions over random
- * histories of load and motion; forces balance; restored states give identical bits. Uses internal
- * functions of contact. */
+/* Tests of increments with Coulomb friction: every increment of random histories of load and
+ * motion satisfies the friction conditions, forces balance, and restored states give identical
+ * bits. They use internal functions of contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -15,14 +15,15 @@ typedef struct history {
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state, before;
-  double mu, slope; /* largest slope of the surfaces */
+  double mu, slope; /* slope: the largest slope of the surfaces */
 } history;
 
 static double scar(double x) {
   return fmax(0, 4e-3 * (1 - x * x / 0.09));
 }
 
-/* Wears the plate by a smooth scar times `share`, and the cylinder by half as much. */
+/* Wears the plate to a smooth scar of up to `share` times 4e-3 mm, and the cylinder to half this
+ * depth. */
 static void wear_down(history *h, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_profile profile = arc_shape_profile(h->shape, (arc_body)b);
@@ -63,7 +64,7 @@ static void go(history *h, const friction_step *step) {
 
 /* --- conditions of an increment --------------------------------------------------------------- */
 
-/* Recomputes the gaps from the matrices and the shape only. */
+/* Checks the contact conditions with gaps recomputed from the matrices and the shape only. */
 static void check_gaps(const history *h) {
   const contact_problem *p = &h->problem;
   const tangential_compliance *g = &h->compliance;
@@ -83,7 +84,8 @@ static void check_gaps(const history *h) {
   arc_contact_problem_free(&plain);
 }
 
-/* Recomputes the slip from the displacements of points on both surfaces, without the matrices. */
+/* Checks the friction conditions with a slip recomputed from the displacements of both surfaces,
+ * without the matrices. */
 static void check_slip(history *h, double p0) {
   const contact_problem *p = &h->problem;
   double *room = calloc((size_t)(2 * p->nc + p->np), sizeof *room), *was = room, *is = was + p->nc;
@@ -149,8 +151,8 @@ static void count(tally *t, const history *h) {
   if (h->workspace.sweeps > t->most) t->most = h->workspace.sweeps;
 }
 
-/* A random step: small and large motions, forces up to the friction limit, changed loads, lift-off.
- */
+/* Returns a random step: a small or large motion, a force up to the friction limit, a changed
+ * load or lift-off. */
 static friction_step random_step(const history *h) {
   friction_step s = {.mu = h->mu, .line = random_in(20, 110), .x = h->state.x};
   const int kind = random_int(0, 9);
@@ -211,8 +213,8 @@ typedef struct ways {
   int most, bracketed;
 } ways;
 
-/* Compares an increment solved by sweeps alone, with its force found by bracketing, with the
- * default method. */
+/* Compares two solutions of one increment: the default method, and sweeps alone with the plate's
+ * position for a given force computed by bracketing. */
 static void compare_ways(history *quick, history *slow, ways *found) {
   const friction_step step = random_step(quick);
   go(quick, &step);
@@ -241,7 +243,8 @@ static void run_ways(arc_model *model, double worn, ways *found) {
   end(&quick);
 }
 
-/* Sweeps without the coupled Newton iteration, and bracketing of forces, give the same results. */
+/* Tests that sweeps without the coupled Newton iteration, and bracketing for a given force, give
+ * the same results as the default method. */
 static void test_ways_to_solve(void **state) {
   (void)state;
   static const double worn[] = {0, 0.2, 1};
@@ -271,7 +274,7 @@ static int tear_down(void **state) {
   return 0;
 }
 
-/* Presses, then moves to and fro, and ends in partial slip on worn surfaces. */
+/* Presses the bodies, moves the plate to and fro, and ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
   static const double x[] = {0, 1.5e-3, -1e-3, 0, 5e-4, 0.03, 0.0285};
   static const double force[] = {0, 0, 0, 8, 0, 0, 0};
@@ -284,7 +287,8 @@ static void play(history *h, int first, int last) {
 
 enum { played = 7 };
 
-/* Without friction the result is identical to the frictionless solver, bit by bit. */
+/* Tests that the result without friction is identical bit by bit to the result of the
+ * frictionless solver. */
 static void test_no_friction(void **state) {
   (void)state;
   history h;
@@ -310,7 +314,7 @@ static void check_same(const friction_state *a, const friction_state *b) {
   assert_memory_equal(a->f, b->f, arc_friction_bytes(a));
 }
 
-/* A copied state continues with identical bits in other problems. */
+/* Tests that a state copied to another problem continues with identical bits. */
 static void test_copied(void **state) {
   (void)state;
   history one, two;
@@ -326,7 +330,7 @@ static void test_copied(void **state) {
   end(&one);
 }
 
-/* A refused step leaves the state unchanged. */
+/* Tests that a refused step leaves the state unchanged. */
 static void test_refused(void **state) {
   (void)state;
   history h;
@@ -346,7 +350,8 @@ static void test_refused(void **state) {
   end(&h);
 }
 
-/* After lift-off and a new load the slip starts at zero; the dissipated energy is kept. */
+/* Tests that after lift-off and a new load the slip starts at zero and the dissipated energy
+ * does not decrease. */
 static void test_lifted(void **state) {
   (void)state;
   history h;
@@ -364,8 +369,8 @@ static void test_lifted(void **state) {
   end(&h);
 }
 
-/* Displacements recomputed from the forces equal those of the matrices of the worn shape: sticking
- * points have not slipped. */
+/* Tests displacements that are recomputed from the forces after wear: they equal the
+ * displacements by the matrices of the worn shape, so sticking points have no slip. */
 static void test_displaced(void **state) {
   (void)state;
   history h;
@@ -390,8 +395,9 @@ static void test_displaced(void **state) {
   end(&h);
 }
 
-/* Shear that alternates from node to node moves the surface as alternating pressure does; elements
- * alone would have an error of one half. Wide loads use the elements without correction. */
+/* Tests that shear forces alternating from node to node displace the surface by as much as
+ * alternating normal forces do. The element matrix alone would give about half. For distant
+ * nodes the compliance is the element matrix without correction. */
 static void test_alternating(void **state) {
   (void)state;
   history h;
@@ -415,8 +421,9 @@ static void test_alternating(void **state) {
   end(&h);
 }
 
-/* The work of the force over the plate's path equals the energy dissipated at the nodes plus the
- * part between nodes, which exists even if no node slips. */
+/* Tests the energy balance of a closed cycle: the work of the force over the plate's path equals
+ * the energy dissipated at the nodes. The total energy also has a part between the nodes, which
+ * exists even if no node slips. */
 static void test_between(void **state) {
   (void)state;
   history h;
@@ -424,21 +431,25 @@ static void test_between(void **state) {
   go(&h, &(friction_step){.mu = 0, .line = 100});
   double start[2] = {0}, area = 0;
   for (int i = 1; i <= 200; i++) {
-    const double force = i <= 40 ? i : i <= 120 ? 80 - i : i - 160; /* displacements 40, -40, 40 */
+    const double force = i <= 40    ? i
+                         : i <= 120 ? 80 - i
+                                    : i - 160; /* turning points of the
+                                                * force: 40, -40, 40 N/mm */
     if (i == 41) start[0] = h.state.energy, start[1] = h.state.between;
     go(&h, &(friction_step){.mu = 0.6, .line = 100, .by_force = 1, .tangential = force});
     if (i > 40) area += (h.state.x - h.before.x) * (h.state.tangential + h.before.tangential) / 2;
     if (i == 4) assert_true(h.state.energy > 0 && h.state.energy == h.state.between);
   }
   const double energy = h.state.energy - start[0], between = h.state.between - start[1];
-  check_near(energy, 3.2635e-3,
-             0.04 * 3.2635e-3); /* energy of half-planes; that of the nodes alone is 27 % lower */
+  check_near(energy, 3.2635e-3, 0.04 * 3.2635e-3); /* dissipated energy of elastic half-planes; the
+                                                    * nodes alone give 27 % less */
   check_near(area, energy - between, 1e-3 * energy);
   end(&h);
 }
 
-/* Equal bodies are pressed without shear; a plate pushed to +x has a positive force and slips along
- * +x at the edges; on the way back from gross slip the signs are reversed. */
+/* Tests the signs of forces and slips. Pressing equal bodies gives no shear. A plate pushed to
+ * +x has a positive force and slips along +x at the edges; in gross slip to -x the force is
+ * negative. */
 static void test_signs(void **state) {
   (void)state;
   history h;

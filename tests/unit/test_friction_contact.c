@@ -1,5 +1,5 @@
-/* Tests of the public contact functions with friction: validation, and the warning for solutions
- * that may not be unique. Changes internal numbers of contact to test the validation. */
+/* Tests of the public contact functions with friction: validation of a solution, and the warning
+ * for solutions that may not be unique. The validation is tested with changed internal numbers. */
 #include "check.h"
 
 #include "core/friction/friction.h"

@@ -1,5 +1,5 @@
-/* Tests of meshes from Gmsh files: valid files of both versions, identical bits after writing and
- * reading, error messages for broken files, no memory leaks. */
+/* Tests of meshes from Gmsh files: valid files of both format versions, identical bits after
+ * writing and reading, error messages for broken files, and no memory leaks. */
 #include "check.h"
 #include "mesh_text.h"
 
@@ -21,7 +21,8 @@ static void forget(arc_mesh *mesh[ARC_BODIES]) {
 
 /* --- valid files ------------------------------------------------------------------------------ */
 
-/* Both files contain the parabola x^2 / 20 on four edges above a flat: the same pair. */
+/* Tests that the files of both format versions give the same pair of meshes: the parabola x^2 /
+ * 20 on four edges above a flat. */
 static void test_both_versions(void **state) {
   (void)state;
   static const char *const names[] = {"good-41", "good-22"};
@@ -67,7 +68,7 @@ static void test_materials(void **state) {
       arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
       "field 'upper.materials': expected one for each name in the mesh, 'steel', 'bronze', "
       "got none for 'steel'");
-  assert_null(mesh[ARC_CYLINDER]); /* ownership is transferred also on failure */
+  assert_null(mesh[ARC_CYLINDER]); /* ownership is transferred even if the call fails */
 }
 
 /* --- writing and reading ---------------------------------------------------------------------- */
@@ -79,7 +80,7 @@ static void check_same(const arc_mesh *got, const arc_mesh *expected) {
   assert_int_equal(got->surface, expected->surface);
   assert_int_equal(got->fixed, expected->fixed);
   assert_int_equal(got->outline, expected->outline);
-  for (int k = 0; k < 2 * got->nodes; k++) /* only zero loses its sign */
+  for (int k = 0; k < 2 * got->nodes; k++) /* not compared as memory: a zero may change its sign */
     assert_true(got->xy[k] == expected->xy[k]);
   assert_memory_equal(got->surface_node, expected->surface_node,
                       (size_t)got->surface * sizeof(int));
@@ -142,7 +143,7 @@ static void check_same_materials(const arc_mesh *got, const arc_mesh *expected) 
   }
 }
 
-/* The text written for a mesh gives the same mesh and the same text again. */
+/* Tests that the text written for a mesh gives the same mesh and again the same text. */
 static void test_text(void **state) {
   (void)state;
   static const char *const names[] = {"tests/files/msh/good-41.msh", "tests/files/msh/good-22.msh",
@@ -198,7 +199,8 @@ static arc_wear *frozen_run(arc_model *model) {
   return wear;
 }
 
-/* The paper's pair read from a file gives the same frozen run as the built-in mesh. */
+/* Tests that the pair of the reference paper, read from a file, gives the same run with frozen
+ * geometry as the built-in mesh. */
 static void test_same_run(void **state) {
   (void)state;
   arc_model *own = default_model();
@@ -234,7 +236,7 @@ static void test_moving_refused(void **state) {
 /* --- broken files ----------------------------------------------------------------------------- */
 
 static const struct broken {
-  const char *name, *part; /* part of the message */
+  const char *name, *part; /* `part` must occur in the error message */
 } broken[] = {
     {"no-upper", "no physical group 'upper' of surfaces; found: 'upper.contact' (curves)"},
     {"no-lower-contact", "no physical group 'lower.contact' of curves; found:"},
@@ -321,7 +323,7 @@ static size_t read_text(const char *path, char *text, size_t room) {
   return length;
 }
 
-/* Changes some characters of a valid file or truncates it. */
+/* Changes some characters of a valid file or truncates the file. Returns the new length. */
 static size_t spoil(char *text, size_t length) {
   static const char others[] = "0123456789 -.$\"\nE\0";
   for (int k = random_int(1, 2); k > 0; k--)
@@ -329,7 +331,8 @@ static size_t spoil(char *text, size_t length) {
   return random_int(0, 9) ? length : (size_t)random_int(0, (int)length);
 }
 
-/* A random file is read or refused with a message; run with sanitizers. */
+/* Tests that every randomly changed file is read or refused with a message. Sanitizers detect
+ * errors in memory access. */
 static void test_random(void **state) {
   (void)state;
   char good[2][4096], text[4096];

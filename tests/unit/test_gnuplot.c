@@ -1,5 +1,5 @@
-/* Tests of the gnuplot session: with the real gnuplot, and with shell scripts that act like a
- * gnuplot that is missing, old, slow, silent or dying. */
+/* Tests of the gnuplot session with the real gnuplot, and with shell scripts that imitate a
+ * gnuplot that is missing, old, slow, silent or crashing. */
 #include "plot_shared.h"
 
 #include <signal.h>
@@ -17,7 +17,7 @@ static void assert_start(const char *program, arc_status status, const char *wor
   arc_gnuplot_close(&session);
 }
 
-/* A script that acts like gnuplot 4.6 and answers the print command at the end of each request. */
+/* A script that acts like gnuplot 4.6 and executes the print command at the end of each request. */
 static const char old_gnuplot[] =
     "while read -r a b c; do\n"
     "  case \"$a $b\" in\n"
@@ -53,7 +53,7 @@ static void test_silent(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* The session waits for a gnuplot that needs a second to start. */
+/* Tests that the session waits for a gnuplot that needs a second to start. */
 static void test_slow(void **state) {
   (void)state;
   char path[256];
@@ -62,7 +62,7 @@ static void test_slow(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* A fake gnuplot that dies at the first plot, then is replaced by the real one. */
+/* Tests a fake gnuplot that ends at the first plot and is then replaced by the real one. */
 static void test_killed_in_mid_plot(void **state) {
   arc_gnuplot *session = *state;
   arc_error error;
@@ -74,7 +74,7 @@ static void test_killed_in_mid_plot(void **state) {
   assert_draws(session);
 }
 
-/* gnuplot is killed between two plots: the next plot starts a new one. */
+/* Tests that the next plot starts a new gnuplot if the old one was killed between two plots. */
 static void test_killed_idle(void **state) {
   arc_gnuplot *session = *state;
   assert_draws(session);
@@ -102,8 +102,9 @@ static void test_stop(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* Ctrl-C is sent to the foreground process group, so gnuplot must be in another one. Signals that
- * the caller ignores or blocks must be at their default in gnuplot and unchanged in the caller. */
+/* Tests two properties of signals. Ctrl-C is sent to the foreground process group, so gnuplot
+ * must be in another group. Signals that the caller ignores or blocks must have their default
+ * action in gnuplot and must not change in the caller. */
 static void test_signals(void **state) {
   (void)state;
   struct sigaction ignore = {.sa_handler = SIG_IGN}, before, now;
@@ -138,7 +139,7 @@ static int ends_soon(long pid) {
   return 0;
 }
 
-/* If the program is killed while gnuplot is busy and reads no input, gnuplot ends too. */
+/* Tests that gnuplot ends if the program is killed while gnuplot is busy and reads no input. */
 static void test_killed_program(void **state) {
   (void)state;
   int told[2];
@@ -165,7 +166,8 @@ static void test_killed_program(void **state) {
   assert_true(ended);
 }
 
-/* More data than a pipe can buffer, in both directions at once, cause no deadlock. */
+/* Tests that more data than a pipe can buffer, sent in both directions at once, cause no
+ * deadlock. */
 static void test_much_both_ways(void **state) {
   arc_gnuplot *session = *state;
   enum { LINES = 20000 };
@@ -183,7 +185,7 @@ static void test_much_both_ways(void **state) {
   free(reply);
 }
 
-/* After an error in a command the session continues with the same gnuplot process. */
+/* Tests that the session continues with the same gnuplot process after an error in a command. */
 static void test_refused_command(void **state) {
   arc_gnuplot *session = *state;
   arc_error error;

@@ -1,5 +1,5 @@
 /* Tests of runs that need a larger mesh and of interrupted model construction: an interruption
- * leaves the previous state. */
+ * leaves the previous state unchanged. */
 #include "archard/contact.h"
 #include "runs.h"
 
@@ -19,7 +19,7 @@ static void hear(void *context, const char *text) {
   snprintf(warning, sizeof warning, "%s", text);
 }
 
-/* A run whose next step exceeds its meshed zone. */
+/* Returns a run whose next step exceeds its meshed zone. */
 static arc_wear *about_to_grow(void) {
   arc_model_def md = coarse_definition();
   md.mesh.zone[ARC_CYLINDER] = md.mesh.zone[ARC_PLATE] = 0.72;
@@ -42,8 +42,8 @@ static arc_wear *about_to_grow(void) {
   return wear;
 }
 
-/* Stopped at each call of the progress function, the run is unchanged and then continues with
- * identical results. */
+/* Tests a run that is stopped at each call of the progress function: the run is unchanged and
+ * then continues with identical results. */
 static void test_stopped_while_growing(void **state) {
   (void)state;
   const arc_callbacks callbacks = {.stop = stop_when_tired, .warn = hear};
@@ -72,7 +72,7 @@ static void test_stopped_while_growing(void **state) {
   arc_wear_destroy(&whole);
 }
 
-/* The worn surface is transferred unchanged to the larger mesh. */
+/* Tests that the worn surface is transferred unchanged to the larger mesh. */
 static void test_grown_surface(void **state) {
   (void)state;
   arc_wear *wear = about_to_grow();
@@ -94,7 +94,8 @@ static void test_grown_surface(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* An interrupted model construction leaves no model; the next construction succeeds. */
+/* Tests that an interrupted model construction returns no model and that the next construction
+ * succeeds. */
 static void test_model_stopped(void **state) {
   (void)state;
   arc_model_def md = arc_model_default();
@@ -124,7 +125,7 @@ static void test_model_stopped(void **state) {
   arc_model_release(&alone);
 }
 
-/* Contacts with fewer than four elements give a warning. */
+/* Tests that contacts with fewer than four elements give a warning. */
 static void test_few_elements(void **state) {
   (void)state;
   const arc_callbacks callbacks = {.warn = hear};

@@ -1,4 +1,4 @@
-/* Tests of a ball in a socket: exchange of head and cup, compliances, gaits, contacts, wear;
+/* Tests of a ball in a socket: exchange of head and cup, compliances, gaits, contacts and wear,
  * against an independent program and closed forms. */
 #include "check.h"
 
@@ -12,7 +12,7 @@ static arc_joint_def metal(double size) {
   return def;
 }
 
-/* Returns a liner of 8 mm on a rigid head. */
+/* Returns the definition of a liner 8 mm thick around a rigid head. */
 static arc_joint_def liner(double size) {
   arc_joint_def def = metal(size);
   def.clearance = 0.1;
@@ -44,7 +44,8 @@ static double deepest(const arc_joint *j, arc_body body) {
   return 1000 * most;
 }
 
-/* Makes graded updates up to `cycles`. */
+/* Wears the joint up to `cycles` in updates of increasing length, and checks the volumes of both
+ * bodies. */
 static arc_joint_record wear_down(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                                   int updates) {
   arc_joint_record r = {0};
@@ -67,7 +68,8 @@ static void walk(const char *name, int n, double angle, double load, arc_gait_in
   assert_int_equal(arc_gait_named(name, n, angle, load, gait, &error), ARC_OK);
 }
 
-/* With alpha, R, F replaced by 1 - alpha, R', R' F, head and cup exchange their roles exactly. */
+/* Tests the symmetry of head and cup: if alpha, the rotation R and the load F are replaced by 1
+ * - alpha, R' and R' F, both bodies exchange their results exactly. */
 static void test_exchange(void **state) {
   (void)state;
   const arc_joint_def def = metal(3);
@@ -174,8 +176,8 @@ static void test_metal(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Winkler springs under 3000 N: p_max 15.13737, u .1578969, and the integral of p is 1.139244 times
- * the load. */
+/* Tests a layer of Winkler springs under 3000 N against closed forms: p_max = 15.13737 MPa,
+ * approach 0.1578969 mm, and an integral of p of 1.139244 times the load. */
 static void test_springs(void **state) {
   (void)state;
   arc_joint_def def = liner(2);
@@ -188,7 +190,8 @@ static void test_springs(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* A load in a direction between the grid lines. */
+/* Tests that a load in a direction between the grid lines gives the same contact as a load along
+ * the axis. */
 static void test_turned_load(void **state) {
   (void)state;
   const arc_joint_def def = liner(3);
@@ -203,7 +206,8 @@ static void test_turned_load(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* The head moves on a circle: constant sliding speed. */
+/* Tests wear by a head that moves on a circle, so the sliding speed is constant, against an
+ * independent program. */
 static void test_rocking(void **state) {
   (void)state;
   const arc_joint_def def = liner(4);
@@ -226,8 +230,8 @@ static void test_rocking(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Wear of both bodies of a metal joint in a million cycles of walking, alpha 0.5, against an
- * independent program with 20 updates. */
+/* Tests the wear of both bodies of a metal joint in a million cycles of walking with alpha = 0.5
+ * against an independent program with 20 updates. */
 static void test_walk(void **state) {
   (void)state;
   const arc_joint_def def = metal(3);
@@ -244,7 +248,8 @@ static void test_walk(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Cross-shear at the pole of a liner, and the volume for a coefficient that increases with it. */
+/* Returns a wear coefficient that increases with the cross-shear `share`. test_cross_shear uses
+ * it to test the cross-shear at the pole of a liner and the wear volume. */
 static double sheared(void *context, double share, double p, double cycles) {
   (void)context, (void)p, (void)cycles;
   return 1e-9 * fmin(0.2 + 3.2 * share, 1);

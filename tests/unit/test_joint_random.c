@@ -1,7 +1,7 @@
-/* Random joints: radii, clearances, layers, moduli from rubber to ceramics, inclined cups, gaits,
- * wear partition. Each run must have Archard's volumes; contacts on unworn and worn surfaces must
- * satisfy balance and complementarity, recomputed here. For more runs: ARCHARD_RUNS=500
- * build/tests/test_joint_random */
+/* Tests of random joints: radii, clearances, layers, moduli from rubber to ceramics, inclined
+ * cups, gaits and wear partition. Each run must have Archard's wear volumes. Contacts on unworn
+ * and worn surfaces must satisfy balance and complementarity, which the test recomputes. For
+ * more runs: ARCHARD_RUNS=500 build/tests/test_joint_random */
 #include "check.h"
 
 #include "core/sphere/sphere.h"
@@ -9,10 +9,11 @@
 enum { instants = 8 };
 
 typedef struct worst_case {
-  double force, touching,
-      overlap;          /* errors relative to the load, and to the largest displacement */
-  double volume, share; /* errors relative to the volume of both bodies */
-  int runs, refused, springs, updates; /* refused: the contact would extend around the head */
+  double force, touching, overlap; /* largest errors: of forces relative to the load, of the overlap
+                                    * relative to the largest displacement */
+  double volume, share;            /* largest errors relative to the worn volume of both bodies */
+  int runs, refused, springs, updates; /* refused: number of runs whose contact would extend
+                                        * around the head */
 } worst_case;
 
 /* --- random definitions ----------------------------------------------------------------------- */
@@ -47,8 +48,8 @@ static arc_joint_def definition(void) {
   return def;
 }
 
-/* Computes a built-in gait scaled to a load. It keeps the directions and the relative size of its
- * loads. */
+/* Computes a built-in gait with its loads scaled to the largest load [N]. Directions and ratios
+ * of the loads are unchanged. */
 static void gait_of(double load, arc_gait_instant *gait) {
   static const char *const name[] = {"iso", "prosim", "flexion", "rocking"};
   const double turn = uniform(-0.3, 0.3);
@@ -95,7 +96,7 @@ static void check_contact(arc_joint *j, const double load[3], const double appro
   free(u);
 }
 
-/* Returns 0 if the contact would extend around the head. */
+/* Solves and checks one contact. Returns 0 if the contact would extend around the head. */
 static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
                  worst_case *worst) {
   arc_error error = {0};
@@ -105,8 +106,9 @@ static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
   return status == ARC_OK;
 }
 
-/* Returns the load [N] whose approach is a share of the clearance, and cells suitable for its
- * contact; 0 if the contact would extend around the head. */
+/* Returns a load [N] whose contact is narrower than 60 degrees on each side, and sets def->size
+ * [degrees] to a cell size suitable for this contact. Returns 0 if even small loads give
+ * contacts that extend around the head. */
 static double fit(arc_joint_def *def) {
   arc_error error = {0};
   arc_joint *j;
@@ -126,8 +128,8 @@ static double fit(arc_joint_def *def) {
   return c.half_angle > 0 ? load : 0;
 }
 
-/* Makes four updates. Returns 0 if the worn contact would extend around the head, which leaves the
- * joint unchanged. */
+/* Wears the joint in four updates. Returns 0 if the worn contact would extend around the head;
+ * the joint must then be unchanged. */
 static int wear_down(arc_joint *j, const arc_joint_wear_def *wear, double cycles,
                      arc_joint_record *r) {
   const size_t bytes = (size_t)j->sites * sizeof(double);
@@ -160,7 +162,7 @@ static int run_one(worst_case *worst) {
   assert_int_equal(arc_joint_create(&def, &j, NULL), ARC_OK);
   int fine = press(j, &gait[0], &c, worst);
   if (fine) {
-    /* wear depth of 0.1 to 10 times the approach */
+    /* the wear depth is 0.1 to 10 times the elastic approach */
     const double sag = fmax(c.approach[2] - def.clearance, 0.01 * def.clearance);
     const double depth = fmin(between(0.1, 10) * sag, 0.02 * def.radius);
     const double corners[] = {0, 1, 0.5, uniform(0, 1)};

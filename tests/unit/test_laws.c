@@ -1,5 +1,5 @@
-/* Tests of wear laws: the properties in a law's table row agree with its formula. Steps are chosen
- * by these properties, so a wrong one would give wrong results. */
+/* Tests of wear laws: the properties in the table row of a law agree with the law's formula.
+ * Step lengths depend on these properties, so a wrong property would give wrong results. */
 #include "check.h"
 
 typedef struct law {
@@ -29,16 +29,16 @@ static int is_parameter(const arc_setting *s) {
 
 typedef int (*seen_fn)(const law *l, const arc_wear_def *d, double p);
 
-/* Returns true if `seen` is true at some pressure [MPa], in a range far wider than that of
- * contacts. */
+/* Returns true if `seen` is true at some pressure [MPa] in a range far wider than the pressures
+ * of contacts. */
 static int at_any_pressure(const law *l, const arc_wear_def *d, seen_fn seen) {
   for (double p = 1e-3; p < 1e4; p *= 1.01)
     if (seen(l, d, p)) return 1;
   return 0;
 }
 
-/* Returns true if `seen` is true at any pressure, with the default parameters or with each
- * parameter times 2 or 2/3. */
+/* Returns true if `seen` is true at any pressure, with the default parameters or with one
+ * parameter multiplied by 2 or 2/3. */
 static int at_any(const law *l, seen_fn seen) {
   const arc_wear_def usual = arc_wear_default();
   int found = at_any_pressure(l, &usual, seen);
@@ -58,7 +58,8 @@ static int is_not_archards(const law *l, const arc_wear_def *d, double p) {
   return l->factor(d, p) != 1 || l->growth(d, p) != 1;
 }
 
-/* Returns true for a discontinuity, a difference that does not decrease with the interval. */
+/* Returns true if the factor is discontinuous near p: its difference over an interval does not
+ * decrease with the interval. */
 static int jumps(const law *l, const arc_wear_def *d, double p) {
   double low = p, high = 1.01 * p;
   for (int i = 0; i < 40; i++) {
@@ -77,7 +78,8 @@ static double slope(const law *l, const arc_wear_def *d, double p, double side) 
   return log(to * l->factor(d, to) / (p * l->factor(d, p))) / log1p(side);
 }
 
-/* Returns true if the exponent differs from the stated one where the factor is smooth. */
+/* Returns true if the exponent stated by the law differs from the slope of the formula at a
+ * pressure where the factor is smooth. */
 static int grows_otherwise(const law *l, const arc_wear_def *d, double p) {
   const double left = slope(l, d, p, -1e-5), right = slope(l, d, p, 1e-5);
   if (!(l->factor(d, p) > 0) || !(fabs(left - right) < 1e-2)) return 0;
@@ -117,7 +119,7 @@ static void test_growth(void **state) {
     is_as_told(l, "a growth other than d ln(p factor) / d ln p", at_any(l, grows_otherwise), 0);
 }
 
-/* The help text of a law lists its settings. */
+/* Tests that the help text of each law lists the settings of this law. */
 static void test_parameters(void **state) {
   (void)state;
   int parameters = 0;

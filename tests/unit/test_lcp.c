@@ -1,13 +1,14 @@
-/* Tests of the contact problem on random matrices against an enumeration of all active sets: cold
- * and warm start, Newton and fallback, degenerate problems. Includes lcp.c, whose fallback is
- * static. */
+/* Tests of the complementarity solver for contact on random matrices against an enumeration of
+ * all active sets: cold and warm start, Newton and fallback method, degenerate problems. The
+ * file includes lcp.c, whose fallback is static. */
 #include "check.h"
 
 #include "core/contact/lcp.c"
 
 enum { most = 80 };
 
-/* Makes a contact problem of n candidates with only the fields that lcp.c uses. */
+/* Returns a contact problem of n candidate nodes in which only the fields used by lcp.c are
+ * allocated. */
 static contact_problem room(int n) {
   contact_problem p = {.nc = n, .np = n, .count = n};
   p.set = calloc((size_t)n, sizeof(int));
@@ -38,8 +39,8 @@ static void room_free(contact_problem *p) {
   free(p->step);
 }
 
-/* A = G G' + ridge, G [n x rank]: positive definite without special structure; a low rank and a
- * small ridge make it ill-conditioned. */
+/* Sets the matrix to A = G G' + ridge I with a random matrix G [n x rank]. A is positive
+ * definite without special structure; a low rank and a small ridge make it ill-conditioned. */
 static void random_matrix(contact_problem *p, int rank, double ridge) {
   const int n = p->count;
   double *g = malloc((size_t)(n * rank) * sizeof *g);
@@ -54,7 +55,7 @@ static void random_matrix(contact_problem *p, int rank, double ridge) {
   p->factored = 0;
 }
 
-/* Makes integer data, which cause ties. */
+/* Fills the problem with integer data, which cause ties: gaps and forces that are exactly zero. */
 static void whole_numbers(contact_problem *p) {
   const int n = p->count;
   memset(p->a, 0, (size_t)(n * n) * sizeof(double));
@@ -71,7 +72,8 @@ static void random_gaps(contact_problem *p, double high) {
   for (int k = 0; k < p->count; k++) p->gap[k] = random_in(0, high);
 }
 
-/* Returns the violation of f >= 0, g >= 0, f g = 0, sum f = load, in units of force. */
+/* Returns the largest violation of the conditions f >= 0, g >= 0, f g = 0 and sum f = load, in
+ * units of force. */
 static double defect(const contact_problem *p, double load, const double *f, double approach) {
   double worst = 0, sum = 0, size = fabs(load);
   for (int k = 0; k < p->count; k++) size = fmax(size, fabs(f[k]));
@@ -93,8 +95,8 @@ static void check_solution(const contact_problem *p, double load) {
   for (int s = 1; s < p->active; s++) assert_true(p->set[s] > p->set[s - 1]);
 }
 
-/* Tries all 2^n - 1 sets and returns the forces of the set that solves the problem, by Gauss
- * elimination on [A -1; 1' 0]. */
+/* Computes the forces f and the approach for one active set, by Gauss elimination on the matrix
+ * [A -1; 1' 0]. */
 static int solve_set(const contact_problem *p, unsigned set, double load, double *f,
                      double *approach) {
   double m[9 * 9], x[9];
@@ -151,7 +153,8 @@ static void test_against_all_sets(void **state) {
   }
 }
 
-/* Starts from zero, from the last solution and from random sets give the same solution. */
+/* Tests that starts from zero, from the last solution and from random active sets give the same
+ * solution. */
 static void test_warm_start(void **state) {
   (void)state;
   random_start(32);
@@ -177,8 +180,8 @@ static void test_warm_start(void **state) {
   }
 }
 
-/* Ill-conditioned matrices sometimes make Newton cycle: the fallback must then solve the problem.
- * The test requires at least one such case. */
+/* Tests the fallback method on ill-conditioned matrices, for which the Newton method sometimes
+ * cycles. At least one such case is required. */
 static void test_newton_gives_up(void **state) {
   (void)state;
   random_start(33);
@@ -215,7 +218,7 @@ static void test_fallback_alone(void **state) {
   }
 }
 
-/* Ties: gaps and forces that are exactly zero. */
+/* Tests degenerate problems with ties: gaps and forces that are exactly zero. */
 static void test_degenerate(void **state) {
   (void)state;
   random_start(35);
@@ -235,7 +238,8 @@ static void test_degenerate(void **state) {
   }
 }
 
-/* A sequence of changing gaps, as in a wear run: each solution starts from the last active set. */
+/* Tests a sequence of changing gaps that resembles a wear run: each solution starts from the
+ * last active set. */
 static void test_path(void **state) {
   (void)state;
   random_start(36);

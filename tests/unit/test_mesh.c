@@ -1,5 +1,5 @@
 /* Tests of the meshes of both bodies: exact mirror symmetry, positive Jacobians, wear box, node
- * sets, outline, quality, random definitions, refusals. */
+ * sets, outline, quality, random definitions, and refused definitions. */
 #include "check.h"
 
 static const double pi = 3.14159265358979323846;
@@ -28,8 +28,9 @@ static int compare_elements(const void *a, const void *b) {
   return memcmp(a, b, 4 * sizeof(int));
 }
 
-/* twin[n] is the node at exactly (-x, y); the test fails if there is none. Nodes of one height are
- * sorted by x, so the k-th from the left must mirror the k-th from the right. */
+/* Returns for each node n the node twin[n] at exactly (-x, y); the test fails if a node has
+ * none. Nodes of one height are sorted by x, so the k-th node from the left must mirror the k-th
+ * from the right. */
 static int *find_twins(const arc_mesh *m) {
   int *order = malloc((size_t)m->nodes * sizeof(int)),
       *twin = malloc((size_t)m->nodes * sizeof(int));
@@ -49,8 +50,8 @@ static int *find_twins(const arc_mesh *m) {
   return twin;
 }
 
-/* Returns the mapped corners of all elements, those of each element in increasing order, with
- * sorted elements. */
+/* Returns the corners of all elements, mapped by `map` if it is not NULL. The corners of each
+ * element are sorted, then the elements. */
 static int *canonical(const arc_mesh *m, const int *map) {
   int *list = malloc(4 * (size_t)m->elements * sizeof(int));
   for (int e = 0; e < m->elements; e++) {
@@ -96,7 +97,7 @@ static int has_corner(const int *element, int node) {
   return element[0] == node || element[1] == node || element[2] == node || element[3] == node;
 }
 
-/* Checks that element (column, row) of the box is a quadrilateral of four box nodes. */
+/* Checks that each element (column, row) of the wear box is a quadrilateral of four box nodes. */
 static void check_box_elements(const arc_mesh *m) {
   const int high = m->rows + 1;
   for (int column = 0; column + 1 < m->surface; column++)
@@ -129,7 +130,7 @@ static void check_surface(const arc_mesh *m) {
   assert_true(width < m->def.zone[m->body] + 2 * m->def.size * (1 + 1e-9));
 }
 
-/* Checks that rows of the box have the distance `height` along the normal. */
+/* Checks that the rows of the wear box have the distance `height` along the normal. */
 static void check_rows(const arc_mesh *m) {
   for (int c = 0; c < m->surface; c++)
     for (int row = 0; row < m->rows; row++) {
@@ -167,8 +168,8 @@ static double area_of(const arc_mesh *m, const int *corner, int corners) {
   return area;
 }
 
-/* The outline is closed, counter-clockwise, contains each node once, and its area equals that of
- * the elements and of the body. */
+/* Checks that the outline is closed, counter-clockwise and contains each node once. Its area
+ * must equal the area of the elements and of the body. */
 static void check_outline(const arc_mesh *m) {
   char *seen = calloc((size_t)m->nodes, 1);
   for (int k = 0; k < m->outline; k++) assert_int_equal(seen[m->outline_node[k]]++, 0);
@@ -215,8 +216,8 @@ static void test_default(void **state) {
   }
 }
 
-/* Element quality of the default mesh. The smallest angles are at the centre of the half cylinder's
- * fan. */
+/* Tests the element quality of the default mesh. The smallest angles are at the centre of the
+ * half cylinder's fan of elements. */
 static void test_default_quality(void **state) {
   (void)state;
   const arc_mesh_def def = arc_mesh_default();
@@ -232,7 +233,8 @@ static void test_default_quality(void **state) {
   }
 }
 
-/* The area of the half disc converges with second order in the element size at its rim. */
+/* Tests that the area of the half disc converges with second order in the element size at its
+ * rim. */
 static void test_half_disc_area(void **state) {
   (void)state;
   arc_mesh_def def = arc_mesh_default();
@@ -258,8 +260,9 @@ static double longest_edge(const arc_mesh *m, const int *corner) {
   return longest;
 }
 
-/* No element is much larger than `far`: diagonals of closing triangles, and stretching to whole
- * cells, give up to twice this size. The fan at the half cylinder's centre is excluded. */
+/* Tests that no element is much larger than `far`. Diagonals of closing triangles, and
+ * stretching to a whole number of cells, give up to twice this size. The fan at the half
+ * cylinder's centre is excluded. */
 static void test_far_size(void **state) {
   (void)state;
   static const double far[] = {0.3, 1, 2.5};
@@ -277,7 +280,7 @@ static void test_far_size(void **state) {
     }
 }
 
-/* The same definition gives identical bits. */
+/* Tests that the same definition gives a mesh with identical bits. */
 static void test_deterministic(void **state) {
   (void)state;
   const arc_mesh_def def = arc_mesh_default();
@@ -291,7 +294,7 @@ static void test_deterministic(void **state) {
   }
 }
 
-/* Makes a random definition in the allowed range, limited to sizes that are quick to build. */
+/* Returns a random definition in the allowed range, limited to meshes that are quick to build. */
 static arc_mesh_def random_definition(double radius) {
   arc_mesh_def def = arc_mesh_default();
   def.size = radius * exp(random_in(log(2e-3), log(0.1)));
@@ -388,7 +391,7 @@ static void test_refused_rows(void **state) {
   }
 }
 
-/* A mesh too large for memory is refused before any allocation. */
+/* Tests that a mesh too large for memory is refused before any allocation. */
 static void test_refused_too_fine(void **state) {
   (void)state;
   arc_mesh_def def = arc_mesh_default();

@@ -1,6 +1,6 @@
-/* Tests of the mortar coupling: rows of B sum to one and reproduce linear functions, forces and
- * moments balance, at any position of the plate and on worn surfaces. Uses internal functions of
- * contact. */
+/* Tests of the mortar coupling matrix B: rows of B sum to one and reproduce linear functions,
+ * and forces and moments balance, at any position of the plate and on worn surfaces. They use
+ * internal functions of contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -12,7 +12,7 @@ static arc_shape *make_shape(arc_model *model) {
   return shape;
 }
 
-/* Returns a model with a wide plate zone, over which the cylinder slides far. */
+/* Returns a model whose plate zone is so wide that the cylinder can slide far on it. */
 static arc_model *make_model(void) {
   arc_model_def def = coarse_definition();
   def.mesh.zone[ARC_PLATE] = 1.9;
@@ -34,7 +34,7 @@ static double plate_x(const arc_shape *shape, const contact_problem *p, int l) {
   return shape->side[ARC_PLATE].settled[2 * l] + p->x;
 }
 
-/* Checks B 1 = 1 and B x = x. */
+/* Checks B 1 = 1 and B x = x for the mortar matrix B. */
 static void check_rows(const arc_shape *shape, const contact_problem *p) {
   double *v = calloc((size_t)(p->np + p->nc), sizeof *v), *at_cylinder = v + p->np;
   for (int l = 0; l < p->np; l++) v[l] = 1;
@@ -47,7 +47,8 @@ static void check_rows(const arc_shape *shape, const contact_problem *p) {
   free(v);
 }
 
-/* Checks that forces of the cylinder have the same sum and the same moment on the plate. */
+/* Checks that forces on the cylinder are transferred to the plate with the same sum and the same
+ * moment. */
 static void check_balance(const arc_shape *shape, const contact_problem *p) {
   double *f = calloc((size_t)(p->np + p->nc), sizeof *f), *on_plate = f + p->nc;
   double sum[2] = {0}, moment[2] = {0}, size = 0;
@@ -68,7 +69,8 @@ static void check_balance(const arc_shape *shape, const contact_problem *p) {
   free(f);
 }
 
-/* Checks the forces of a solution on worn surfaces along x and y, and along the plate's normals. */
+/* Checks the forces of a solution on worn surfaces: their sums along x and y, and their
+ * directions along the plate's normals. */
 static void check_forces(const arc_shape *shape, double x) {
   contact_problem p;
   assert_int_equal(arc_contact_problem_create(&p, arc_shape_model(shape)), ARC_OK);
@@ -93,7 +95,7 @@ static void check_forces(const arc_shape *shape, double x) {
   arc_contact_problem_free(&p);
 }
 
-/* Checks (B v)'f = v'(B'f), that is, the same matrix in both directions. */
+/* Checks (B v)'f = v'(B'f): the transfers of displacements and of forces use the same matrix. */
 static void check_adjoint(const contact_problem *p) {
   double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
   double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;
@@ -126,7 +128,7 @@ static void test_random_positions(void **state) {
   arc_model_release(&model);
 }
 
-/* Positions with matching nodes, and half an element off. */
+/* Tests plate positions with matching nodes, and positions half an element off. */
 static void test_special_positions(void **state) {
   (void)state;
   random_start(22);
@@ -137,7 +139,7 @@ static void test_special_positions(void **state) {
   arc_model_release(&model);
 }
 
-/* A groove with slopes up to 0.15: pressures act along its normals. */
+/* Tests a groove with slopes up to 0.15, where pressures act along the normals of the groove. */
 static void test_slopes(void **state) {
   (void)state;
   arc_model *model = make_model();
@@ -159,7 +161,8 @@ static void test_slopes(void **state) {
   arc_model_release(&model);
 }
 
-/* Conserved depths reduce the area of the polygon by exactly their own area. */
+/* Tests that depths corrected by arc_shape_conserve reduce the area of the polygon by exactly
+ * the area that the depths stand for. */
 static void test_conserve(void **state) {
   (void)state;
   random_start(25);
@@ -209,12 +212,12 @@ static void test_worn(void **state) {
   arc_model_release(&model);
 }
 
-/* With the plate's nodes below the cylinder's, B is the mean over adjacent nodes, and the identity
- * at x = 0 on flat surfaces with equal nodes. */
+/* Tests B with each plate node below a cylinder node: at x = 0 on flat surfaces with equal nodes
+ * B is the identity. */
 static void test_matching_nodes(void **state) {
   (void)state;
   arc_model_def def = coarse_definition();
-  def.radius = 2000; /* the x of both bodies' nodes then agree to 1e-7 */
+  def.radius = 2000; /* the x of both bodies' nodes then differ by at most 1e-7 */
   def.mesh.far = 200;
   arc_model *model = build_model(&def);
   arc_shape *shape = make_shape(model);
@@ -230,7 +233,7 @@ static void test_matching_nodes(void **state) {
   arc_model_release(&model);
 }
 
-/* The contact matrix is exactly symmetric. */
+/* Tests that the contact matrix is exactly symmetric. */
 static void test_matrix(void **state) {
   (void)state;
   arc_model *model = make_model();
@@ -264,7 +267,8 @@ static void test_apart(void **state) {
   arc_model_release(&model);
 }
 
-/* Checks that an updated problem equals a new one for this shape and position, bit by bit. */
+/* Checks that an updated contact problem equals a new one for the same shape and position, bit
+ * by bit. */
 static void check_fresh(const contact_problem *p, const arc_shape *shape, double x) {
   contact_problem fresh;
   assert_int_equal(arc_contact_problem_create(&fresh, arc_shape_model(shape)), ARC_OK);
@@ -278,8 +282,8 @@ static void check_fresh(const contact_problem *p, const arc_shape *shape, double
   arc_contact_problem_free(&fresh);
 }
 
-/* A problem is updated correctly after changes of its shape, of copies of the shape, and of the
- * plate's position, also after a position that was refused. */
+/* Tests that a contact problem is updated correctly after changes of its shape, of copies of the
+ * shape and of the plate's position, even after a position that was refused. */
 static void test_update(void **state) {
   (void)state;
   random_start(24);

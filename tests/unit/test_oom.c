@@ -1,7 +1,7 @@
 /* Tests of memory exhaustion: the n-th allocation fails, for every n until the call succeeds
- * without reaching it. Each call must return ARC_MEMORY or succeed without the memory, leave
- * existing data unchanged, and free its own. malloc and related functions are wrapped by the
- * linker; CHOLMOD gets the same wrappers. */
+ * before its n-th allocation. Each call must return ARC_MEMORY or succeed without the memory,
+ * leave existing data unchanged, and free its own memory. The linker replaces malloc and related
+ * functions by wrappers; CHOLMOD uses the same wrappers. */
 #include "runs.h"
 
 #if __has_include(<suitesparse/SuiteSparse_config.h>)
@@ -23,8 +23,9 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 void __wrap_free(void *block);
 
-static long until_failure = -1; /* number of allocations that will still succeed; negative: all */
-static long live;               /* number of blocks not yet freed */
+static long until_failure = -1; /* number of allocations that will still succeed; negative: all
+                                 * allocations succeed */
+static long live;               /* number of allocated blocks not yet freed */
 
 static int fails_now(void) {
   return until_failure >= 0 && until_failure-- == 0;
@@ -62,7 +63,7 @@ static void wrap_cholmod(void) {
   SuiteSparse_config.free_func = __wrap_free;
 }
 
-/* Data used by the calls. */
+/* Objects that the tested calls use. */
 static arc_model *model;
 static arc_shape *shape;
 static arc_contact *contact, *rough;
@@ -98,7 +99,7 @@ static int tear_down_all(void **state) {
   return live != 0;
 }
 
-/* A call that creates an object, and the call that frees it. */
+/* A call that creates an object, and the call that frees this object. */
 typedef struct maker {
   const char *name;
   arc_status (*make)(void **made, arc_error *error);
@@ -182,7 +183,7 @@ static arc_status make_halfspace(void **made, arc_error *error) {
 static void unmake_halfspace(void **made) {
   arc_halfspace_destroy((arc_halfspace **)made);
 }
-/* Runs all functions of a half-space. */
+/* Calls all functions of a half-space. */
 static arc_status use_halfspace(arc_halfspace *h, arc_error *error) {
   enum { cells = 21 * 21, sites = 23 * 21 };
   static double depth[2][sites], rate[2][sites], pressure[3 * cells], stress[6 * cells];
@@ -224,8 +225,8 @@ static const maker makers[] = {
     {"arc_halfspace_stage and others", make_halfspace_wear, unmake_halfspace},
 };
 
-/* Checks that a failed call leaves no memory allocated. The working space of the shared model is
- * allocated by the first call and may be freed by a failed one. */
+/* Checks that a failed call leaves no memory allocated. The workspace of the shared model is
+ * allocated by the first call and may be freed by a failed call. */
 static void try_maker(const maker *m) {
   void *made = NULL;
   check_ok(m->make(&made, why));
@@ -260,7 +261,7 @@ static void test_makers(void **state) {
   for (size_t k = 0; k < sizeof makers / sizeof *makers; k++) try_maker(&makers[k]);
 }
 
-/* A failed wear increment leaves the shape unchanged. */
+/* Tests that a failed call of arc_shape_wear leaves the shape unchanged. */
 static void test_shape_wear(void **state) {
   (void)state;
   double *depth = calloc(200, sizeof *depth);
@@ -294,7 +295,8 @@ static arc_status stability(arc_wear *run) {
   return arc_wear_stability(run, NULL, &eigenvalue, NULL);
 }
 
-/* A failed step leaves the run unchanged; it then continues with identical results. */
+/* Checks that a failed step leaves the run unchanged and that the run then continues with
+ * identical results. */
 static void check_run_survives(const arc_wear_def *def, wear_call call) {
   arc_wear *whole = start(def), *run_ = start(def), *before = NULL;
   for (int steps = 0; steps < 2; steps++) {
@@ -329,7 +331,7 @@ static void test_steps(void **state) {
     }
 }
 
-/* After a failed implicit step the run is unchanged, too. */
+/* Tests that a failed implicit step leaves the run unchanged, too. */
 static void test_implicit_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -346,8 +348,8 @@ static arc_status write_grid(const char *path) {
   return arc_export_vtu(path, arc_model_mesh(model, ARC_PLATE), contact, 0, NULL);
 }
 
-/* Tests a file writer with exhausted memory or a full disk. A factor may free its memory and
- * allocate it again. */
+/* Tests a file writer with exhausted memory: a failed call creates no file. The writer may free
+ * the memory of a matrix factor and allocate it again. */
 static void check_writer(arc_status (*writer)(const char *path)) {
   char path[64];
   snprintf(path, sizeof path, "/tmp/archard-oom-%ld", (long)getpid());

@@ -1,4 +1,4 @@
-/* Tests of figures: pictures of every kind, refused input. */
+/* Tests of figures: pictures in every output format, and refused input. */
 #include "plot_shared.h"
 
 #include <math.h>
@@ -30,7 +30,8 @@ static void test_text_colour(void **state) {
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
   assert_non_null(strstr(picture, "\033[1;31m*")); /* colour and mark of the second curve */
   for (char *line = picture; *line;
-       line = strchr(line, '\n') + 1) { /* each line of the picture ends without colour */
+       line = strchr(line, '\n') + 1) { /* the colour is reset at the end of each line of the
+                                         * picture */
     size_t length = strcspn(line, "\n");
     char *last = NULL;
     for (char *at = line; (at = strchr(at, '\033')) && at < line + length; at++) last = at;
@@ -39,7 +40,8 @@ static void test_text_colour(void **state) {
   free(picture);
 }
 
-/* Lines of dots are distinguishable without colours: each has marks, which the key shows. */
+/* Tests that lines of dots are distinguishable without colours: each line has marks, which the
+ * key shows. */
 static void test_dot_marks(void **state) {
   arc_plot_curve c[2] = {curve("one"), curve("two")};
   arc_plot_panel panel = panel_of(c, 2);
@@ -52,8 +54,7 @@ static void test_dot_marks(void **state) {
   for (int i = 0; i < 2; i++) {
     int count = 0;
     for (char *at = picture; (at = strstr(at, marks[i])); at++) count++;
-    assert_in_range(
-        count, 4, 6); /* five marks on the curve, as the curve hides no marks, and one in the key */
+    assert_in_range(count, 4, 6); /* about five marks on the curve and one in the key */
   }
   free(picture);
   figure.panels = &panel, panel.curve_count = 1;
@@ -77,7 +78,7 @@ static void test_ascii(void **state) {
   free(picture);
 }
 
-/* A file of each format starts with the signature of the format. */
+/* Tests that the file of each format starts with the signature of the format. */
 static void test_files(void **state) {
   static const char *const kinds[][2] = {
       {"a.png", "\211PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}, {"a.eps", "%!PS"},
@@ -99,7 +100,8 @@ static int stop_as_told(void *told) {
   return *(int *)told;
 }
 
-/* A file that cannot be written, or an incomplete picture, leaves the old file. */
+/* Tests that a file that cannot be written, or an incomplete picture, does not change the old
+ * file. */
 static void test_file_whole_or_not(void **state) {
   (void)state;
   int stop = 0;
@@ -134,7 +136,8 @@ static void test_file_whole_or_not(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* gnuplot does not detect a full disk: the old picture is kept and an error is returned. */
+/* Tests a full disk, which gnuplot does not detect: the old picture is unchanged and an error is
+ * returned. */
 static void test_full_disk(void **state) {
   (void)state;
   static const char *const names[] = {"full.png", "full.svg", "full.pdf", "full.eps", "full.gif"};
@@ -171,7 +174,8 @@ static void test_animation(void **state) {
   assert_int_equal(arc_plot_animate(*state, frames, 0, 0.1, &output, NULL), ARC_ARGUMENT);
 }
 
-/* Twelve panels: every title once, one key below, aligned frames. */
+/* Tests a figure of twelve panels: every title occurs once, one key is below the panels, and the
+ * frames are aligned. */
 static void test_panels(void **state) {
   arc_plot_curve c[2] = {curve("one"), curve("two")};
   arc_plot_panel panels[12];
@@ -191,7 +195,7 @@ static void test_panels(void **state) {
   free(picture);
 }
 
-/* Checks that the contour lines of x + y are at exactly these values. */
+/* Checks that the script contains contour lines of x + y with exactly these two values. */
 static void assert_contours_at(const char *script, double one, double two) {
   const char *at = strstr(script, "$k0 << END\n");
   int found[2] = {0, 0};
@@ -205,8 +209,8 @@ static void assert_contours_at(const char *script, double one, double two) {
   assert_true(found[0] >= 2 && found[1] >= 2);
 }
 
-/* Checks that the numbers on the contour lines are at points where x + y has their value, with
- * distance from each other, one for each line. */
+/* Checks the numbers on the contour lines of x + y: one number for each line, at a point where x
+ * + y has this value, and apart from each other. */
 static void assert_numbers_on_lines(const char *script) {
   const char *at = strstr(script, "$n0 << END\n");
   double x[2], y[2], value[2];
@@ -221,8 +225,8 @@ static void assert_numbers_on_lines(const char *script) {
   assert_true(hypot((x[1] - x[0]) / 2, y[1] - y[0]) > 0.2);
 }
 
-/* A field x + y on two squares: the samples are exact and the contours are at the right positions.
- */
+/* Tests a field x + y on two squares: the samples are exact, and the contours and their numbers
+ * are at the right positions. */
 static void test_field(void **state) {
   const double x[8] = {0, 1, 1, 0, 1, 2, 2, 2}, y[8] = {0, 0, 1, 1, 0, 0, 1, 1};
   double value[8];
@@ -241,12 +245,13 @@ static void test_field(void **state) {
   arc_plot_output fine = as_text;
   fine.colour = fine.fine = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &fine, &picture, NULL, NULL), ARC_OK);
-  assert_non_null(strchr(picture, 'O')); /* marks of levels differ from those of curves */
+  assert_non_null(strchr(picture, 'O')); /* the marks of levels differ from the marks of curves */
   assert_null(strstr(picture, "\342\226\241"));
   free(picture);
   arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = path_of("field.gp", path)};
   assert_int_equal(arc_plot_script(&figure, &output, &script, NULL, NULL), ARC_OK);
-  assert_contours_at(script, 1, 2); /* round numbers between 0 and 3, shown by the scale */
+  assert_contours_at(script, 1, 2); /* contours at the round numbers between 0 and 3 that the
+                                     * colour scale shows */
   assert_non_null(strstr(script, "set cbtics 1\n"));
   assert_numbers_on_lines(script);
   free(script);
@@ -290,7 +295,8 @@ static void test_check(void **state) {
   assert_refused(panel, "must be finite");
 }
 
-/* NaN and infinite values interrupt the line; on a logarithmic axis also values <= 0. */
+/* Tests that NaN and infinite values interrupt the line of a curve, and on a logarithmic axis
+ * also values <= 0. */
 static void test_breaks(void **state) {
   (void)state;
   const double x[7] = {NAN, 1, 2, NAN, INFINITY, 3, 4}, y[7] = {1, 0, 10, 5, 5, -3, 1000};

@@ -1,4 +1,5 @@
-/* Tests of texts in figures: quotes, marks, and that no text runs a command. */
+/* Tests of texts in figures: quotes, marks, and texts that contain commands, which must not be
+ * executed. */
 #include "plot_shared.h"
 
 static void assert_quoted(const char *text, int ascii, const char *expected) {
@@ -21,7 +22,7 @@ static void test_quote(void **state) {
   assert_quoted("\300\247", 0, "\"??\"");                      /* a quote in an overlong encoding */
 }
 
-/* For any bytes of a text, gnuplot must read the quoted text as one string. */
+/* Tests that gnuplot reads the quoted text as one string, for random bytes in the text. */
 static void test_quote_is_one_string(void **state) {
   (void)state;
   unsigned seed = 12345;
@@ -43,7 +44,7 @@ static void test_quote_is_one_string(void **state) {
   }
 }
 
-/* Checks which parts of a label are subscripts, superscripts or plain text. */
+/* Checks which parts of a label are formatted as subscripts, superscripts or plain text. */
 static void assert_label(const char *label, const char *expected) {
   arc_plot_curve c = curve(NULL);
   arc_plot_panel panel = panel_of(&c, 1);
@@ -70,7 +71,7 @@ static void test_marks(void **state) {
   assert_label("it's p_H'", "\"it's p_{H}'\" enhanced");
 }
 
-/* Quotes of every kind are shown in each kind of text of a figure. */
+/* Tests that quotes of every kind are shown in each kind of text of a figure. */
 static void test_quotes_are_shown(void **state) {
   double at[2] = {1, 3};
   const char *words[2] = {"'low", "''high"};
@@ -88,7 +89,7 @@ static void test_quotes_are_shown(void **state) {
   free(picture);
 }
 
-/* An error is reported although the following command resets gnuplot's error state. */
+/* Tests that an error is reported although the following command resets gnuplot's error state. */
 static void test_refusal_is_told(void **state) {
   static const char commands[] = "set title (\n" ARC_GNUPLOT_NOTE_FAILURE "reset\nset title 'fine'";
   arc_error error;
@@ -97,7 +98,7 @@ static void test_refusal_is_told(void **state) {
   assert_int_equal(arc_gnuplot_run(*state, "set title 'x'", 13, NULL, NULL, &error), ARC_OK);
 }
 
-/* Checks the dots of a diagonal line: each cell on it contains some. */
+/* Tests the dots of a diagonal line: each character cell on the line contains some dots. */
 static void test_dots(void **state) {
   arc_gnuplot *session = *state;
   double x[2] = {0, 1}, y[2] = {0, 1};
@@ -120,7 +121,8 @@ static void test_dots(void **state) {
   free(picture);
 }
 
-/* Titles, labels and file names full of commands for gnuplot and the shell. */
+/* Tests titles, labels and file names that contain commands for gnuplot and the shell: no
+ * command is executed. */
 static void test_nothing_is_run(void **state) {
   arc_gnuplot *session = *state;
   char evil[600], path[256];

@@ -1,5 +1,6 @@
-/* Tests of nodal stresses: exact for linear stresses, inside and on the boundary; symmetric; given
- * boundary tractions are reproduced. Uses internal functions of contact. */
+/* Tests of nodal stresses: they are exact for linear stresses, inside and on the boundary, they
+ * are symmetric, and they reproduce given boundary tractions. The tests use internal functions
+ * of contact. */
 #include "check.h"
 
 #include "core/contact/contact_problem.h"
@@ -41,8 +42,9 @@ static int is_judged(const arc_mesh *m, int box) {
   return column >= 6 && column < m->surface - 6;
 }
 
-/* The plate compressed, stretched and sheared: sigma_xx = s, sigma_yy = -p, sigma_xy = q. Its
- * outward normal is y: a tangential traction q points towards larger x. */
+/* Tests constant stresses in the plate under compression, stretching and shear: sigma_xx = s,
+ * sigma_yy = -p, sigma_xy = q. The plate's outward normal is y; a positive tangential traction q
+ * acts toward larger x. */
 static void test_constant(void **state) {
   (void)state;
   random_start(21);
@@ -71,8 +73,8 @@ static void test_constant(void **state) {
   }
 }
 
-/* Bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2: sigma_xx = E* y, all other stresses and the
- * pressure are 0. Elements of one size are exact at their centres. */
+/* Tests bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2, for which sigma_xx = E* y and all other
+ * stresses and the pressure are 0. Stresses at the centres of elements of equal size are exact. */
 static void test_bending(void **state) {
   (void)state;
   arc_model *model = model_with(ARC_CPE4, 0.3);
@@ -102,8 +104,9 @@ static int mirror_of(const arc_mesh *m, int node) {
   return -1;
 }
 
-/* Returns the tolerance of the pressure at surface node i relative to its element: near an end of
- * the contact the square-root law gives another value. */
+/* Returns the tolerance of the stress at surface node i relative to the pressure [MPa]. Near an
+ * end of the contact the tolerance is larger because there the pressure is corrected by a
+ * square-root law. */
 static double room_at(const arc_contact *contact, arc_pressure pressure, int i) {
   const arc_contact_result c = arc_contact_get(contact);
   const double x = pressure.x[i], width = 1.01 * (pressure.x[i + 1] - x);
@@ -111,7 +114,7 @@ static double room_at(const arc_contact *contact, arc_pressure pressure, int i) 
   return c.p_max * (off < width ? 0.15 : off < 2 * width ? 0.01 : 1e-6);
 }
 
-/* Checks the stresses of a contact: tractions at every free surface node, mirror symmetry. */
+/* Checks the stresses of a contact: the tractions at every surface node and the mirror symmetry. */
 static void check_contact(const arc_contact *contact, arc_body body) {
   const arc_mesh *m = arc_model_mesh(arc_contact_model(contact), body);
   const arc_pressure pressure = arc_contact_pressure(contact, body);
@@ -152,8 +155,9 @@ static void test_tractions(void **state) {
   }
 }
 
-/* Pressures (1 + d / 9) sqrt(d) at both ends, disturbed within two elements of them, are restored,
- * also shear; at a kink they are kept. */
+/* Tests the correction of pressure and shear near the contact ends. The exact pressure is (1 + d
+ * / 9) sqrt(d) at the distance d from the end. Values changed within two elements of an end are
+ * restored; at a kink, where no square-root law holds, they are unchanged. */
 static void test_edges(void **state) {
   (void)state;
   enum { n = 20 };
@@ -181,14 +185,14 @@ static void test_edges(void **state) {
   }
 }
 
-/* 2 out (1 - s / 9) sqrt(s) at the distance s outside the edge. */
+/* Returns 2 out (1 - s / 9) sqrt(s) at the distance s outside the edge, 0 inside. */
 static double cusp(const contact_edge *edge, double x) {
   const double s = fmax(0, edge->out * (x - edge->x));
   return 2 * edge->out * (1 - s / 9) * sqrt(s);
 }
 
-/* The part of the cusp missed by a node's two mean values, against integration with small steps,
- * for unevenly spaced nodes. */
+/* Tests the part of the cusp that a node's two mean values miss, against integration with small
+ * steps, for unevenly spaced nodes. */
 static void test_cusp(void **state) {
   (void)state;
   enum { n = 20, steps = 20000 };

@@ -1,5 +1,5 @@
 /* Tests of elements of revolution and of plane stress: constant strains, rigid motions, curved
- * fields at the axis, no locking. */
+ * fields at the axis, and no locking near nu = 1/2. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -30,7 +30,8 @@ static element random_ring(int trial) {
   return e;
 }
 
-/* Only translation along the axis needs no force; the stiffness is symmetric. */
+/* Tests that only a translation along the axis needs no force and that the stiffness is
+ * symmetric. */
 static void test_rigid(void **state) {
   (void)state;
   random_start(17);
@@ -52,8 +53,9 @@ static void test_rigid(void **state) {
   }
 }
 
-/* u_x = a r, u_y = b y on the graded plate mesh: no force remains inside, the stresses are those of
- * the strains a, b, a, and the pressure on top is balanced by the areas of the nodes. */
+/* Checks the field u_x = a r, u_y = b y on the graded plate mesh: inner nodes have no force, the
+ * stresses are those of the strains a, b, a, and the areas of the nodes balance the pressure on
+ * top. */
 static void check_constant(arc_element kind, double axis) {
   const double a = 2e-4, b = -7e-4;
   arc_mesh_def def = arc_mesh_default();
@@ -105,7 +107,8 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* Volumes by Pappus' theorem, and their change. */
+/* Tests the volume of a ring of triangular section against Pappus' theorem, and the change of
+ * this volume. */
 static void test_swelling(void **state) {
   (void)state;
   const element e = {.corners = 3, .xy = {{0, 0}, {3, 0}, {0, 2}}, .revolved = {1, 4}};
@@ -116,8 +119,9 @@ static void test_swelling(void **state) {
   check_near(change, 3 * 2 * pi * 5 * 3, 1e-10);
 }
 
-/* u_y = r^2 with the shear 2 r in a column of elements at the axis: the energy is exact; linear
- * functions would miss an eighth. */
+/* Tests the energy of the field u_y = r^2 with the shear strain 2 r in a column of elements at
+ * the axis: the energy is exact. Linear shape functions without correction would give an eighth
+ * less. */
 static void test_curved_at_axis(void **state) {
   (void)state;
   const element e = {
@@ -129,13 +133,14 @@ static void test_curved_at_axis(void **state) {
     for (int c = 1; c < 8; c += 2)
       energy +=
           k[8 * r + c] * e.xy[r / 2][0] * e.xy[r / 2][0] * e.xy[c / 2][0] * e.xy[c / 2][0] / 2;
-  const double exact = d.c33 / 2 * pi * 4 * 16 / 4; /* half of the ring: pi r, (2 r)^2 */
+  const double exact = d.c33 / 2 * pi * 4 * 16 / 4; /* over half a turn: volume pi r dr dy, shear
+                                                     * strain 2 r */
   check_near(energy, exact, 1e-9 * exact);
 }
 
-/* The energy of a change of shape at constant volume must not increase without limit as nu
- * approaches 1/2: u_x = r (1 + c y), which bilinear functions represent only with volume changes in
- * the corners. */
+/* Returns the energy of a change of shape at constant volume, u_x = r y and u_y = -y^2. Bilinear
+ * functions represent this field only with volume changes in the corners; the energy must not
+ * increase without limit as nu approaches 1/2. */
 static double shape_energy(arc_element kind, double nu) {
   const element e = {
       .corners = 4, .kind = kind, .xy = {{0, -1}, {2, -1}, {2, 1}, {0, 1}}, .revolved = {1, 0}};
@@ -158,7 +163,7 @@ static void test_no_locking(void **state) {
   assert_true(full > 100);
 }
 
-/* Thin plates (plane stress): modulus E for a free strip, and the shear modulus. */
+/* Tests thin plates in plane stress: a free strip has the modulus E, and the shear modulus is G. */
 static void test_plane_stress(void **state) {
   (void)state;
   const elasticity d = arc_elasticity_in(ARC_PLANE_STRESS, steel);
