@@ -119,8 +119,8 @@ static void test_signals(void **state) {
   sigaction(SIGINT, &(struct sigaction){.sa_handler = SIG_DFL}, NULL);
   kill(pid, SIGTERM);
   usleep(50000);
-  assert_draws(
-      session); /* SIGPIPE is at its default: writing to the dead process would end this program */
+  assert_draws(session); /* SIGPIPE has its default action, so an unprotected write to the dead
+                          * process would end this program */
   arc_gnuplot_close(&session);
 }
 

@@ -1,13 +1,13 @@
-/* Tests of contact in three dimensions: closed forms, reference solutions of an independent
- * program, complementarity.
- */
+/* Tests of contact in three dimensions against closed forms, reference solutions of an
+ * independent program, and the complementarity conditions. */
 #include "space_shared.h"
 
 static const double pi = 3.14159265358979323846;
 
 /* --- half-spaces ------------------------------------------------------------------------------ */
 
-/* Hertz contact of a ball: a 0.0880442, p0 615.942, approach 7.75179e-4. */
+/* Tests a ball of R = 10 mm under 10 N against Hertz theory: half width a = 0.0880442 mm, p0 =
+ * 615.942 MPa, approach 7.75179e-4 mm. */
 static void test_ball(void **state) {
   (void)state;
   const arc_halfspace_def def = ball(10, 0.0880442 / 23, 57);
@@ -21,8 +21,8 @@ static void test_ball(void **state) {
   free_solved(&s);
 }
 
-/* The error of the approach decreases with the cell size, although the edge of the contact is a
- * staircase. */
+/* Tests that the error of the approach decreases with the cell size, although cells approximate
+ * the edge of the contact by a staircase. */
 static void test_order(void **state) {
   (void)state;
   double error[3];
@@ -37,14 +37,15 @@ static void test_order(void **state) {
   check_below(error[2], 7.75e-4 * 1.5e-4);
 }
 
-/* Hertz contact of an ellipsoid: a 0.0683891, b 0.171021, p0 816.46, approach 1.19891e-3. */
+/* Tests an ellipsoid against Hertz theory: half widths a = 0.0683891 mm and b = 0.171021 mm, p0
+ * = 816.46 MPa, approach 1.19891e-3 mm. */
 static void test_ellipse(void **state) {
   (void)state;
   arc_halfspace_def def = ball(5, 0.006, 31);
   def.body[ARC_UPPER].radius_z = 20;
   def.nz = 71;
   solved s = solve_space(&def, 20, 1e-6);
-  check_share(s.extent.center, 816.56, 5e-5); /* the reference is computed with the same cells */
+  check_share(s.extent.center, 816.56, 5e-5); /* reference of a program with the same cells */
   check_share(s.approach, 1.19867e-3, 1e-5);
   check_share(s.extent.half_width, 0.0683891, 0.015);
   check_share(s.extent.half_width_z, 0.171021, 0.01);
@@ -75,7 +76,8 @@ static double cone_recess(void *context, double x, double z) {
   return *(double *)context * hypot(x, z);
 }
 
-/* A cone of slope t: approach pi a t / 2 with a = sqrt(2 P / (pi E* t)). */
+/* Tests a cone of slope t against its closed form: approach pi a t / 2 with a = sqrt(2 P / (pi
+ * E* t)). */
 static void test_cone(void **state) {
   (void)state;
   double slope = 0.01;
@@ -96,8 +98,9 @@ static double punch_recess(void *context, double x, double z) {
   return hypot(x, z) <= *(double *)context ? 0 : 1;
 }
 
-/* A flat punch of radius c: approach P / (2 E* c) = 1.82e-3, which converges from above with first
- * order, as the edge is a staircase. */
+/* Tests a flat punch of radius c against the closed form of the approach, P / (2 E* c) = 1.82e-3
+ * mm. The computed approach converges from above with first order because cells approximate the
+ * edge by a staircase. */
 static void test_punch(void **state) {
   (void)state;
   static const double computed[2] = {1.83020e-3, 1.82612e-3};
@@ -115,7 +118,8 @@ static void test_punch(void **state) {
 
 /* --- layers, periodic surfaces ---------------------------------------------------------------- */
 
-/* A rigid ball on a layer bonded to a rigid base: p0, a and approach of an independent program. */
+/* Tests a rigid ball on a layer that is bonded to a rigid base: p0, contact radius and approach
+ * against an independent program. */
 static void test_layers(void **state) {
   (void)state;
   static const double row[3][5] = {{0.3, 1, 29.190, 0.4059, 0.012998},
@@ -134,7 +138,8 @@ static void test_layers(void **state) {
   }
 }
 
-/* Recommended sizes for a ball on a layer: cells of about an eighth of the contact. */
+/* Tests the recommended cell sizes for a ball on a half-space and on layers: cells of about an
+ * eighth of the contact's half width. */
 static void test_fit(void **state) {
   (void)state;
   static const double thickness[3] = {0, 1, 0.1}, half_width[3] = {0.0880442, 0.4059, 0.2994};
@@ -154,7 +159,8 @@ static void test_fit(void **state) {
   }
 }
 
-/* A layer with the material of the base changes nothing; a thin coating changes little. */
+/* Tests two layers: a layer with the material of the base does not change the contact, and a
+ * thin coating changes it little. */
 static void test_coats(void **state) {
   (void)state;
   arc_halfspace_def def = ball(10, 0.0880442 / 10, 31);
@@ -178,8 +184,9 @@ static double wave_recess(void *context, double x, double z) {
   return w[0] * (1 - cos(q * (x + shift)) * cos(q * (z + shift)));
 }
 
-/* Waves D cos cos of length 0.1: p* = sqrt 2 pi E* D / l; contact shares of an independent program,
- * whose first cell is on a crest. */
+/* Tests waves of amplitude D and length 0.1 mm in both directions, whose pressure for full
+ * contact is p* = sqrt 2 pi E* D / l. The shares of area in contact are compared with an
+ * independent program whose first cell is on a crest. */
 static void test_waves(void **state) {
   (void)state;
   static const double share[6] = {.1, .2, .4, .6, .8, .9};
@@ -200,7 +207,7 @@ static void test_waves(void **state) {
   }
 }
 
-/* In full contact the pressure is its mean plus a wave. */
+/* Tests waves pressed to full contact: the pressure is the mean pressure plus a wave. */
 static void test_full_contact(void **state) {
   (void)state;
   double wave[2] = {1e-4, 0.05 / 64};
@@ -224,7 +231,8 @@ static double rough_recess(void *context, double x, double z) {
   return y;
 }
 
-/* Checks complementarity of the gaps and pressures of a solution. */
+/* Checks the gaps and pressures of a solution for complementarity: no negative pressure, no
+ * overlap, and no pressure across an open gap. */
 static void check_complementary(const solved *s, double load, double x, double tolerance) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->h);
   const int n = d->nx * d->nz;
@@ -278,7 +286,8 @@ static arc_halfspace_def random_pair(double waves[48], double *load) {
   return def;
 }
 
-/* Random pairs of bodies. ARCHARD_PAIRS sets their number (default 300). */
+/* Tests the complementarity conditions for random pairs of bodies. ARCHARD_PAIRS sets the number
+ * of pairs (default 300). */
 static void test_random_pairs(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_PAIRS");
@@ -348,7 +357,7 @@ static int stop_at_once(void *context) {
   return 1;
 }
 
-/* A failure leaves the caller's arrays unchanged. */
+/* Tests that a failed call leaves the caller's arrays unchanged. */
 static void test_failures(void **state) {
   (void)state;
   const arc_halfspace_def def = ball(10, 0.01, 15);

@@ -1,5 +1,5 @@
-/* Tests of stick and slip in three dimensions: kernels, Mindlin, Vermeulen and Johnson, symmetries,
- * random paths. */
+/* Tests of stick and slip in three dimensions: influence coefficients, closed forms of Mindlin,
+ * of Vermeulen and Johnson and of Spence, symmetries, and random paths. */
 #include "space_rubbing.h"
 
 #include "core/numeric/convolution.h"
@@ -26,7 +26,8 @@ static double direct(lag_parity parity, const double *p, int rows, int columns, 
   return sum;
 }
 
-/* Kernels of all parities against direct summation; a pair of fields against separate fields. */
+/* Tests convolutions with kernels of all parities against direct summation, and a pair of fields
+ * against separate fields. */
 static void test_parity(void **state) {
   (void)state;
   enum { rows = 9, columns = 14, cells = rows * columns };
@@ -59,7 +60,8 @@ static void test_parity(void **state) {
   for (int k = 0; k < 4; k++) arc_convolution_destroy(&c[k]);
 }
 
-/* Influence coefficients of rectangles against integration by the midpoint rule. */
+/* Tests the influence coefficients of loaded rectangles against integration by the midpoint
+ * rule. */
 static void test_rectangles(void **state) {
   (void)state;
   enum { points = 200 };
@@ -110,7 +112,8 @@ static double stick_area(const rubbing *r) {
   return sum_of(r->s.stick, d->nx * d->nz) * d->size_x * d->size_z;
 }
 
-/* Checks that the shear is within the friction bound and slip is along the shear. */
+/* Checks that the shear is within the friction bound and that slip has the direction of the
+ * shear. */
 static void check_coulomb(const rubbing *r, double scale) {
   const arc_halfspace_def *d = arc_halfspace_definition(r->h);
   for (int k = 0; k < d->nx * d->nz; k++) {
@@ -122,8 +125,9 @@ static void check_coulomb(const rubbing *r, double scale) {
   }
 }
 
-/* A ball of 10 mm under 10 N, friction 0.5, on a window of 2.3 half widths of the contact with
- * `cells` cells along each side. */
+/* Presses a ball of R = 10 mm by 10 N with friction 0.5 and returns the contact. The window is
+ * 2.3 contact half widths wide and has `cells` cells along each side; `a` receives the half
+ * width [mm]. */
 static rubbing mindlin(double nu, int cells, double *a) {
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[0].material = def.body[1].material = elastic(200e3, nu);
@@ -132,8 +136,8 @@ static rubbing mindlin(double nu, int cells, double *a) {
   return press(&def, 10, 0.5);
 }
 
-/* Mindlin's displacement and loop; at nu = 0.3 shear across the motion reduces the loop by 0.42 %.
- */
+/* Tests the displacement, stick radius and dissipated work of a force cycle against Mindlin. At
+ * nu = 0.3 the shear across the motion reduces the work by 0.42 %. */
 static void test_mindlin(void **state) {
   (void)state;
   static const double share[4] = {0.2, 0.4, 0.7, 0.95};
@@ -158,7 +162,8 @@ static void test_mindlin(void **state) {
   }
 }
 
-/* Vermeulen and Johnson: an ellipse at nu = 0 with motion along either axis. */
+/* Tests an elliptical contact at nu = 0 with motion along either axis against the closed form of
+ * Vermeulen and Johnson. */
 static void test_ellipse(void **state) {
   (void)state;
   for (int along = 0; along < 2; along++) {
@@ -177,8 +182,8 @@ static void test_ellipse(void **state) {
   }
 }
 
-/* Returns the share k of the contact's radius that sticks under a normal load alone, by Spence:
- * ln((1 + k) / (1 - k)) / (2 k) = mu / beta K'(k). */
+/* Returns the ratio k of stick radius to contact radius under a normal load alone, from Spence's
+ * equation ln((1 + k) / (1 - k)) / (2 k) = mu / beta K'(k). */
 static double spence(double mu_over_beta) {
   double low = 1e-6, high = 1 - 1e-12;
   for (int i = 0; i < 100; i++) {
@@ -197,13 +202,14 @@ static double spence(double mu_over_beta) {
   return low;
 }
 
-/* Error of Spence's stick radius for bodies pressed together in steps of equal width, with the
- * pressures of a contact without friction, as Spence assumes. */
+/* Returns the relative error of the stick radius against Spence's equation. The contact radius
+ * grows in equal steps, and the pressures are those of a contact without friction, as Spence
+ * assumes. */
 static double spence_error(arc_material hard, arc_material soft, double mu, int cells, int steps) {
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[ARC_UPPER].material = hard;
   def.body[ARC_LOWER].material = soft;
-  double yield[2], couple[2]; /* (1 - nu) / G and (1 - 2 nu) / G */
+  double yield[2], couple[2]; /* both per body: (1 - nu) / G and (1 - 2 nu) / G */
   for (int b = 0; b < 2; b++) {
     const arc_material m = def.body[b].material;
     yield[b] = 2 * (1 + m.nu) * (1 - m.nu) / m.E;
@@ -252,8 +258,8 @@ static void test_spence(void **state) {
 
 /* --- symmetries ------------------------------------------------------------------------------- */
 
-/* A path of forces and motions, rotated by quarter turns or mirrored; different moduli of the
- * bodies, or exchanged. */
+/* Computes a path of forces and motions for the given pair of bodies. The path can be rotated by
+ * quarter turns (`turned`) or mirrored. */
 static rubbing along_path(const arc_halfspace_def *def, int turned, int mirrored) {
   static const double force[2][2] = {{1.5, 0.4}, {-2, 1}};
   const double sign = mirrored ? -1 : 1;
@@ -281,8 +287,9 @@ static void check_same(const rubbing *a, const rubbing *b, int turned, int mirro
     }
 }
 
-/* Exchanging x and z, mirroring in x, and exchanging the bodies: seen from the other body
- * everything is rotated by half a turn with the same forces. */
+/* Tests that results are symmetric under exchange of x and z, under mirroring in x, and under
+ * exchange of the bodies. For exchanged bodies the problem is rotated by half a turn and the
+ * forces are the same. */
 static void test_symmetries(void **state) {
   (void)state;
   arc_halfspace_def def = ball(10, 0.0095, 25);
@@ -306,7 +313,8 @@ static void test_symmetries(void **state) {
 
 /* --- random paths ----------------------------------------------------------------------------- */
 
-/* Random bodies with a ratio of moduli up to ten and friction 0.05 to 1.2. */
+/* Returns a contact of two random bodies with a ratio of moduli up to ten and friction 0.05 to
+ * 1.2. */
 static rubbing random_contact(double *stuck) {
   const double ratio = exp(random_in(-log(10), log(10))), mu = exp(random_in(log(0.05), log(1.2)));
   arc_halfspace_def def = ball(10, 1, 17);
@@ -320,8 +328,8 @@ static rubbing random_contact(double *stuck) {
   return press(&def, 10 * random_in(0.5, 1), mu);
 }
 
-/* One random leg: constant or changed load, to a motion or force in any direction. Returns the
- * number of increments. */
+/* Computes one random leg with constant or changed load, to a motion or a force in any
+ * direction. Returns the number of increments. */
 static int random_leg(rubbing *r, double stuck) {
   const double before = r->to.position.load, force = hypot(r->s.force[0], r->s.force[1]);
   const int forced = random_int(0, 1), parts = random_int(1, 4);
@@ -371,7 +379,8 @@ static void test_random_paths(void **state) {
   assert_int_equal(all.unfinished, 0);
 }
 
-/* A failed increment leaves the state unchanged; layers and periodic windows are refused. */
+/* Tests that a failed increment leaves the state unchanged and that layers and periodic windows
+ * are refused. */
 static void test_refused(void **state) {
   (void)state;
   double a;

@@ -1,14 +1,15 @@
-/* Tests of stick and slip under loads that change: sums of layers of load (Jaeger), exact at
- * nu = 0. */
+/* Tests of stick and slip under loads that change, against Jaeger's sums over layers of load,
+ * which are exact at nu = 0. */
 #include "space_rubbing.h"
 
-/* Jaeger: in a round contact at nu = 0 the shear is a sum over layers of load X, q = integral of
- * s(X) dp/dX, |s| <= mu, with s constant between these loads. The sum is exact for any path of load
- * and force. */
+/* The shear of a round contact at nu = 0 as a sum over layers of load X (Jaeger): q = integral
+ * of s(X) dp/dX dX with |s| <= mu, where s is constant within a layer. The sum is exact for any
+ * path of load and force. */
 typedef struct layers {
   double mu, approach; /* approach under 1 N [mm] */
   double load[64], s[64];
-  int count; /* layer k extends from load[k - 1] (0 for the first) to load[k] */
+  int count; /* number of layers; layer k extends from load[k - 1] (0 for the first layer) to
+              * load[k] */
 } layers;
 
 static double approach_at(const layers *j, double load) {
@@ -29,13 +30,13 @@ static double motion_of(const layers *j) {
   return sum;
 }
 
-/* Returns the elastic energy of the shear. The energy of layers X < Y has the derivative of the
- * approach at Y. */
+/* Returns the elastic energy of the shear [N mm]. */
 static double elastic_energy(const layers *j) {
   double sum = 0, from = 0, below = 0;
   for (int k = 0; k < j->count; from = j->load[k++]) {
     const double to = j->load[k], s = j->s[k], start = below - s * from;
-    /* integral of s (start + s Y) d(approach)(Y), with the derivative 2/3 Y^(-1/3) */
+    /* adds the integral of s (start + s Y) d(approach)(Y), where approach' is proportional to
+     * 2/3 Y^(-1/3) */
     sum += s * (start * (approach_at(j, to) - approach_at(j, from)) +
                 s * 0.4 * (to * approach_at(j, to) - from * approach_at(j, from)));
     below += s * (to - from);
@@ -51,7 +52,8 @@ static void add_layer(layers *j, double below, double load, double s) {
   j->s[j->count++] = s;
 }
 
-/* Returns the load below which layers keep their shear when the others slip. */
+/* Returns the load [N] below which layers keep their shear when the layers above slip with the
+ * shear s. */
 static double kept(const layers *j, double load, double force, double s) {
   const double before = j->count > 0 ? j->load[j->count - 1] : 0;
   double low = 0, high = fmin(before, load);
@@ -76,8 +78,8 @@ static void go(layers *j, double load, double force) {
   add_layer(j, kept(j, load, force, s), load, s);
 }
 
-/* Follows a straight leg. Returns the work of friction, which is the work of the force minus the
- * elastic energy gained. */
+/* Follows a straight leg of load and force from `from` to `to`. Returns the work of friction [N
+ * mm], which is the work of the force minus the increase of the elastic energy. */
 static double follow(layers *j, const double from[2], const double to[2]) {
   enum { parts = 400 };
   const layers start = *j;
@@ -93,7 +95,8 @@ static double follow(layers *j, const double from[2], const double to[2]) {
   return sum - (elastic_energy(j) - elastic_energy(&start));
 }
 
-/* A ball of 10 mm at nu = 0, friction 0.5, on cells of a share of the half width under 10 N. */
+/* Returns the contact of a ball of R = 10 mm at nu = 0 with friction 0.5. The cell size is
+ * `share` times the contact half width under 10 N. */
 static rubbing jaeger(int cells, double share, layers *j) {
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[0].material = def.body[1].material = elastic(200e3, 0);
@@ -106,7 +109,8 @@ static rubbing jaeger(int cells, double share, layers *j) {
   return r;
 }
 
-/* Moves from the last load and force to others, in equal increments; 0: in as many as needed. */
+/* Moves the contact from the last load and force to new values in equal increments; with
+ * increments = 0 the library chooses the number of increments. */
 static void leg(rubbing *r, double load, double force, int increments) {
   const double from = r->to.position.load;
   r->to.by_force[0] = r->to.by_force[1] = 1;
@@ -116,8 +120,8 @@ static void leg(rubbing *r, double load, double force, int increments) {
   check_ok(arc_halfspace_follow(r->h, NULL, &path, NULL, &r->s, NULL, &r->effort, why));
 }
 
-/* Published values for paths. If load and force grow in proportion the contact sticks, in one
- * increment. */
+/* Tests paths of load and force against published displacements. If load and force grow in
+ * proportion, the contact sticks, even in one increment. */
 static void test_grown(void **state) {
   (void)state;
   static const double path[4][3] = {
@@ -150,8 +154,9 @@ static void test_grown(void **state) {
   }
 }
 
-/* Computes six random legs on 28 cells in the half width, the default of contacts with friction:
- * error of the motion relative to the largest motion, and relative error of the work. */
+/* Computes six random legs with 28 cells in the half width, the default of contacts with
+ * friction. off[0] receives the error of the motion relative to the largest motion, off[1] the
+ * relative error of the work. */
 static void random_layers(double off[2], arc_halfspace_effort *effort) {
   enum { legs = 6 };
   layers j;
@@ -177,8 +182,8 @@ static void random_layers(double off[2], arc_halfspace_effort *effort) {
   end(&r);
 }
 
-/* SPACE_LAYERS sets the number of paths. The work of friction is of second order in the
- * increments. */
+/* Tests motion and work of friction on random paths against Jaeger's sums. The error of the work
+ * is of second order in the increments. SPACE_LAYERS sets the number of paths. */
 static void test_jaeger(void **state) {
   (void)state;
   const char *wish = getenv("SPACE_LAYERS");

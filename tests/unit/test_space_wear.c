@@ -1,10 +1,11 @@
 /* Tests of wear in three dimensions: histories against an independent program and closed forms,
- * volumes, symmetries, stability of explicit steps. */
+ * volumes, symmetries, and stability of explicit steps. */
 #include "space_shared.h"
 
 static const double pi = 3.14159265358979323846;
 
-/* A ball of R = 10 with cells of dx and a track long enough for the stroke. */
+/* Returns the definition of a wear run with a ball of R = 10 mm, cells of dx and a track long
+ * enough for the stroke. */
 static history_def reciprocating(double load, double dx, int n, double alpha, double stroke,
                                  double distance) {
   history_def d = {.space = ball(10, dx, n), .load = load, .k = 1e-8, .alpha = alpha};
@@ -17,9 +18,8 @@ static history_def reciprocating(double load, double dx, int n, double alpha, do
   return d;
 }
 
-/* Checks the volume k P d, the share alpha on the upper body, and the symmetry of both surfaces:
- * exact in x, 1e-9 in z.
- */
+/* Checks the wear volume k P d, the share alpha of the upper body, and the symmetry of both
+ * surfaces, which is exact in x and within 1e-9 in z. */
 static void check_history(const history *w, const history_def *d) {
   const double volume = d->k * d->load * d->distance;
   check_near(volume_of(w, ARC_UPPER), d->alpha * volume, 1e-12 * volume);
@@ -39,10 +39,11 @@ static void check_history(const history *w, const history_def *d) {
 /* --- tables ----------------------------------------------------------------------------------- */
 
 typedef struct row {
-  double alpha, stroke, upper, lower, share; /* depths and their relative tolerance */
+  double alpha, stroke, upper, lower, share; /* stroke and depths [mm], and the relative
+                                              * tolerance of the depths */
 } row;
 
-/* Checks two rows of each table, or all rows with tests/run -a. */
+/* Checks the first two rows of a table; with tests/run -a, all rows. */
 static void check_rows(const row *rows, int count, double load, double dx, int n, double distance) {
   const char *all = getenv("ARCHARD_ALL");
   if (!all || !*all) count = 2;
@@ -60,7 +61,8 @@ static void check_rows(const row *rows, int count, double load, double dx, int n
   }
 }
 
-/* A ball under 10 N over 1320 mm, compared with an independent program with the same cells. */
+/* Tests depths by a ball under 10 N over 1320 mm with short strokes against an independent
+ * program with the same cells. */
 static void test_short_strokes(void **state) {
   (void)state;
   static const row rows[] = {{0, .04, 0, 1.97333e-3, 3e-4},
@@ -77,7 +79,7 @@ static void test_long_strokes(void **state) {
   check_rows(rows, 2, 10, 0.01, 49, 1320);
 }
 
-/* A ball under 30 N over 3000 mm. */
+/* Tests depths by a ball under 30 N over 3000 mm against an independent program. */
 static void test_deep_scars(void **state) {
   (void)state;
   static const row rows[] = {{1, 0, 5.2699e-3, 0, 3e-4},
@@ -88,7 +90,7 @@ static void test_deep_scars(void **state) {
   check_rows(rows, 5, 30, 0.015, 53, 3000);
 }
 
-/* With finer cells the depths converge with second order. */
+/* Tests that the depths converge with second order in the cell size. */
 static void test_order(void **state) {
   (void)state;
   double depth[3];
@@ -106,7 +108,8 @@ static void test_order(void **state) {
   assert_true(fabs(depth[1] - depth[2]) < fabs(depth[0] - depth[1]) / 2.5);
 }
 
-/* If only the upper body wears, the scar is a spherical cap: V = pi R h^2, c^2 = 2 R h. */
+/* Tests the scar if only the upper body wears: a spherical cap with V = pi R h^2 and c^2 = 2 R
+ * h. */
 static void test_cap(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.02, 81, 1, 0, 20000);
@@ -121,7 +124,8 @@ static void test_cap(void **state) {
 
 /* --- steps ------------------------------------------------------------------------------------ */
 
-/* Equal steps from the unworn ball, including a single step of 3000 mm. */
+/* Tests equal steps from the unworn ball, including a single step of 3000 mm, against 48 graded
+ * steps. */
 static void test_any_step(void **state) {
   (void)state;
   static const double share[3] = {0.35, 0.03, 1e-3};
@@ -141,7 +145,8 @@ static void test_any_step(void **state) {
   free_history(&graded);
 }
 
-/* Explicit Euler steps of `share` times the limit 1.168 dx / (k E*). */
+/* Returns the amplitude of the ripple [mm] after explicit Euler steps whose length is `share`
+ * times the stability limit 1.168 dx / (k E*). */
 static double ripple_after(double share, int steps) {
   history_def d = reciprocating(10, 0.01, 49, 1, 0, 0);
   history w = make_history(&d);
@@ -169,7 +174,8 @@ static void test_explicit_limit(void **state) {
   assert_true(rough > 20 * smooth);
 }
 
-/* For a single spot, 2 / eigenvalue equals this limit. */
+/* Tests the largest eigenvalue for a single contact: 2 / eigenvalue equals the stability limit
+ * 1.168 dx / (k E*). */
 static void test_eigenvalue(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.005, 49, 1, 0, 0);
@@ -185,8 +191,9 @@ static void test_eigenvalue(void **state) {
 
 /* --- exchange, grooves, fractions ------------------------------------------------------------- */
 
-/* A stage with the ball above at x = -2 .. 3 cells, or the same ball below, moving in the opposite
- * direction. */
+/* Computes one stage with the ball as the upper body at x = -2 .. 3 cells, or with the same ball
+ * as the lower body, moving in the opposite direction. Writes the depths of the ball and of the
+ * flat. */
 static void stage_of(int below, double *upper, double *lower) {
   enum { small = 41, large = 51 };
   const double dx = 0.0880442 / 8;
@@ -219,7 +226,7 @@ static void stage_of(int below, double *upper, double *lower) {
   arc_halfspace_destroy(&h);
 }
 
-/* Exchanging the bodies changes nothing else. */
+/* Tests that exchanging the bodies exchanges their depths. */
 static void test_exchange(void **state) {
   (void)state;
   static double upper[2][41 * 41], lower[2][51 * 41];
@@ -230,8 +237,8 @@ static void test_exchange(void **state) {
   for (int k = 0; k < 51 * 41; k++) check_near(lower[1][k], lower[0][k], 1e-6 * most);
 }
 
-/* A stroke of eleven contact widths, computed with one position and a groove, against all
- * positions. */
+/* Tests a stroke of eleven contact widths, computed with one position and a groove, against a
+ * computation with all positions. */
 static void test_groove(void **state) {
   (void)state;
   static const double upper[3] = {0, 1.31788e-3, 1.68647e-3},
@@ -250,7 +257,7 @@ static void test_groove(void **state) {
   }
 }
 
-/* Positions between cells: exact volumes, almost unchanged depths. */
+/* Tests positions between cell centres: the volumes are exact and the depths almost unchanged. */
 static void test_fractions(void **state) {
   (void)state;
   double depth[2][ARC_BODIES];
@@ -269,7 +276,7 @@ static void test_fractions(void **state) {
   for (int b = 0; b < ARC_BODIES; b++) check_share(depth[1][b], depth[0][b], 3e-3);
 }
 
-/* Twice the factor of a body equals twice its coefficient. */
+/* Tests that doubling the wear factor of a body equals doubling its wear coefficient. */
 static void test_factors(void **state) {
   (void)state;
   enum { n = 41, rows = 49 };
@@ -319,7 +326,7 @@ static void test_workers(void **state) {
   free_history(&four);
 }
 
-/* Depths are copied to larger windows and keep their volume on finer cells. */
+/* Tests that depths are copied to larger windows and keep their volume on finer cells. */
 static void test_regrow(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.01, 41, 0.5, 0.04, 200);
@@ -346,7 +353,7 @@ static void test_regrow(void **state) {
   free_history(&w);
 }
 
-/* A failed stage leaves depths and pressures unchanged. */
+/* Tests that a failed stage leaves depths and pressures unchanged. */
 static void test_failures(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.01, 25, 0.5, 0.04, 5000);
@@ -368,8 +375,8 @@ static void test_failures(void **state) {
   free_history(&w);
 }
 
-/* Random radii, moduli, strokes, alpha and step lengths. ARCHARD_HISTORIES sets their number
- * (default 12). */
+/* Tests volumes and symmetry for random radii, moduli, strokes, alpha and step lengths.
+ * ARCHARD_HISTORIES sets the number of histories (default 12). */
 static void test_random_histories(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_HISTORIES");
@@ -390,7 +397,7 @@ static void test_random_histories(void **state) {
     d.k = 1e-8;
     d.distance = volume / (d.k * d.load);
     arc_halfspace_fit(&d.space, d.load, 4 * volume, d.stroke, 0, 6);
-    d.space.track += 2; /* positions between cells also read the next cell */
+    d.space.track += 2; /* positions between cell centres need one more cell on either side */
     d.space.groove = d.increments == 0 && random_int(0, 1) ? d.stroke + a : 0;
     d.steps = random_int(1, 4);
     history w = run_history(&d);
@@ -406,8 +413,8 @@ static void test_random_histories(void **state) {
 
 /* --- below the surface ------------------------------------------------------------------------ */
 
-/* Hertz: largest von Mises stress 0.620 p0 at depth 0.48 a; at the surface -(1 + 2 nu) / 2 p0 at
- * the centre. */
+/* Tests stresses below a ball against Hertz theory: the largest von Mises stress is 0.620 p0 at the
+ * depth 0.48 a, and the radial stress at the centre of the surface is -(1 + 2 nu) / 2 p0. */
 static void test_stress(void **state) {
   (void)state;
   enum { n = 41, middle = (n * n - 1) / 2 };
@@ -435,7 +442,7 @@ static void test_stress(void **state) {
   free_solved(&s);
 }
 
-/* Forces on thin horizontal slabs of each cell column balance along x and y. */
+/* Tests the balance of forces along x and y on thin horizontal slabs of each cell column. */
 static void test_equilibrium(void **state) {
   (void)state;
   enum { n = 64 };
@@ -462,7 +469,7 @@ static void test_equilibrium(void **state) {
       }
       worst = fmax(worst, fmax(fabs(force[0]), fabs(force[1])));
     }
-  /* relative to p0 / a */
+  /* tolerance relative to p0 / a */
   check_below(worst, 0.03 * largest_of(s.p, n * n) / 0.0880442);
   free(above);
   free(below);

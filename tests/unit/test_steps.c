@@ -1,5 +1,5 @@
-/* Tests of the steps of wear runs: complete or without effect, stopped and continued, exact
- * distances, history, copies and restored states with identical bits. */
+/* Tests of the steps of wear runs: a step is complete or has no effect, runs are stopped and
+ * continued, distances are exact, and copies and restored states continue with identical bits. */
 #include "runs.h"
 
 /* --- steps ------------------------------------------------------------------------------------ */
@@ -7,7 +7,7 @@
 static void test_last_step(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
-  def.jump = 170; /* 37.4 mm for each step: 132 mm need 3.53 steps */
+  def.jump = 170; /* each step is 37.4 mm, so 132 mm need 3.53 steps */
   arc_wear *wear = start(&def);
   static const double distance[] = {37.4, 74.8, 112.2, 132, 132};
   for (int step = 0; step < 5; step++) {
@@ -25,7 +25,8 @@ static void test_last_step(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Distances that are not exact binary fractions give whole steps without a tiny last step. */
+/* Tests that distances that are not exact binary fractions give whole steps without a tiny last
+ * step. */
 static void test_whole_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -58,7 +59,8 @@ static void test_history(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* The history's pressure is that of the contact on the present shape. */
+/* Tests that the pressure in the history equals the pressure of a contact solved for the present
+ * shape. */
 static void test_reference_contact(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
@@ -101,8 +103,8 @@ static void check_stops(const arc_wear_def *def, int step_length) {
   arc_wear_destroy(&whole);
 }
 
-/* Stopped at any solution of a step, the run is unchanged; it then continues with identical bits.
- */
+/* Tests a run that is stopped at each contact solution of a step in turn: the run is unchanged
+ * and then continues with identical bits. */
 static void test_stop(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -139,8 +141,8 @@ static void test_progress(void **state) {
   arc_wear_destroy(&whole);
 }
 
-/* A step that cannot be computed, as the jump wears through the box: the same error twice, no byte
- * changed. */
+/* Tests a step that cannot be computed because it would wear through the wear box: two attempts
+ * give the same error and leave the run unchanged. */
 static void test_failing_step(void **state) {
   (void)state;
   static const struct {
@@ -212,7 +214,7 @@ static void test_copies_go_on(void **state) {
       }
 }
 
-/* Independence of copies: steps of the original do not change the copy. */
+/* Tests that steps of the original do not change the copy. */
 static void test_copies_apart(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
@@ -228,7 +230,7 @@ static void test_copies_apart(void **state) {
   arc_wear_destroy(&other);
 }
 
-/* A run started from another run's worn shape has this shape and an empty history. */
+/* Tests that a run started from another run's worn shape has this shape and an empty history. */
 static void test_worn_start(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);

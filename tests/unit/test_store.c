@@ -54,7 +54,7 @@ static void test_notes(void **state) {
   arc_store_close(&store);
 }
 
-/* Doubles that conversions would easily change. */
+/* Numbers that a faulty conversion would change. */
 static const double awkward[] = {0.0,
                                  -0.0,
                                  1.0,
@@ -172,7 +172,7 @@ static void test_run_goes_on(void **state) {
   arc_model_release(&second_model);
 }
 
-/* Fields of every kind: numbers, choices, series, blocks of loading. */
+/* A definition with fields of every kind: numbers, choices, series, and blocks of loading. */
 static const double distances[3] = {0, 50, 100}, k_at[3] = {2e-8, 1e-8, 1.5e-8},
                     alpha_at[2] = {0.25, 0.75};
 static const double to_and_fro[5] = {-0.05, 0, 0.05, 0, -0.05}, loads[5] = {80, 100, 0, 100, 90};
@@ -262,7 +262,7 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
   return ARC_OK;
 }
 
-/* A file stores which settings were functions. */
+/* Tests that a file stores which settings were functions. */
 static void test_functions(void **state) {
   (void)state;
   arc_error error = {0};
@@ -311,7 +311,7 @@ static const double *values_of(const arc_array *arrays, size_t count, arc_body b
   return found->values;
 }
 
-/* A run that could not be read back is refused; existing data are kept. */
+/* Checks that a run with arrays that could not be read back is refused. */
 static void check_refused(arc_store *store, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, const char *word) {
   arc_error error = {0};

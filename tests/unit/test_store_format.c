@@ -1,6 +1,6 @@
 /* Tests of the formats of the run file: structure of the tables, and files of older releases
- * (tests/files), which are converted completely or not at all. tests/lua/formats.lua checks their
- * contents. */
+ * (tests/files), which are converted completely or not at all. tests/lua/formats.lua checks the
+ * contents of converted files. */
 #include "store_sql.h"
 
 /* Returns a text with a line for each column of each table and view, sorted by name; the caller
@@ -41,9 +41,8 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* --- structure -------------------------------------------------------------------------------- */
 
-/* The columns follow from ARC_WEAR_COLUMNS and src/store/schema.c; all files of one format must
- * have the same columns.
- */
+/* Tests the columns of each table, which follow from ARC_WEAR_COLUMNS and src/store/schema.c:
+ * all files of one format must have the same columns. */
 static void test_structure(void **state) {
   (void)state;
   char path[100], found[300];
@@ -106,7 +105,7 @@ static void test_reader_changes_nothing(void **state) {
   free(after);
 }
 
-/* Damage in an old file stays in its case and affects no other case. */
+/* Tests that damage to one case of an old file affects no other case. */
 static void test_damage_stays(void **state) {
   (void)state;
   arc_error error = {0};
@@ -125,7 +124,7 @@ static void test_damage_stays(void **state) {
   }
 }
 
-/* If the last but one conversion fails, no conversion is applied. */
+/* Tests that no conversion is applied if the last but one conversion fails. */
 static void test_whole_or_not_at_all(void **state) {
   (void)state;
   arc_error error = {0};
@@ -165,8 +164,9 @@ static void test_many_open_at_once(void **state) {
   }
 }
 
-/* A newer format is refused when opened (test_store_trouble.c), and also when another program
- * converts the file during writing. */
+/* Tests a file that another program converts to a newer format while it is open for writing: the
+ * write is refused. test_store_trouble.c tests files that have a newer format when they are
+ * opened. */
 static void test_newer_meanwhile(void **state) {
   (void)state;
   arc_error error = {0};
@@ -189,7 +189,7 @@ static void test_newer_meanwhile(void **state) {
 
 enum { MOST_NUMBERS = 20000 };
 
-/* Reads all numbers of the surfaces in the order of the rows; returns their count. */
+/* Reads all numbers of the surfaces in the order of the rows; returns the number of values read. */
 static int numbers_of(const char *name, double *number) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -211,7 +211,7 @@ static int numbers_of(const char *name, double *number) {
   return count;
 }
 
-/* The view shows the same surfaces as the table that it replaced. */
+/* Tests that the view of the new format shows the same surfaces as the table that it replaced. */
 static void test_surfaces_stay(void **state) {
   (void)state;
   static double table[MOST_NUMBERS], view[MOST_NUMBERS];
@@ -224,7 +224,7 @@ static void test_surfaces_stay(void **state) {
   assert_memory_equal(view, table, (size_t)count * sizeof *view);
 }
 
-/* A finite normal number of any magnitude from a reproducible sequence. */
+/* Returns a finite normal number of any magnitude from a reproducible random sequence. */
 static double any_number(uint64_t *seed) {
   double number;
   do {
@@ -235,7 +235,7 @@ static double any_number(uint64_t *seed) {
   return number;
 }
 
-/* Numbers of all magnitudes are shown with all bits. */
+/* Tests that the view shows numbers of all magnitudes with all bits. */
 static void test_any_number_is_shown(void **state) {
   (void)state;
   enum { NODES = 2000, PLACES = 9, AT_H = 6, AT_Y = 7 };

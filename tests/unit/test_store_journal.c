@@ -1,5 +1,6 @@
-/* Tests of files beside a run file: archard's own journal restores the state before a killed
- * program's change; a foreign file there causes no deletion, writing or waiting. */
+/* Tests of files beside a run file. A journal of archard restores the state before a killed
+ * program's change; a journal or log of another program causes no deletion, no writing and no
+ * waiting. */
 #include "store_sql.h"
 
 #include <fcntl.h>
@@ -27,7 +28,8 @@ static void put_magic(FILE *to) {
   fwrite("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 1, 8, to);
 }
 
-/* Starts the journal of a file with `pages` pages and the number of saved pages, `records`. */
+/* Starts the journal of a file that had `pages` pages; `records` is the number of pages saved in
+ * the journal. */
 static FILE *begin_journal(const char *name, uint32_t records, uint32_t pages) {
   char path[300];
   snprintf(path, sizeof path, "%s-journal", in_folder(name));
@@ -49,7 +51,7 @@ static void put_page(FILE *to, uint32_t number, const unsigned char *page) {
   put_number(to, sum);
 }
 
-/* Writes the end of a journal for several files, listed in `names`. */
+/* Writes the end of a journal that belongs to several files, whose paths are listed in `names`. */
 static void put_name(FILE *to, const char *names) {
   uint32_t sum = 0;
   for (const char *c = names; *c; c++) sum += (unsigned char)*c;
@@ -62,7 +64,8 @@ static void put_name(FILE *to, const char *names) {
 
 /* --- journals of archard ---------------------------------------------------------------------- */
 
-/* Makes a file without its last page and the journal that contains this page. */
+/* Creates a file without its last page and the journal that contains this page, as left by a
+ * killed program. */
 static void cut_in_mid_change(const char *name) {
   size_t count;
   unsigned char *bytes = bytes_of(in_folder("good"), &count);
@@ -106,7 +109,7 @@ static void assert_there(const char *name) {
   free(bytes);
 }
 
-/* Checks that the file is refused in all modes and the file "victim" is unchanged. */
+/* Checks that opening the file is refused in all modes and that the file "victim" is unchanged. */
 static void assert_none_of_ours(const char *name) {
   for (int mode = ARC_STORE_READ; mode <= ARC_STORE_CREATE; mode++) {
     arc_error error = {0};
@@ -133,7 +136,7 @@ static void test_names_a_file(void **state) {
   put_name(journal, in_folder("victim"));
   fclose(journal);
   assert_none_of_ours("named");
-  /* a name that looks like that of a journal */
+  /* the name of the victim now ends like the name of a journal */
   assert_int_equal(rename(in_folder("victim"), in_folder("other-journal")), 0);
   copy_good("again");
   journal = begin_journal("again", 0, 10);
@@ -143,7 +146,7 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
-/* Checks this for a share that is merged, too. */
+/* Tests that merging a share with a foreign journal is refused, too. */
 static void test_share(void **state) {
   (void)state;
   arc_error error = {0};
@@ -174,7 +177,8 @@ static void test_links_and_pipes(void **state) {
   assert_none_of_ours("piped");
 }
 
-/* A log contains pages that replace those of the file; its index could be any file. */
+/* Tests files with a write-ahead log of another program. Such a log contains pages that replace
+ * pages of the file, and its index (-shm) could be a link to any file. */
 static void test_logs(void **state) {
   (void)state;
   lay_file("victim");
@@ -188,7 +192,7 @@ static void test_logs(void **state) {
   assert_there("beside-wal");
 }
 
-/* The journal of a deleted file is not applied to a new file of the same name. */
+/* Tests that the journal of a deleted file is not applied to a new file of the same name. */
 static void test_left_alone(void **state) {
   (void)state;
   arc_error error = {0};
@@ -207,7 +211,7 @@ static void test_left_alone(void **state) {
 
 int main(void) {
   arc_single_threaded();
-  alarm(60); /* opening a pipe would wait */
+  alarm(60); /* a program that opens the pipe would wait forever */
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_put_right), cmocka_unit_test(test_names_a_file),
       cmocka_unit_test(test_share),     cmocka_unit_test(test_links_and_pipes),

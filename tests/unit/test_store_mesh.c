@@ -1,6 +1,6 @@
-/* Tests of runs on imported meshes in run files: the file contains the mesh, runs continue with
- * identical bits, several cases share one text, and meshes in untrusted files are checked like any
- * mesh file. */
+/* Tests of run files with runs on imported meshes: the file contains the mesh, runs continue
+ * with identical bits, several cases share one mesh text, and meshes in untrusted files are
+ * checked like any mesh file. */
 #include "mesh_text.h"
 #include "store_sql.h"
 
@@ -9,7 +9,8 @@
 
 /* --- a run on an imported mesh ---------------------------------------------------------------- */
 
-/* A coarse pair whose cylinder has a thin coating, as the text of a Gmsh file. */
+/* Returns a coarse pair of meshes, whose cylinder has a thin coating, as the text of a Gmsh
+ * file. */
 static char *coated_text(void) {
   arc_error error = {0};
   arc_model_def def = arc_model_default();
@@ -79,7 +80,8 @@ static void test_goes_on(void **state) {
   assert_true(arc_model_is_given(again));
   assert_string_equal(arc_model_definition(again)->body[ARC_UPPER].layer[0].name, "layer1");
   must(arc_wear_run(stored, 330, NULL, &error), &error);
-  assert_true(arc_wear_last(stored)->depth_cylinder > 5e-4); /* worn through the coating */
+  assert_true(arc_wear_last(stored)->depth_cylinder > 5e-4); /* the wear is deeper than the
+                                                              * coating */
   assert_same_runs(stored, whole);
   free(text);
   arc_wear_destroy(&whole);
@@ -117,7 +119,7 @@ static void finish(const char *name, int id, const arc_wear *wear) {
   arc_store_close(&store);
 }
 
-/* Cases share the text of their mesh; merging a share also copies the text. */
+/* Tests that cases share the text of their mesh and that merging a share also copies the text. */
 static void test_shared(void **state) {
   (void)state;
   arc_error error = {0};
@@ -147,7 +149,8 @@ static int keep_text(void *context, const arc_value *value) {
   return 0;
 }
 
-/* Any text is read back unchanged, also one that looks like the name of another. */
+/* Tests that any text is read back unchanged, even a text that looks like the name of another
+ * text. */
 static void test_texts(void **state) {
   (void)state;
   arc_error error = {0};
@@ -182,7 +185,7 @@ static void set_mesh(const char *name, const char *value) {
   sqlite3_close(db);
 }
 
-/* Makes the good run with another mesh. */
+/* Copies the good file and replaces its mesh by another mesh text. */
 static void change_mesh(const char *name, const char *text) {
   arc_error error = {0};
   char of_text[ARC_TEXT_NAME];
@@ -227,7 +230,7 @@ static void test_broken_meshes(void **state) {
   }
 }
 
-/* A valid mesh whose surface has another number of nodes than the state. */
+/* Tests a valid mesh with a number of surface nodes that differs from the stored state. */
 static void test_other_surface(void **state) {
   (void)state;
   size_t count;
@@ -253,7 +256,7 @@ static void test_texts_of_strangers(void **state) {
                     "* FROM texts; DROP TABLE texts; ALTER TABLE t RENAME TO texts");
     run_sql("text", wrong[i]);
     assert_damaged("text", "text");
-    if (i == 0) continue; /* only this case is lost */
+    if (i == 0) continue; /* without its text only this case is unreadable; the file is valid */
     arc_store *store = opened("text", ARC_STORE_READ);
     assert_int_equal(arc_store_check(store, &error), ARC_FORMAT);
     arc_store_close(&store);
@@ -280,8 +283,8 @@ static void test_values_of_strangers(void **state) {
   }
 }
 
-/* Fields of a definition that are not allowed with an imported mesh; without its mesh a run is
- * refused too. */
+/* Tests definitions with fields that are not allowed for an imported mesh, and a definition
+ * without its mesh: reading the run is refused. */
 static void test_definitions_of_strangers(void **state) {
   (void)state;
 #define SET(name, value) "UPDATE definition SET value = " value " WHERE name = '" name "'"

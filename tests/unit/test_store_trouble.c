@@ -1,10 +1,12 @@
-/* Tests of error conditions of the run file: foreign and damaged files are refused and unchanged; a
- * full disk, a killed writer, two writers at once, shares of different studies. */
+/* Tests of error conditions of the run file: foreign and damaged files are refused and not
+ * changed. Further conditions are a full disk, a killed writer, two writers at once, and shares
+ * of different studies. */
 #include "store_shared.h"
 
 /* --- foreign files ---------------------------------------------------------------------------- */
 
-/* Checks that opening `name` in every mode fails with `words` and leaves every byte unchanged. */
+/* Checks that opening `name` in every mode fails with a message that contains `words` and leaves
+ * every byte unchanged. */
 static void assert_refused(const char *name, arc_status expected, const char *words) {
   const char *path = in_folder(name);
   size_t before_count, after_count;
@@ -24,7 +26,7 @@ static void assert_refused(const char *name, arc_status expected, const char *wo
   free(after);
 }
 
-/* Makes a copy of a good file with some bytes changed. */
+/* Writes a copy of a good file with some bytes changed. */
 static void write_changed(const char *name, size_t at, const char *bytes, size_t count,
                           size_t keep) {
   arc_store *store = opened("good", ARC_STORE_CREATE);
@@ -70,7 +72,7 @@ static void test_damaged_pages(void **state) {
   arc_store_close(&store);
 }
 
-/* Returns true if all data of the first case can be read and are as expected. */
+/* Returns true if all data of the first case can be read and equal the expected data. */
 static int reads_well(const char *name, const arc_wear_record *expected, size_t expected_count) {
   arc_error error = {0};
   arc_store *store;
@@ -88,7 +90,7 @@ static int reads_well(const char *name, const arc_wear_record *expected, size_t 
   return well;
 }
 
-/* A changed bit anywhere is refused, or does not affect the data read. */
+/* Tests files with one changed bit: the file is refused, or the data read are unchanged. */
 static void test_turned_bits(void **state) {
   (void)state;
   arc_error error = {0};
@@ -132,7 +134,7 @@ static void test_replace(void **state) {
     must(arc_store_publish(&store, &error), &error);
   }
   must(arc_store_replace(in_folder("replaced"), "wear", &store, &error), &error);
-  arc_store_close(&store); /* closes without storing */
+  arc_store_close(&store); /* closes the new file without storing it */
   store = opened("replaced", ARC_STORE_READ);
   must(arc_store_info(store, "kind", &text, &error), &error);
   assert_string_equal(text, "wear");
@@ -176,8 +178,8 @@ static size_t count_of(const char *name) {
   return count;
 }
 
-/* A limit on the size of files simulates a full disk, in a child process, as the limit cannot be
- * raised again. */
+/* Tests a full disk, which a limit on the size of files simulates. The test runs in a child
+ * process because the limit cannot be raised again. */
 static void test_full_disk(void **state) {
   (void)state;
   arc_store *store = opened("full", ARC_STORE_CREATE);
@@ -203,7 +205,7 @@ static void test_full_disk(void **state) {
   assert_int_equal(count_of("full"), 99);
 }
 
-/* A writer is killed at some moment; the file contains complete batches only. */
+/* Tests a writer that is killed at a random time: the file contains only complete batches. */
 static void test_killed_writer(void **state) {
   (void)state;
   enum { ROUNDS = 12, BATCH = 50 };
@@ -254,7 +256,8 @@ static void test_two_writers(void **state) {
   assert_int_equal(count_of("shared"), WRITERS * EACH);
 }
 
-/* A program that stores two runs alternately as case 1 until it is killed. */
+/* Starts a program that alternately stores two runs as case 1 until it is killed; returns the
+ * program's process id. */
 static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear *two) {
   const pid_t child = fork();
   if (child != 0) return child;
@@ -266,7 +269,8 @@ static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear
   }
 }
 
-/* Data read while another program stores them belong to one moment and are valid. */
+/* Tests that data read while another program stores them are valid and belong to one version of
+ * the case. */
 static void test_reader_beside_writer(void **state) {
   (void)state;
   enum { READS = 25 };
@@ -322,11 +326,12 @@ static void test_merge(void **state) {
   make_share("stranger", 2, 0.25, wear);
   make_share("joined", 0, 0.5, wear);
   arc_store *store = opened("joined", ARC_STORE_WRITE);
-  save_run(store, 2, other); /* stored in part by a program that was killed */
+  save_run(store, 2, other); /* this case was stored in part by a program that was killed */
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));
-  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* the same share once more */
+  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* merges the same share
+                                                                       * again */
   assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);

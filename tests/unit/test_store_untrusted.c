@@ -1,5 +1,5 @@
 /* Tests of untrusted run files with arbitrary content and valid checksums: invalid content is
- * refused with a message before any object is created. Also run with sanitizers. */
+ * refused with a message before any object is created. The tests also run with sanitizers. */
 #include "store_sql.h"
 
 /* --- a good file and changed copies ----------------------------------------------------------- */
@@ -9,7 +9,7 @@ static const double to_and_fro[5] = {-0.05, 0, 0.05, 0, -0.05}, loads[5] = {80, 
 static const arc_loading blocks[1] = {
     {.count = 5, .x = to_and_fro, .load = loads, .cycles = 1000, .periodic = 1}};
 
-/* A run with a table of k and a loading. */
+/* Creates the file "good" with a run that has a table of k and a loading. */
 static int make_good(void **state) {
   arc_error error = {0};
   arc_wear *wear;
@@ -30,14 +30,14 @@ static int make_good(void **state) {
   return 0;
 }
 
-/* Copies the good file, applies some SQL and updates the checksums. */
+/* Copies the good file, changes the copy by SQL and updates the checksums. */
 static void spoil(const char *name, const char *sql) {
   copy_good(name);
   run_sql(name, sql);
   seal(name);
 }
 
-/* Replaces one number in the array selected by `select` and writes it back with `update`. */
+/* Replaces one number of the stored array with the name `name_of` by `value`. */
 static void set_number(const char *name, const char *name_of, int at, double value) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -95,8 +95,8 @@ static void test_values_twice(void **state) {
   assert_damaged("twice", "load");
 }
 
-/* Such files cannot be merged with a study; the message for a duplicate value does not quote
- * SQLite. */
+/* Tests that a share with duplicate values cannot be merged with a study; the error message does
+ * not quote SQLite. */
 static void test_share_with_values_twice(void **state) {
   (void)state;
   arc_error error = {0};
@@ -360,7 +360,7 @@ static void test_structure(void **state) {
   assert_damaged("table", "arrays");
 }
 
-/* A trigger in the file has no effect. */
+/* Tests that a trigger in the file has no effect. */
 static void test_triggers(void **state) {
   (void)state;
   arc_error error = {0};
@@ -376,7 +376,7 @@ static void test_triggers(void **state) {
   arc_store_close(&store);
 }
 
-/* An inner page of 300 rows, all with the same child page. */
+/* Writes an inner page of 300 rows, all with the same child page. */
 static void make_inner(unsigned char *page, unsigned child) {
   enum { ROWS = 300, FIRST = 4096 - 8 * ROWS };
   const unsigned char header[8] = {5, 0, 0, ROWS >> 8, ROWS & 255, FIRST >> 8, FIRST & 255, 0};
@@ -388,13 +388,14 @@ static void make_inner(unsigned char *page, unsigned child) {
     link[2] = (unsigned char)(child >> 8);
     link[3] = (unsigned char)child;
     if (row == ROWS) continue;
-    link[4] = 1; /* number of the row, which is not read */
+    link[4] = 1; /* a row number, which the reader ignores */
     page[12 + 2 * row] = (unsigned char)(at >> 8);
     page[13 + 2 * row] = (unsigned char)at;
   }
 }
 
-/* A tree that refers to the same page many times would take endless time. */
+/* Tests a tree that refers to the same page many times, so reading all rows would take too long:
+ * the file is refused. */
 static void test_tangled_tree(void **state) {
   (void)state;
   copy_good("tangled");
@@ -406,7 +407,7 @@ static void test_tangled_tree(void **state) {
   int inner = 0;
   for (size_t at = 4096; at + 4096 <= count; at += 4096) {
     unsigned char *page = bytes + at;
-    if (page[0] != 13 || at < count / 2) continue; /* leaves of the table of cases */
+    if (page[0] != 13 || at < count / 2) continue; /* selects leaf pages of the table of cases */
     if (inner++ < 8) make_inner(page, (unsigned)(at / 4096 + 2));
   }
   assert_true(inner > 20);
@@ -430,7 +431,7 @@ static void test_devices(void **state) {
     }
 }
 
-/* Text from a file is shown without the control characters that terminals interpret. */
+/* Tests that text from a file is shown without the control characters that terminals interpret. */
 static void test_escape_codes(void **state) {
   (void)state;
   arc_error error = {0};

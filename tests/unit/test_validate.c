@@ -1,5 +1,5 @@
-/* Tests of the validators: valid contacts and runs pass, each kind of damage is detected and named.
- */
+/* Tests of the validators: valid contacts and runs pass, and each kind of damage is detected and
+ * named in the message. */
 #include "runs.h"
 
 #include "core/plane/solution.h"
@@ -56,7 +56,8 @@ static void test_sound_runs(void **state) {
     }
 }
 
-/* The load changes between steps: each part has its own k L d. */
+/* Tests the volume check for a run whose load changes between steps: each part of the run has
+ * its own k L d. */
 static void test_changed_run(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -92,8 +93,8 @@ static void test_broken_runs(void **state) {
   arc_wear_destroy(&w);
 }
 
-/* Checks that a number in the last record that is NaN or smaller than in the previous one is
- * reported with its name. */
+/* Checks that a number in the last record is reported with its name if it is NaN or smaller than
+ * in the previous record. */
 static void check_record(arc_wear *w, double *number, double wrong, const char *name,
                          const char *how) {
   char told[80];

@@ -1,4 +1,4 @@
-/* Tests of wear runs: volumes, procedures, integration, stability, refusals. */
+/* Tests of wear runs: volumes, procedures, integration, stability, and refused definitions. */
 #include "runs.h"
 
 /* --- volumes ---------------------------------------------------------------------------------- */
@@ -17,7 +17,8 @@ static void test_volumes(void **state) {
     }
 }
 
-/* The record's volume equals that of the profile: depth times width, summed over the nodes. */
+/* Tests that the volume in the record equals the volume of the profile: depth times width,
+ * summed over the nodes. */
 static void test_volume_of_profile(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.22, 0.5);
@@ -31,8 +32,8 @@ static void test_volume_of_profile(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* With a thickness, load and volume refer to the whole width; depths are those of the load per mm.
- */
+/* Tests a model with a thickness: load and volume refer to the whole thickness, and the depths
+ * equal those under the load per mm. */
 static void test_thickness(void **state) {
   (void)state;
   arc_model_def md = *arc_model_definition(coarse);
@@ -72,7 +73,8 @@ static void test_choice(void **state) {
   }
 }
 
-/* Stroke 2R: the plate wears by (1 - alpha) k L for each pass and mm, Eq. (27). */
+/* Tests a stroke of 2R against Eq. (27) of the reference paper: the plate wears by (1 - alpha) k
+ * L in each pass. */
 static void test_plate_under_long_strokes(void **state) {
   (void)state;
   arc_wear_def def = quick(20, 0.25);
@@ -84,7 +86,7 @@ static void test_plate_under_long_strokes(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* alpha = 0 at 2R needs no finite elements: Hertz pressure without a contact solution. */
+/* Tests that alpha = 0 with a stroke of 2R uses the Hertz pressure without any contact solution. */
 static void test_hertz_forever(void **state) {
   (void)state;
   arc_wear_def def = quick(20, 0);
@@ -97,7 +99,8 @@ static void test_hertz_forever(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* alpha = 1: the sliding plate has no effect except by the positions of its nodes. */
+/* Tests that sliding of the plate has no effect for alpha = 1 except by the positions of the
+ * plate's nodes. */
 static void test_forced_sliding(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 1);
@@ -113,7 +116,7 @@ static void test_forced_sliding(void **state) {
   arc_wear_destroy(&slides);
 }
 
-/* With alpha = 1 the wear depends only on the distance, not on the stroke. */
+/* Tests that for alpha = 1 the wear depends only on the distance, not on the stroke. */
 static void test_one_cylinder(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 1);
@@ -128,8 +131,8 @@ static void test_one_cylinder(void **state) {
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Eq. (5) gives the same volume and a slightly shifted plate profile; the shift decreases with the
- * number of increments. */
+/* Tests the simple integration rule, Eq. (5) of the reference paper: it gives the same volume
+ * and a slightly shifted plate profile. The shift decreases with the number of increments. */
 static void test_simple_rule(void **state) {
   (void)state;
   double apart[2];
@@ -153,7 +156,8 @@ static void test_simple_rule(void **state) {
   check_below(apart[1], 0.4 * apart[0]);
 }
 
-/* The elastic part of the slip is small (Eq. 25), but not zero. */
+/* Tests that the elastic part of the slip, Eq. (25) of the reference paper, is small but not
+ * zero. */
 static void test_total_slip(void **state) {
   (void)state;
   arc_wear_def def = quick(0.22, 0.5);
@@ -186,7 +190,8 @@ static void test_frozen(void **state) {
   arc_wear_destroy(&frozen);
 }
 
-/* Shorter steps change little, and steps of half the length change half as much: first order. */
+/* Tests the effect of the step length: shorter steps change the depth little, and steps of half
+ * the length change it half as much (first order). */
 static void test_step_size(void **state) {
   (void)state;
   double depth[3];
@@ -216,8 +221,8 @@ static void test_symmetric(void **state) {
 
 /* --- stability and roughness ------------------------------------------------------------------ */
 
-/* The eigenvalue gives the limit of explicit steps: smooth below, rough above, and a run ends
- * before its pressures become meaningless. */
+/* Tests that the eigenvalue gives the limit of explicit steps: surfaces are smooth below and
+ * rough above the limit, and a run ends with an error before its pressures become meaningless. */
 static void test_stability(void **state) {
   (void)state;
   arc_model *model = default_model();
@@ -246,7 +251,8 @@ static void test_stability(void **state) {
   arc_model_release(&model);
 }
 
-/* Computing the limit does not change the run, which continues with identical bits. */
+/* Tests that computing the stability limit does not change the run, which continues with
+ * identical bits. */
 static void test_stability_is_a_question(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
@@ -270,7 +276,8 @@ static void hear(void *context, const char *text) {
   snprintf(warning, sizeof warning, "%s", text);
 }
 
-/* Increments that are too long give a warning with a sufficient number of increments. */
+/* Tests that increments that are too long give a warning, which names a sufficient number of
+ * increments. */
 static void test_leaps(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
@@ -279,7 +286,7 @@ static void test_leaps(void **state) {
   const arc_loading once = {.count = 3, .x = x, .load = load, .cycles = 1};
   arc_wear_def def = quick(0.44, 0.5);
   for (int k = 0; k < 5; k++) {
-    if (k == 1) def.increments = 0; /* "auto": the increments follow the contact */
+    if (k == 1) def.increments = 0; /* "auto": the number of increments follows the contact width */
     if (k > 1) def.blocks = 1, def.loading = k == 4 ? &once : &ends, def.jump = 1;
     if (k == 3) def.increments = 2;
     if (k == 4)
@@ -296,8 +303,8 @@ static void test_leaps(void **state) {
   }
 }
 
-/* A jump beyond the limit gives one warning for each definition, before its first step; results are
- * unchanged. */
+/* Tests that a jump beyond the limit gives one warning for each definition, before the first step,
+ * and does not change the results. */
 static void test_warnings(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
@@ -352,7 +359,7 @@ static void test_refused_numbers(void **state) {
     def = arc_wear_default();
     def.distance = bad[k];
     refuse(&def, ARC_ARGUMENT, "'distance'");
-    if (bad[k] == 0) continue; /* 0 is a valid jump: "auto" */
+    if (bad[k] == 0) continue; /* skipped because 0 is a valid jump: "auto" */
     def = arc_wear_default();
     def.jump = bad[k];
     refuse(&def, ARC_ARGUMENT, "'jump'");
@@ -390,8 +397,8 @@ static void test_refused_combinations(void **state) {
   refuse(&def, ARC_ZONE, "zone");
 }
 
-/* A stroke too long for the plate's zone is refused with the required zone; this zone is
- * sufficient. */
+/* Tests that a stroke too long for the plate's zone is refused with a message that names the
+ * required zone, and that this zone is sufficient. */
 static void test_zone(void **state) {
   (void)state;
   arc_wear_def def = quick(2, 0.5);
@@ -408,7 +415,8 @@ static void test_zone(void **state) {
   arc_model_release(&wide);
 }
 
-/* The zones of a run are large enough for its contact, with much and with little wear. */
+/* Tests that the computed zones of a run are large enough for its contact, with much and with
+ * little wear. */
 static void test_zones_are_enough(void **state) {
   (void)state;
   random_start(51);
@@ -425,14 +433,14 @@ static void test_zones_are_enough(void **state) {
     def.alpha = random_int(0, 4) / 4.0;
     def.increments = 10;
     def.jump = def.distance / (2 * def.stroke) / 20;
-    /* little wear, or a scar of up to three times the first half width */
+    /* little wear, or a scar of up to three times the initial half width */
     const double scar = hertz.half_width * random_in(0, trial % 2 ? 3 : 0.2);
     def.k = pow(scar, 3) / (1.5 * md.radius * def.load * def.distance);
     arc_wear_zones(&def, &md, md.mesh.zone);
     for (int b = 0; b < ARC_BODIES; b++) md.mesh.zone[b] = fmin(md.mesh.zone[b], 1.6 * md.radius);
     arc_model *model = build_model(&md);
     arc_wear *wear = NULL;
-    def.scheme = ARC_IMPLICIT; /* explicit steps would be rough with so few steps */
+    def.scheme = ARC_IMPLICIT; /* explicit steps would make the surfaces rough with so few steps */
     check_ok(arc_wear_create(model, &def, NULL, &wear, why));
     check_ok(arc_wear_run(wear, def.distance, NULL, why));
     check_volumes(wear);
@@ -441,7 +449,7 @@ static void test_zones_are_enough(void **state) {
   }
 }
 
-/* A run with k = 0 has no wear. */
+/* Tests that a run with k = 0 has no wear. */
 static void test_no_wear(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
