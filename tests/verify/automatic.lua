@@ -1,5 +1,6 @@
--- Accuracy of default meshes: contacts under layers, with rounded edges, in holes, of profiles and balls, compared with
--- the paper's pair; messages for meshes that are too small.
+-- Tests the accuracy of default meshes for contacts under layers, with rounded edges, in holes, of profiles
+-- and of balls, and compares it with the accuracy for the pair of the reference paper. Tests the messages for
+-- meshes that are too small.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -23,8 +24,8 @@ for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 10
   if half then below(off_elements(c, half), 1, of .. "half width off [elements]") end
 end
 
--- Layers much thinner than the contact act like a Winkler foundation: a^3 = 3 P R C / 2, p0 = a^2 / (2 R C) with C = t
--- (1 - 2 nu) (1 + nu) / (E (1 - nu)).
+-- Layers much thinner than the contact, against the Winkler foundation: a^3 = 3 P R C / 2 and p0 = a^2 / (2 R
+-- C) with C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
 for _, t in ipairs{ 1e-4, 1e-3 } do
   local C = t * 0.4 * 1.3 / (1000 * 0.7)
   local a = (1.5 * 10 * 10 * C) ^ (1 / 3)
@@ -32,7 +33,8 @@ for _, t in ipairs{ 1e-4, 1e-3 } do
   within(c.p_center, a * a / (20 * C), 0.01, ("layer of %g mm, thin as springs: centre pressure [MPa]"):format(t))
   below(off_elements(c, a), 1, "half width off [elements]")
 end
--- Layers squeezed out sideways; with eight times finer meshes: 0.8294, 24.53 and 1.4222 MPa.
+-- Layers that are squeezed out sideways, against centre pressures of 0.8294, 24.53 and 1.4222 MPa on eight
+-- times finer meshes.
 for _, row in ipairs{ { 20, 0.3, 0.1, 0.83026 }, { 2000, 0.1, 1, 24.606 }, { 20, 0.1, 0.1, 1.4222 } } do
   local E, t, load, p0 = table.unpack(row)
   local c = contact{ load = load, model = { lower = body.block{ layers = soft(t * 0.10764, E, 0.49) } } }
@@ -41,7 +43,8 @@ end
 
 -- --- rounded punches ----------------------------------------------------------------------------
 
--- P(a) = E* / (4 R) a^2 (pi - 2 f - sin 2f), sin f = b / a; p(x) = integral over a of P' / (pi sqrt(a^2 - x^2)).
+-- Computes the closed form of a rounded punch: P(a) = E* / (4 R) a^2 (pi - 2 f - sin 2f) with sin f = b / a,
+-- and p(x) as the integral over a of P' / (pi sqrt(a^2 - x^2)).
 local E_star = 109890.1
 local function punch_law(flat, radius, load)
   local b, low, high = flat / 2, 0, math.pi / 2
@@ -83,7 +86,7 @@ ok((warnings.take() or ""):find("its peaks there are too low; mesh.size = ", 1, 
 
 -- --- pins ---------------------------------------------------------------------------------------
 
--- Loads proportional to the clearance give the same angle and almost the same p0 / P.
+-- Tests that loads proportional to the clearance give the same contact angle and almost the same p0 / P.
 local least, most = math.huge, 0
 for i = 1, 40 do
   local clearance = i * 0.0025

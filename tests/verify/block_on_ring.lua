@@ -1,5 +1,6 @@
--- A ring wears a block over 3600 m, until the scar is 25 times as wide as the initial contact: automatic steps and
--- meshes against much shorter steps, the rigid limit and published depths.
+-- Tests a ring that wears a block over 3600 m, until the scar is 25 times as wide as the initial contact.
+-- Automatic steps and meshes are compared with much shorter steps, the limit of rigid bodies and published
+-- depths.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
@@ -35,8 +36,8 @@ for _, case in ipairs{ { 1e-3, 1e-4, 60 }, { 1e-2, 3e-4, 40 } } do
   within(depth[3] * 1e3, 16.155, 0.0005, what .. "depth at 800 m, published [um]")
 end
 
--- Wear is normal to the surface, so that the volume is k times the integral of p over the arc and the distance:
--- more than k F s where the scar slopes.
+-- Tests the volume of a wide scar. Wear is normal to the surface, so the volume is k times the integral of p
+-- over the arc times the distance, which is more than k F s where the scar is inclined.
 local function over_arc(w)
   local surface, contact = w:profile "plate", w:pressure()
   local arc, j = 0, 2
@@ -58,7 +59,7 @@ end
 below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5, "volume against k times the integral of p over the arc, off by")
 
 warn "@off" -- for the coarse mesh
--- Long steps converge too: the whole distance in a few steps of backward Euler.
+-- Tests that long steps converge, too: the whole distance in a few steps of backward Euler.
 for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do
   local steps, error = table.unpack(case)
   local w = wear{ model = { radius = radius, mesh = { size = 0.05, height = 0.06, zone = { cylinder = 8, plate = 8 } } },

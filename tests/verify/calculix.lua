@@ -1,5 +1,6 @@
--- Runs exported decks in CalculiX: they are valid and reproduce archard's pressures and stresses. Skipped without
--- CalculiX. On a coarse mesh for speed; make peer compares on the default mesh.
+-- Solves exported decks with CalculiX and tests that CalculiX reproduces archard's pressures and stresses.
+-- The test is skipped without CalculiX. It uses a coarse mesh for speed; make peer compares on the default
+-- mesh.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ccx = dofile(here .. "/../../scripts/tools/ccx.lua")
@@ -32,7 +33,8 @@ local function compare(name, object, c, room)
   if not r then return end
   local stress = c:stress()
   tap.near(r.force, c.load, 1e-6, name .. ": carries the load")
-  -- CalculiX extrapolates pressures from integration points to nodes; for an ellipse they are too high by this share.
+  -- CalculiX extrapolates pressures from integration points to nodes. For an elliptic pressure the nodal
+  -- values are too high by 1 / (12 n^2), where n is the number of elements in the half width.
   local elements = c.half_width / c.model.mesh.size
   tap.near(r.p_center, c.p_center, 0.01 + 1 / (12 * elements ^ 2), name .. ": centre pressure")
   for _, body in ipairs{ "cylinder", "plate" } do
@@ -41,7 +43,7 @@ local function compare(name, object, c, room)
   tap.near(r.approach, c.approach, room.approach, name .. ": approach")
 end
 
--- Non-default radius, thickness, load and position; worn by a smooth scar.
+-- Tests a radius, thickness, load and position other than the defaults, and a contact worn by a smooth scar.
 local function scar(x) return 2e-3 * math.max(0, 1 - (x / 0.4) ^ 2) ^ 2 end
 local steel = model{ radius = 8, thickness = 2, mesh = { size = 0.04, height = 0.05, far = 2, zone = { cylinder = 1, plate = 1.4 } } }
 local unworn = contact{ model = steel, load = 300, x = 0.08 }

@@ -1,5 +1,5 @@
--- The 20 cases of the paper with its N-bar: volumes, symmetry and smoothness of all; final values of some against an
--- independent solution; the findings of the paper.
+-- Tests the 20 cases of the reference paper with its jump N-bar: volumes, symmetry and smoothness of all
+-- cases, final values of some cases against an independent solution, and the findings of the paper.
 local paper = require "archard.study.paper"
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -34,7 +34,7 @@ local function off_line(w)
   return worst
 end
 
--- Returns the load on each body: the sum of pressure times tributary width.
+-- Returns the load on a body: the sum of pressure times tributary width.
 local function carried(w, body)
   local p, sum = w:pressure(body), 0
   for i = 2, #p.x - 1 do sum = sum + p.p[i] * (p.x[i + 1] - p.x[i - 1]) / 2 end
@@ -126,8 +126,8 @@ for _, alpha in ipairs{ 0, 0.25, 0.75, 1 } do
     ("s = a, alpha = %g: h_c + h_p as at alpha = 0.5 [um]"):format(alpha))
 end
 
--- Returns the largest distance from the straight line between the ends, as a share of the total
--- decrease.
+-- Returns the largest distance of the centre pressure from the straight line between its first and last
+-- value, as a share of the total decrease.
 local function bend(w)
   local p, d, worst = w.history.p_center, w.history.distance, 0
   for i = 1, #p do

@@ -1,4 +1,4 @@
--- Layers and coats: pressures against transforms.
+-- Tests pressures of layered and coated bodies against integral transforms.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 

@@ -1,11 +1,13 @@
--- Wear of layers and coatings: volumes by their own coefficients, pressures on the remaining layers.
+-- Tests the wear of layers and coatings: volumes by the coefficient of each layer, and pressures on the
+-- remaining layers.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
 -- --- worn ----------------------------------------------------------------------------------------
 
--- A coating that wears ten times slower than its base: V = k F s in it, faster below.
+-- A coating that wears ten times slower than its base: the volume is V = k F s with the coating's k until the
+-- coating is worn through, then it grows faster.
 local coated = model{ radius = 10, lower = body.block{ width = 20, height = 10, k = 1e-7,
   layers = { { thickness = 2e-3, E = 400e3, nu = 0.3, k = 1e-8 } } }, mesh = { size = 0.04, height = 0.02, zone = { cylinder = 2, plate = 2 } } }
 local function worn_by(distance)
@@ -18,7 +20,8 @@ within(early.volume_plate, 1e-8 * 100 * 100, 1e-9, "coat: volume by its own k wh
 figures.ok(early.depth_plate < 2e-3, "coat: not through yet")
 figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2, "coat: after it is worn through, wear is faster")
 
--- Uniform wear of the plate includes its layers: under a stroke over the whole plate, and on the track of a pin.
+-- Tests that uniform wear of the plate includes its layers: with a stroke over the whole plate, and on the
+-- track of a pin.
 local slow = material{ E = 200e3, nu = 0.3, k = 1e-9 }
 local function on(thickness, k_below) return body.block{ k = k_below, layers = { { thickness = thickness, material = slow } } } end
 for _, scheme in ipairs{ "explicit", "implicit" } do
@@ -33,14 +36,15 @@ for _, thickness in ipairs{ 1, 1e-4 } do
   local alone = 1e-9 * 50 * w.distance
   if thickness == 1 then
     within(w.volume_plate, alone, 1e-12, "layer under a track: volume by its own k [mm3]")
-  else  -- otherwise the mean depth when the wear has reached this depth
+  else  -- after the layer is worn through, the mean depth is compared
     local left = 2 * math.pi * 20 * 2 * w.half_width * thickness
     within(w.volume_plate, left + 20 * (alone - left), 0.01, "layer under a track, worn through: volume [mm3]")
   end
 end
 
--- The remaining layer carries the load: the pressure on a uniformly worn plate equals that on a plate with the
--- remaining thickness, and finally that on the base. The soft layer has its own element rows, of which little remains.
+-- Tests that the remaining layer carries the load. The pressure on a uniformly worn plate equals the pressure
+-- on a plate with a layer of the remaining thickness, and finally the pressure on the base. The soft layer
+-- has its own element rows, of which few remain.
 local function worn_evenly(E, base, load, thickness, depths, tolerance)
   local function pair(left)
     return { upper = body.cylinder{ radius = 10, E = base, k = 0 }, lower = body.block{ width = 20, height = 10, E = base, k = 1e-6,
@@ -56,7 +60,8 @@ end
 worn_evenly(1000, 1e9, 10, 0.1, { 0.02, 0.05, 0.085 }, 0.03)
 worn_evenly(20e3, 200e3, 100, 0.01, { 0.0025, 0.0075, 0.02 }, 0.005)
 
--- A layer that is never worn through wears like a body of its material, however fast the material below would wear.
+-- Tests that a layer that is never worn through wears like a body of its material, whatever the coefficient
+-- of the material below.
 local function under_stroke(lower, scheme)
   return wear{ load = 100, stroke = 0.2, distance = 3000, scheme = scheme, jump = scheme == "explicit" and "auto" or nil,
     tolerance = scheme == "implicit" and 1e-3 or nil, model = { upper = body.cylinder{ radius = 10, k = 0 }, lower = lower } }:run()

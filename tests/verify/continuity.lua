@@ -1,4 +1,5 @@
--- Continuity: results vary smoothly over sweeps of the input, and inputs that differ by rounding give the same result.
+-- Tests continuity: results vary smoothly over sweeps of the input, and inputs that differ by rounding give
+-- the same result.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -43,12 +44,12 @@ sweep("the plate's E", 200e3, 260e3, of_run, worn(function(x) return { model = {
 sweep("the plate's nu", 0.25, 0.4, of_run, worn(function(x) return { model = { plate = { nu = x } } } end))
 sweep("fineness", 0.8, 1.6, { "V", "depth_cylinder", "depth_plate" },
   worn(function(x) return { model = { mesh = { fineness = x } } } end))
--- elements are sized by the slip annuli: half widths of worn contacts vary by .15 of an element, largest depths as
--- those of a node
+-- The slip annuli determine the element sizes. The half width of a worn contact therefore varies by 0.15 of
+-- an element, and the largest depth, a nodal value, varies too: both are excluded from these sweeps.
 sweep("a tangential force", 20, 40, { "V", "p_center" }, fretted(function(x) return { tangential = x } end))
 sweep("the plate's E, with friction", 380e3, 450e3, { "V", "p_center" }, fretted(function(x) return { model = { plate = { E = x } } } end))
 
--- A load that varies by rounding gives the same result as a constant one.
+-- Tests that a load that varies by rounding gives the same result as a constant load.
 local function under(load)
   local loading = { tangential = function(t) return 24 * math.sin(2 * math.pi * t) end, load = load, increments = 40 }
   return wear{ friction = 0.6, k = 1e-7, cycles = 1000, jump = "auto", loading = loading }:run().volume.total

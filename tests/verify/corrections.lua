@@ -1,6 +1,6 @@
--- Effect of the corrections of the elements' errors (theory.md, "Corrections"): each quantity with
--- and without them, on the default mesh, compared with closed forms of half-planes, or with
--- stiffness recomputed at every update.
+-- Tests the effect of the corrections of element errors (theory.md, "Corrections"). Each quantity is computed
+-- with and without the corrections on the default mesh, and compared with closed forms of half-planes or with
+-- a stiffness recomputed at every update.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local mu, size = 0.6, 0.02
@@ -13,15 +13,14 @@ local function spread(list)
   return math.sqrt(sum / #list), most
 end
 
--- Returns loads whose edges of contact move across two elements.
+-- Returns loads [N/mm] for which the edges of the contact move across two elements.
 local function loads(count)
   local list, a = {}, hertz{}.half_width
   for i = 1, count do list[i] = 100 * (1 + (2 * (i - 0.5) / count - 1) * size / a) ^ 2 end
   return list
 end
 
--- Checks that an error is at most `most` with the corrections, and at least `times` larger without
--- them.
+-- Checks that the error is at most `most` with the corrections and at least `times` as large without them.
 local function earns(what, error_of, most, times)
   local with, without = error_of("all"), error_of("none")
   figures.below(with, most, what .. ": with the correction")
@@ -37,7 +36,7 @@ earns("edge law: half width, largest error in elements", function(corrections)
   return select(2, spread(off))
 end, 0.04, 4)
 
--- Calls each(x, stress along the surface) at the plate's surface nodes.
+-- Calls each(x, sxx) at the plate's surface nodes, where sxx is the stress along the surface [MPa].
 local function along_surface(c, each)
   local field = c:stress().plate
   for _, node in ipairs(usual.mesh.plate:surface()) do each(field.x[node], field.sxx[node]) end
@@ -75,8 +74,8 @@ earns("cusp: stress along the surface beside the edges in sliding, largest error
   return most
 end, 0.1, 2.5)
 
--- Computes a contact under half of the friction, and the closed form of its shear (Cattaneo and
--- Mindlin).
+-- Computes a contact under a tangential force of half the friction limit. The closed form of its shear is by
+-- Cattaneo and Mindlin.
 local function sheared(load, corrections)
   return contact{ model = usual, load = load, friction = mu, press = "frictionless", corrections = corrections }
     :move{ tangential = mu * load / 2 }
@@ -110,7 +109,8 @@ earns("slip between nodes: energy of a cycle, root mean square error", function(
   return (spread(off))
 end, 0.02, 5)
 
--- Returns the pressures of the cylinder after every update, and the half width.
+-- Returns for every update the pressures on the cylinder, the centre pressure, and the half width less 2.5
+-- elements (`reach`).
 local function pressures(corrections, refresh)
   local w = wear{ model = usual, corrections = corrections, refresh = refresh, alpha = 1, jump = 100, distance = 1320 }
   local list = {}
@@ -132,7 +132,8 @@ earns("followed stiffness: pressures 2.5 elements inside the edges, largest erro
     return select(2, spread(off))
   end, 1e-4, 3)
 
--- A run keeps the choice of corrections, and a contact on its surfaces has a choice of its own.
+-- Tests that a stored run contains the choice of corrections, and that a contact on its surfaces can choose
+-- other corrections.
 local w = wear{ model = usual, corrections = "none", distance = 50 }
 w:run{ progress = false }
 local file = os.tmpname() .. ".archard"

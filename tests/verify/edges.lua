@@ -1,6 +1,6 @@
--- Edges of the contact: against Hertz, and in worn contacts against runs on elements of 5 um over the whole distance.
--- Smooth edges are located between the nodes by the asymptotic law of forces and gaps; the edges at kinks of scars have
--- the stated accuracy.
+-- Tests the edges of the contact against Hertz theory, and in worn contacts against runs on elements of 5 um
+-- over the whole distance. Smooth edges are located between the nodes by the asymptotic law of forces and
+-- gaps. Edges at kinks of scars have the accuracy stated here.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -14,7 +14,7 @@ for _, size in ipairs{ 0.02, 0.01 } do
   below(worst, 0.035, ("unworn, the worst of 41 loads, %g um: half width off by elements"):format(1000 * size))
 end
 
--- Returns the half widths over the distance.
+-- Returns the half widths of the contact [mm] at multiples of 60 mm of distance.
 local function course(case, size)
   local w = wear{ alpha = case.alpha, stroke = case.stroke, jump = "auto", geometry = "frozen",
     model = { mesh = { size = size, zone = { cylinder = 1.2, plate = 1.2 + case.stroke } } } }

@@ -1,13 +1,12 @@
--- Default mesh sizes: for every radius and load the error of the centre pressure of the unworn contact is as small as
--- in the paper's case.
+-- Tests the default mesh sizes: for every radius and load, the error of the centre pressure of the unworn
+-- contact is as small as in the reference case of the paper.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local below, ok = figures.below, figures.ok
 local steel, soft = material{}, material{ E = 1000, nu = 0.45 }
 
--- Returns errors relative to Hertz' pressure and to the pressure on elements of a third of the
--- size.
+-- Returns the errors of the centre pressure relative to Hertz theory and to elements of a third of the size.
 local function errors(R, load, plate)
   local h = hertz{ radius = R, load = load, plate = plate }
   local c <close> = contact{ load = load, model = { radius = R, plate = plate } }
@@ -15,7 +14,8 @@ local function errors(R, load, plate)
   return math.abs(c.p_center / h.p_max - 1), math.abs(c.p_center / finer.p_center - 1), h.half_width / R, c
 end
 
--- Half-planes approximate the bodies only if the contact is narrow compared with them.
+-- Hertz theory is compared only for narrow contacts: half-planes approximate the bodies only if the contact
+-- is narrow compared with the bodies.
 local narrow, against_hertz, against_finer, soft_one = 0.03, 0, 0, 0
 for _, R in ipairs{ 0.5, 2, 10, 50, 200, 1000 } do
   for _, load in ipairs{ 1, 100, 10000 } do
@@ -31,7 +31,7 @@ below(against_hertz, 0.0005, "steel, radii 0.5 to 1000 mm, 1 to 10000 N: centre 
 below(against_finer, 0.0008, "against elements of a third of the size")
 below(soft_one, 0.002, "polyethylene (nu = 0.45) against steel: centre pressure against Hertz")
 
--- The paper's case is unchanged.
+-- Tests that the mesh of the reference case is unchanged.
 local c = contact{}
 ok(c.model.mesh.size == 0.02 and c.model.mesh.height == 0.025 and c.model.mesh.far == 1
   and c.model.mesh.zone.cylinder == 1, "the paper's mesh, to the bit")

@@ -1,5 +1,5 @@
--- Fits to data of a known truth: how often the truth is in their 95 % ranges. A few of the hundred trials of
--- scripts/tools/fit_trials.lua with fixed seeds.
+-- Tests fits to simulated data with known true values: counts how often the true values are in the 95 %
+-- ranges of the fit. Runs a few of the hundred trials of scripts/tools/fit_trials.lua with fixed seeds.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")

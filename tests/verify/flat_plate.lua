@@ -1,10 +1,11 @@
--- A plate that stays flat: the cylinder's wear depends only on k_c d and tends to a flat scar under uniform pressure.
+-- Tests a plate that stays flat: the wear of the cylinder depends only on k_c d and tends to a flat scar
+-- under uniform pressure.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
 local p_h = hertz{}.p_max
 
--- k_c d [mm2/N mm], centre pressure / p_H, depth [um]
+-- Reference values: k_c d [mm2/N mm], centre pressure / p_H, depth [um].
 local rows = {
   { 1.1e-6, 0.7222, 0.5498 }, { 3.3e-6, 0.5048, 1.3195 },
   { 6.6e-6, 0.3962, 2.1816 }, { 1.32e-5, 0.3132, 3.5407 },
@@ -16,14 +17,14 @@ local function check(w, row, what)
   within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
 end
 
--- One run passes through all rows, with steps that are short compared with the first of them.
+-- One run through all rows, with steps that are short compared with the distance of the first row.
 local w = wear{ alpha = 1, stroke = 0.11, jump = 5 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 1e-8 }
   check(w, row, "alpha = 1")
 end
 
--- The same products with other alpha, k and strokes.
+-- The same products k_c d with other values of alpha, k and stroke.
 w = wear{ alpha = 0.5, stroke = 20, jump = 0.1, distance = 2640 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 0.5e-8 }
@@ -35,7 +36,7 @@ for _, row in ipairs(rows) do
   check(w, row, "s = 2R, alpha = 0.8, k = 5e-8")
 end
 
--- Long run: b = (3 R k_c L d / 2)^(1/3), h = b2 / 2R, p = L / 2b.
+-- A long run against the limit of a flat scar: b = (3 R k_c L d / 2)^(1/3), h = b2 / 2R, p = L / 2b.
 local last_off
 for _, times in ipairs{ 1, 4, 16 } do
   local distance = 1320 * times

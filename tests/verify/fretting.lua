@@ -1,6 +1,7 @@
--- Wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against a reduced law
--- without friction solver: dw/dN = 4 mu k p (g + w) outside the stick zone with constant edge c; g is half the slip of
--- Cattaneo and Mindlin's half cycle divided by mu, w the wear of both bodies, p the pressure on the worn surfaces.
+-- Tests wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against a
+-- reduced law without a friction solver. The reduced law is dw/dN = 4 mu k p (g + w) outside a stick zone
+-- with constant edge c. In this law g is half the slip of Cattaneo and Mindlin's half cycle divided by mu, w
+-- the wear of both bodies and p the pressure on the worn surfaces.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, note, ok = figures.within, figures.note, figures.ok
@@ -42,7 +43,7 @@ local function g(x, c)
   return t > 1 and c * c / 20 * (t * math.sqrt(t * t - 1) - math.log(t + math.sqrt(t * t - 1))) or 0
 end
 
--- Sum of both wear depths by the position of the nodes; each body wears by half.
+-- Returns the sum of both wear depths by the position of the nodes; each body wears by half of the sum.
 local function depths(run, body)
   local depth = {}
   if not run then return depth end
@@ -51,7 +52,8 @@ local function depths(run, body)
   return depth
 end
 
--- Makes a run without friction with the reduced law as local factor, which slides 2 mm per cycle.
+-- Computes a run without friction. The reduced law is the local factor of this run, which slides 2 mm per
+-- cycle.
 local function reduced(bodies, c)
   local run
   run = wear{ model = bodies, load = load, slide = "z", stroke = 1, k = k, cycles = last, jump = jump,
@@ -65,8 +67,8 @@ local function reduced(bodies, c)
   return run:run{ progress = false }
 end
 
--- The slip annulus has few nodes here too, so the result is extrapolated with second order from two
--- meshes.
+-- The slip annulus has few nodes on these meshes too, so the result is extrapolated with second order from
+-- two meshes.
 local c = 0.0675 -- between nodes of all meshes
 local function reduced_on(nodes)
   local size = c / (nodes + 0.5)

@@ -1,5 +1,5 @@
--- The fretting map against half-planes, and its error by the mesh: borders of stick, partial slip and gross slip, and
--- the edges of the stick zone, from which the first border is computed.
+-- Tests the fretting map against half-planes, and its error by the mesh: the borders of stick, partial slip
+-- and gross slip, and the edges of the stick zone, from which the first border is computed.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, note = figures.within, figures.below, figures.note
@@ -8,8 +8,8 @@ local mu = 0.6
 
 -- --- stick zone ---------------------------------------------------------------------------------
 
--- Error of half the stick zone's width against Cattaneo and Mindlin, over contacts whose edges move across an element;
--- in elements.
+-- Computes the error of half the stick zone's width against Cattaneo and Mindlin, in elements, over contacts
+-- whose edges move across an element.
 local function edges_off(fineness, share)
   local first = contact{ model = { mesh = { fineness = fineness } }, friction = mu }
   local size, a, most, sum, count = first.model.mesh.size, first.half_width, 0, 0, 12
@@ -32,8 +32,8 @@ end
 
 -- --- borders ------------------------------------------------------------------------------------
 
--- Cattaneo and Mindlin: a share s of the width slips under 1 - (1 - s)^2 of the sliding force. The motion under this
--- force is that of a contact with little slip, which has no mesh error.
+-- Cattaneo and Mindlin: a share s of the width slips under the fraction 1 - (1 - s)^2 of the sliding force.
+-- The motion under this force is computed by a contact with little slip, which has no mesh error.
 local function motion_at(load, share)
   return contact{ friction = mu, load = load }:move{ tangential = share * mu * load }.x
 end
@@ -52,13 +52,15 @@ for _, annulus in ipairs{ 0.05, 0.1, 0.2 } do
   end
 end
 
--- Half-planes with the length of the bodies (7.23 R): the displacement until gross slip for 100 N/mm.
+-- Tests the displacement until gross slip for 100 N/mm against half-planes with the length of the bodies
+-- (7.23 R).
 for fineness = 1, 2 do
   local map = study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu, model = { mesh = { fineness = fineness } } }
   within(map.gross_from[1], 2.677e-3, 0.006, ("fineness %d: gross slip from [mm]"):format(fineness))
 end
 
--- Dissimilar bodies, which slip first on one side: no closed form, but the result does not depend on the mesh.
+-- Tests dissimilar bodies, which slip first on one side. They have no closed form, but the result must not
+-- depend on the mesh.
 local function dissimilar(fineness)
   return study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu,
     model = { plate = { E = 70e3, nu = 0.33 }, mesh = { fineness = fineness } } }

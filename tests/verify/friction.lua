@@ -1,6 +1,6 @@
--- Friction against closed forms of half-planes: partial slip (Cattaneo and Mindlin), cycles of force and of load and
--- force together (Jaeger), stick under a normal load alone (Goodman), sliding, and the effect of the bodies' outer
--- boundaries.
+-- Tests friction against closed forms of half-planes: partial slip (Cattaneo and Mindlin), cycles of force
+-- and of load and force together (Jaeger), stick under a normal load alone (Goodman), and sliding. Also tests
+-- the effect of the bodies' outer boundaries.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, note, ok = figures.within, figures.about, figures.below, figures.note, figures.ok
@@ -19,7 +19,7 @@ local function circle(x, half_width) return math.sqrt(math.max(0, half_width ^ 2
 
 local function exact_shear(x, c) return mu * (circle(x, a) - circle(x, c)) end
 
--- Returns the root mean square error over the contact's width, relative to mu p0.
+-- Returns the root mean square error of the shear over the contact's width, relative to mu p0.
 local function shear_error(contact, c)
   local shear, sum = contact:shear(), 0
   for i = 2, #shear.x - 1 do
@@ -57,7 +57,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   end
 end
 
--- slip over a half cycle, 2 mu g; without nodes out of contact
+-- Tests the slip over a half cycle, 2 mu g, at the nodes in contact.
 do
   local c, worst = a * math.sqrt(0.5), 0
   local there, back = slipping.there:slip(), slipping.back:slip()
@@ -83,8 +83,8 @@ local function energy_off(model, force, each, at, x)
   return (back.energy - there.energy) / wanted - 1
 end
 
--- Returns the mean, root mean square and largest value over contacts whose edges move across two
--- elements.
+-- Returns the mean, root mean square and largest error of the energy over contacts whose edges move across
+-- two elements.
 local function energy_errors(model, force, size)
   local sum, squares, most, count = 0, 0, 0, 12
   for i = 1, count do
@@ -96,9 +96,9 @@ end
 
 local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
 
--- The error does not depend on how the bodies were pressed together, on the number of increments or
--- on the cycle. The area of the loop is computed from the plate's displacement of the nodes without
--- the slip between them, so it scatters like sums over nodes.
+-- Tests that the error of the energy does not depend on how the bodies were pressed together, on the number
+-- of increments or on the cycle. The area of the loop is computed from the displacement without the slip
+-- between the nodes, so it scatters like sums over nodes.
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ tangential = 30 }
   local cycle = c:move{ tangential = -30 }:move{ tangential = 30 }
@@ -116,8 +116,9 @@ do
   ok(later.x > start, "direction of the loop")
 end
 
--- Over contacts whose edges move across two elements, for any element height. At 20 um under 12 N the slip annulus is
--- narrower than one element on both sides, and no node slips in half of the contacts.
+-- Tests the error of the energy over contacts whose edges move across two elements, for any element height.
+-- On elements of 20 um under 12 N the slip annulus is narrower than one element on both sides, and no node
+-- slips in half of the contacts.
 local rms = { [0.02] = { [12] = 0.08, [30] = 0.0075, [48] = 0.006 }, [0.01] = { [12] = 0.01, [30] = 0.002, [48] = 0.002 },
   [0.005] = { [12] = 0.001, [30] = 0.0005, [48] = 0.001 } }
 local scatters = {}
@@ -137,7 +138,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
 end
 figures.above(math.log(scatters[0.02] / scatters[0.005], 4), 2, "30 N: its order of convergence from 20 to 5 um")
 
--- The error does not depend on the position of the plate's nodes between the cylinder's.
+-- Tests that the error does not depend on the position of the plate's nodes between the cylinder's nodes.
 for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.002 }, { 0.005, 48, 0.0015 } } do
   local size, force, most = table.unpack(row)
   local worst = 0
@@ -149,7 +150,8 @@ for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.00
   below(worst, most, ("%g um, %g N, the plate off the grid: energy of a cycle, largest error"):format(1e3 * size, force))
 end
 
--- Under a small force no node slips: all dissipation is between the nodes. Then close to sliding.
+-- Tests small forces, under which no node slips and all energy is dissipated between the nodes, and forces
+-- close to sliding.
 for _, case in ipairs{ { 6, 0.06 }, { 57, 0.005 }, { 59.4, 0.005 } } do
   local force, most = table.unpack(case)
   below(math.abs(energy_off(models[0.01], force, load)), most, ("10 um, %g N: energy of a cycle, error"):format(force))
@@ -157,9 +159,9 @@ end
 
 -- --- forces with a mean value ---------------------------------------------------------------------
 
--- A displacement D after a reversal dissipates half of the energy of the cycle of +-D/2 for any mean force: checked for
--- each half of each cycle, in one increment or nine, and in the loops of wear. If a displacement continues beyond an
--- earlier reversal, the earlier branch is continued.
+-- Tests cycles of force with any mean value. A change D of the force after a reversal dissipates half of the
+-- energy of the cycle of +-D/2; this is checked for each half of each cycle, in one increment or nine, and in
+-- the loops of wear. If the force passes an earlier turning point, the earlier branch is continued.
 local function way_energy(change) return cycle_energy(change / (2 * mu * load)) / 2 end
 
 for _, row in ipairs{ { 0.02, 0.06 }, { 0.01, 0.015 }, { 0.005, 0.001 } } do
@@ -192,13 +194,15 @@ do
     worst = math.max(worst, math.abs((c:move{ tangential = force }.energy - c.energy) / wanted - 1))
   end
   below(worst, 0.003, "5 um, 45, -45, 10, -20 N and up again, past the turn at 10 N too: energy, largest error")
-  for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more reversals than are stored
+  -- more reversals than the library stores
+  for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end
   within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 nested reversals: energy of a displacement")
   c = c:move{ tangential = -20 }
   within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "energy of a displacement beyond many reversals")
 end
 
--- The stick zone after a reversal: a displacement D leaves half its width, a sqrt(1 - D / (2 mu L)).
+-- Tests the stick zone after a reversal: after a change D of the force, its half width is a sqrt(1 - D / (2
+-- mu L)).
 for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   local c, worst = contact{ model = models[size], friction = mu }:move{ tangential = 48 }, 0
   for _, force in ipairs{ 40, 30, 20, 10, 0, -10, -20, -30, -40, -45, -48 } do
@@ -209,7 +213,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   below(worst / size, 0.15, ("%g um, back from 48 N: edges of the zone that sticks, elements off"):format(1e3 * size))
 end
 
--- Other bodies: a thin pair, plastics, another element type.
+-- Tests other bodies: a thin pair, plastics, and another element type.
 do
   local plastic, fine = { E = 1000, nu = 0.46 }, mesh_of(0.02)
   fine.zone = { cylinder = 1, plate = 1.2 }
@@ -227,8 +231,9 @@ end
 
 -- --- load and force together --------------------------------------------------------------------
 
--- Jaeger: similar bodies under P(t), Q(t) as slices of load, each with a share eta = dQ/dP of shear, which slip changes
--- to +-mu from the outermost slice on; a slice at load P moves by eta dP (const - ln P) / (pi E*). Exact.
+-- Jaeger's exact solution for similar bodies under P(t) and Q(t). The load is divided into slices, each with
+-- a ratio eta = dQ/dP of shear. Slip changes eta to +-mu from the outermost slice on. A slice at load P moves
+-- the bodies by eta dP (const - ln P) / (pi E*).
 local slices = {}
 function slices.new(count, most) return { n = 0, step = most / count, eta = {}, force = 0, way = 0 } end
 
@@ -254,7 +259,7 @@ function slices.go(s, normal, force)
   end
 end
 
--- Energy of the second cycle; path(t) -> load, force.
+-- Returns the energy dissipated in the second cycle; path(t) returns load and force.
 local function jaeger_energy(path, steps)
   local s, energy = slices.new(5000, 200), 0
   for k = 0, 2 * steps do
@@ -295,8 +300,8 @@ local function elliptic(k)
   return math.pi / (2 * x)
 end
 
--- Goodman: K(k') / K(k) = |beta| / mu, where k is the share of the contact that sticks; the effect of shear on the
--- pressure is neglected.
+-- Returns the share k of the contact width that sticks, from Goodman's equation K(k') / K(k) = |beta| / mu.
+-- The equation neglects the effect of the shear on the pressure.
 local function stuck_share(beta, friction)
   local low, high = 1e-9, 1 - 1e-12
   for _ = 1, 100 do
@@ -342,8 +347,9 @@ do
   within(largest, 2 * mu * p0, 0.25, "largest principal stress, at the trailing edge, where it has a cusp [MPa]")
 end
 
--- At the edges the stress along the surface has cusps of 2 mu p0: nodes within one and a half elements of them, whose
--- position the load varies. (The largest value at a node is below a peak between two nodes.)
+-- Tests the stress along the surface near the edges, where it has cusps of 2 mu p0, at nodes within one and a
+-- half elements. The load varies the distance of the nodes from the edge. (The largest value at a node is
+-- below a peak between two nodes.)
 for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
   local size, worst = row[1], 0
   for normal = 80, 120, 10 do

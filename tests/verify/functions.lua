@@ -1,5 +1,5 @@
--- Coefficients as functions of the state: peaks within an update or a cycle are included by the integral of k, and
--- functions of pressure, width and depth keep the order of the time steps.
+-- Tests coefficients as functions of the state. The integral of k includes peaks within an update or a cycle,
+-- and functions of pressure, width and depth keep the order of the time steps.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
@@ -36,7 +36,8 @@ end
 
 -- functions of results ----------------------------------------------------------------------------------
 
--- Small explicit steps extrapolated to length zero; their error in these cases is of first order.
+-- The references are small explicit steps extrapolated to length zero, because their error in these cases is
+-- of first order.
 local measured = { -- name, fields, compared columns, tolerances: auto, implicit
   { "k of the pressure", { k = function(s) return 1e-8 * (s.p_center / 500) ^ 2 end },
     function(w) return w.volume.total end, 4e-3, 5e-4 },
@@ -56,14 +57,14 @@ for _, case in ipairs(measured) do
     name .. ", implicit: volume [mm3]")
 end
 
--- k drops to a tenth when the pressure has decreased: compared with a run with the first k, which gives the exact
--- distance.
+-- Tests a k that drops to a tenth when the pressure has decreased to a limit. The exact distance of the drop
+-- is computed by a run with the first k.
 local there = wear{ k = 2e-8, jump = 1 }:run{ p_center = 350, progress = false }.distance
 local jumping = run{ k = function(s) return s.p_center > 350 and 2e-8 or 2e-9 end, distance = 660,
   scheme = "implicit", tolerance = 1e-3 }
 within(jumping.volume.total, 100 * (2e-8 * there + 2e-9 * (660 - there)), 3e-3, "k that jumps with the pressure: volume [mm3]")
 
--- Also without a tolerance: implicit steps of a twentieth of the run.
+-- Tests implicit steps without a tolerance, a twentieth of the run long, against steps an eighth as long.
 local steps = {}
 for i, jump in ipairs{ 150, 18.75 } do
   steps[i] = run{ k = measured[1][2].k, distance = 660, scheme = "implicit", jump = jump }.volume.total

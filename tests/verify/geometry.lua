@@ -1,4 +1,5 @@
--- Effect of the options of a run: moving or frozen geometry, rigid or total slip, increments, element height.
+-- Tests the effect of a run's options: moving or frozen geometry, rigid or total slip, number of increments,
+-- and element height.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
@@ -27,24 +28,26 @@ within(total.volume.total, reference.volume.total, 0.01, "its volume, the work a
 
 compare(run{ increments = 200 }, reference, 1e-3, "200 against 100 increments a cycle")
 
--- Effect of a mesh twice as fine.
+-- Tests the effect of a mesh twice as fine.
 local fine = run{ model = { mesh = { size = 0.01, height = 0.0125, rows = 6 } } }
 compare(reference, fine, 0.01, "20 um against 10 um")
 
--- Effect of the element type CPE4I.
+-- Tests the effect of the element type CPE4I.
 compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I against CPE4")
 
--- The first cycle in closed form with Hertz' pressure. At x = 0 the cylinder wears by k_c p_H r s.
+-- Tests the first cycle against its closed form with Hertz' pressure. At x = 0 the cylinder wears by k_c p_H
+-- r s.
 local first = wear{ alpha = 0.5, jump = 1 }
 first:step()
 within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3, "first cycle on the cylinder [mm]")
--- The middle of the plate has the pressure p_H sqrt(1 - x2/a2) for |x| <= s/2, twice in a cycle.
+-- The middle of the plate is under the pressure p_H sqrt(1 - x2/a2) for |x| <= s/2 twice in a cycle.
 local a, s = hertz{}.half_width, 0.11
 local t = s / 2 / a
 local passed = hertz{}.p_max * a * (t * math.sqrt(1 - t * t) + math.asin(t))
 within(first.depth.plate, 0.5e-8 * 2 * passed, 5e-3, "first cycle on the plate [mm]")
 
--- The largest nodal pressure at the edge of a scar increases with finer meshes; its mean over a fixed length converges.
+-- Tests pressures at the edge of a scar: the largest nodal pressure increases with finer meshes, and the mean
+-- pressure over a fixed length converges.
 local peaks, means = {}, {}
 for i, size in ipairs{ 0.02, 0.01, 0.005 } do
   local w = run{ alpha = 0.75, geometry = "frozen", jump = 5e3 * size,

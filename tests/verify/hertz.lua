@@ -1,4 +1,5 @@
--- The unworn contact against Hertz: pressure on the default mesh, its convergence, stresses below the surface.
+-- Tests the unworn contact against Hertz theory: pressure on the default mesh, its convergence, and stresses
+-- below the surface.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, above = figures.within, figures.below, figures.above
 
@@ -11,7 +12,7 @@ local function hertz_pressure(x, h)
   return math.abs(t) < 1 and h.p_max * math.sqrt(1 - t * t) or 0
 end
 
--- sum of |p - p_Hertz| over the nodes, as a share of the sum of p_Hertz
+-- Returns the sum of |p - p_Hertz| over the nodes as a share of the sum of p_Hertz.
 local function profile_error(c, h)
   local p = c:pressure("cylinder")
   local off, all = 0, 0
@@ -27,8 +28,9 @@ within(c.p_center, exact.p_max, 5e-3, "centre pressure, 20 x 25 um [MPa]")
 within(c.half_width, exact.half_width, 0.02, "half width, 20 x 25 um [mm]")
 below(profile_error(c, exact), 0.02, "pressure profile, mean error, 20 x 25 um")
 
--- The error of a single contact depends on the position of its edge between two nodes: the error of a mesh is therefore
--- the root mean square over loads whose edges move across several nodes.
+-- Returns the error of the centre pressure on a mesh. The error of a single contact depends on the position
+-- of its edge between two nodes, so this function computes the root mean square over loads whose edges move
+-- across several nodes.
 local function centre_error(model)
   local sum, worst, count = 0, 0, 0
   for load = 60, 140, 4 do
@@ -53,7 +55,7 @@ for i = 2, #sizes do
     :format(1000 * sizes[i - 1], 1000 * sizes[i]))
 end
 
--- CPE4I has the same accuracy
+-- Tests that CPE4I has the same accuracy.
 within(contact{ model = { mesh = { element = "CPE4I" } } }.p_center, exact.p_max, 5e-3,
   "centre pressure, CPE4I [MPa]")
 

@@ -1,12 +1,13 @@
--- Histories against exact results: k and alpha over the distance by the product k_c d (flat plate), volumes by the
--- integral of k L, and equivalent inputs with identical bits.
+-- Tests histories against exact results: k and alpha over the distance by the product k_c d (flat plate),
+-- volumes by the integral of k L, and equivalent inputs by identical bits.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, ok = figures.within, figures.about, figures.below, figures.ok
 
 local p_h = hertz{}.p_max
 
--- k_c d [mm2/N mm], centre pressure / p_H, depth [um]; flat plate, for any history of k
+-- Reference values for a flat plate and any history of k: k_c d [mm2/N mm], centre pressure / p_H, depth
+-- [um].
 local rows = {
   { 1.1e-6, 0.7222, 0.5498 }, { 3.3e-6, 0.5048, 1.3195 },
   { 6.6e-6, 0.3962, 2.1816 }, { 1.32e-5, 0.3132, 3.5407 },
@@ -30,7 +31,7 @@ end
 
 -- k in time ------------------------------------------------------------------------------------------
 
--- A ramp from 0: k = 2e-8 d / 1320, so that k_c d is 1e-8 d^2 / 1320.
+-- Tests a ramp of k from 0: with k = 2e-8 d / 1320 the product k_c d is 1e-8 d^2 / 1320.
 local ramps = {
   { "a ramp of k by a table", { distance = { 0, 1320 }, value = { 0, 2e-8 } } },
   { "a ramp of k by a function", function(s) return 2e-8 * s.distance / 1320 end },
@@ -44,8 +45,8 @@ for _, ramp in ipairs(ramps) do
   end
 end
 
--- A coefficient that depends on the worn volume: dV/dd = k0 (1 - V / V1) L with the solution V = V1 (1 - exp(-k0 L d /
--- V1)). The integration along the predicted state is accurate for any step.
+-- Tests a coefficient that depends on the worn volume: dV/dd = k0 (1 - V / V1) L has the solution V = V1 (1 -
+-- exp(-k0 L d / V1)). The integration along the predicted state is accurate for any step.
 for _, jump in ipairs{ 200, 100, 50 } do
   local v1 = 1e-3
   local w = wear{ jump = jump, k = function(s) return 1e-8 * (1 - s.volume.total / v1) end, scheme = "implicit" }:run()
@@ -53,8 +54,8 @@ for _, jump in ipairs{ 200, 100, 50 } do
   below(off, 1e-6, ("k that falls with the volume, jump = %d: volume off by"):format(jump))
 end
 
--- Coefficients with steps, running-in and dependence on the cycle: the volume is their integral times the load, with
--- given or automatic updates, and no update uses the pressure of another shape.
+-- Tests coefficients with steps, running-in and dependence on the cycle. The volume is the integral of k
+-- times the load, with given or automatic updates, and no update uses the pressure of another shape.
 local function steep(below_d, above_d, at)
   return { distance = { 0, at - 0.001, at + 0.001, 1320 }, value = { below_d, below_d, above_d, above_d } }
 end
@@ -87,7 +88,8 @@ end
 
 -- alpha over the distance ----------------------------------------------------------------------------
 
--- Switched from 1 to 0.25 at 440 mm, with a stroke over the whole plate: k_c d is 1e-8 d, then increases by 0.25e-8 d.
+-- Tests alpha switched from 1 to 0.25 at 440 mm with a stroke over the whole plate: k_c d is 1e-8 d, then
+-- increases by 0.25e-8 d.
 local switched = wear{ stroke = 20, jump = 0.1, alpha = function(s) return s.distance < 440 and 1 or 0.25 end,
   distance = 3960 }
 switched:run{ distance = 330 }
@@ -99,7 +101,8 @@ check(switched, rows[4], "alpha switched, later")
 within(switched.volume.cylinder, 1.32e-3, 1e-9, "alpha switched: volume of the cylinder [mm3]")
 within(switched.volume.plate, 0.75e-6 * 3520, 1e-9, "alpha switched: volume of the plate [mm3]")
 
--- The switch by w:set, by a function and by tables with a step gives the same if updates end there.
+-- Tests that the switch by w:set, by a function and by tables with a step gives the same result if updates
+-- end at the step.
 local function step_at(s) return s.distance < 440 and 0.25 or 0.75 end
 local by_function = wear{ alpha = step_at, jump = 100 }:run()
 local by_set = wear{ alpha = 0.25, jump = 100 }:run{ distance = 440 }:set{ alpha = 0.75 }:run()
@@ -114,14 +117,15 @@ ok(by_worn.p_center == by_set.p_center and by_worn.depth.plate == by_set.depth.p
 local function triangle(t) return 0.055 * (4 * math.abs(t - 0.5) - 1) end
 local function saw(t) return 100 + 60 * math.sin(2 * math.pi * t) end
 
--- The reciprocating stroke given as a loading.
+-- Tests the reciprocating stroke against the same stroke given as a loading.
 local plain = wear{}:run()
 local written = wear{ loading = { x = triangle } }:run()
 within(written.depth.cylinder, plain.depth.cylinder, 1e-6, "a stroke as a loading: depth of the cylinder [mm]")
 within(written.depth.plate, plain.depth.plate, 1e-6, "a stroke as a loading: depth of the plate [mm]")
 within(written.p_center, plain.p_center, 1e-6, "a stroke as a loading: centre pressure [MPa]")
 
--- Volume: k times the integral of load and motion, with the mean over the ends of each increment (Eq. 4).
+-- Returns the integral of the load over the motion, with the mean load of both ends of each increment (Eq.
+-- 4). The volume is k times this integral.
 local function integral(block)
   local sum = 0
   for i = 2, #block.x do
@@ -133,7 +137,8 @@ for _, scheme in ipairs{ "explicit", "implicit" } do
   local w = wear{ loading = { x = triangle, load = saw, increments = 60 }, cycles = 2000, scheme = scheme }:run()
   within(w.volume.total, 1e-8 * 2000 * integral(w.loading[1]), 1e-9, "load over the cycle, " .. scheme .. ": volume [mm3]")
   within(w.volume.cylinder, w.volume.total / 2, 1e-9, "its half, alpha = 0.5")
-  -- load 100 + 60 in one direction and 100 - 60 in the other: the mirrored loading is the same history in reverse
+  -- the load is 100 + 60 in one direction and 100 - 60 in the other: the mirrored loading is the same history
+  -- in reverse
   local mirrored = wear{ loading = { x = function(t) return -triangle(t) end, load = saw, increments = 60 },
     cycles = 2000, scheme = scheme }:run()
   local h, g, worst = w:profile("plate").h, mirrored:profile("plate").h, 0
@@ -141,30 +146,32 @@ for _, scheme in ipairs{ "explicit", "implicit" } do
   below(worst / w.depth.plate, 1e-9, "mirrored, " .. scheme .. ": profiles differ by")
 end
 
--- Functions, and the same functions sampled as lists with and without times.
+-- Tests functions against the same functions sampled as lists, with and without times.
 local t, x, load = {}, {}, {}
 for i = 0, 50 do t[i + 1], x[i + 1], load[i + 1] = i / 50, triangle(i / 50), saw(i / 50) end
 local by_functions = wear{ loading = { x = triangle, load = saw, increments = 50 }, cycles = 1000 }:run()
 same_bits(by_functions, wear{ loading = { x = x, load = load }, cycles = 1000 }:run(), "functions and lists")
 same_bits(by_functions, wear{ loading = { t = t, x = x, load = load }, cycles = 1000 }:run(), "functions and timed lists")
 
--- Lifted off during one direction, on a flat plate: half the distance wears.
+-- Tests a load that vanishes during one direction, on a flat plate: half of the distance wears.
 local lifted = wear{ alpha = 1, jump = 5, distance = 2640,
   loading = { x = triangle, load = function(at) return at < 0.5 and 100 or 0 end } }
 for _, row in ipairs(rows) do
-  -- Eq. (4) uses the mean over the increment in which the load vanishes, half of it: 49.5 of 100
+  -- Eq. (4) uses the mean over the increment in which the load vanishes, half of the load, so the mean load
+  -- is 49.5 of 100 N/mm
   lifted:run{ distance = row[1] / 1e-8 / 0.495 }
   check(lifted, row, "lifted off during one direction")
 end
 
--- Increments are adapted to the contact: two points define a stroke, and a long stroke wears uniformly.
+-- Tests that increments are adapted to the contact: two end points define a stroke, and a long stroke wears
+-- the plate uniformly.
 local three_points = wear{ loading = { x = { -0.11, 0.11, -0.11 } }, distance = 660, jump = 50 }:run()
 local stroke = wear{ stroke = 0.22, increments = 400, distance = 660, jump = 50 }:run()
 within(three_points.depth.plate, stroke.depth.plate, 2e-3, "a stroke by its ends: depth of the plate [mm]")
 within(three_points.depth.cylinder, stroke.depth.cylinder, 2e-3, "a stroke by its ends: depth of the cylinder [mm]")
 within(three_points.p_center, stroke.p_center, 1e-2, "a stroke by its ends: centre pressure [MPa]")
 local long = wear{ stroke = 12, jump = "auto", geometry = "frozen" }:run()
--- in the middle each node passes below the whole profile once in a stroke: depth = k_p L d / stroke
+-- in the middle the whole pressure profile passes over each node once in a stroke: depth = k_p L d / stroke
 local scar = long:profile("plate").h
 within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
 within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "largest depth of the plate [mm]")
@@ -209,9 +216,9 @@ within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
 
 -- local factors ------------------------------------------------------------------------------------------
 
--- A power of the pressure as a law and as a factor. The law applies to pairs of points with a common pressure; a factor
--- uses the nodal pressures of each body, and the plate's are means over elements whose nodes differ from the
--- cylinder's.
+-- Tests a power of the pressure as a law and as a local factor. The law is computed for pairs of points with
+-- a common pressure. A factor uses the nodal pressures of each body; the plate's nodal pressures are means
+-- over elements whose nodes differ from the cylinder's.
 local function law_and_factor(alpha)
   local law = wear{ alpha = alpha, law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440, jump = 100 }:run()
   local factor = wear{ alpha = alpha, local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440, jump = 100 }:run()
@@ -222,7 +229,7 @@ within(factor.depth.cylinder, law.depth.cylinder, 1e-12, "a power law by its nam
 law, factor = law_and_factor(0.5)
 within(factor.depth.cylinder, law.depth.cylinder, 3e-3, "with a worn plate: depth of the cylinder [mm]")
 within(law.volume.plate, law.volume.cylinder, 1e-12, "the law's volumes are as k_p to k_c (Eq. 15) [mm3]")
--- A factor for each body equals a k for each body.
+-- Tests that a factor for each body equals a k for each body.
 local bodies_factor = wear{ alpha = 0.5, distance = 440,
   local_factor = function(body) return body == "plate" and 0.5 or 1.5 end }:run()
 local by_alpha = wear{ alpha = 0.75, distance = 440 }:run()

@@ -1,4 +1,4 @@
--- Pins in bushes against Fourier series and the cosine law for worn bushes; coatings in them.
+-- Tests pins in bushes against Fourier series, worn bushes against the cosine law, and coatings in bushes.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
@@ -6,7 +6,8 @@ local within, below = figures.within, figures.below
 
 -- --- pin in a bush ------------------------------------------------------------------------------
 
--- Fourier series for a bush of outer radius 20, fixed outside: clearance, load, semi-angle, p(0).
+-- Computes a pin in a bush of outer radius 20 mm, which is fixed outside. The references below are from
+-- Fourier series: clearance [mm], load [N/mm], half angle of the contact [degrees], p(0) [MPa].
 local function pin(c, load, zone, size)
   return contact{ load = load, model = { upper = body.disc{ radius = 10 - c / 2 },
     lower = body.ring{ inner = 10 + c / 2, outer = 20 + c / 2 },
@@ -22,15 +23,15 @@ for _, row in ipairs{ { 0.05, 100, 8.60, 42.54, 6, 0.05 }, { 0.05, 1000, 24.87, 
     of .. "semi-angle, off by less than an element [degrees]")
   figures.ok(solved.normal_force > load, of .. "normal forces are more than the load")
 end
--- A cup over a pin is the contact of a pin in a bush upside down.
+-- Tests a cup over a pin, which is the contact of a pin in a bush upside down.
 local cup = contact{ load = 1000, model = { upper = body.ring{ inner = 10.025, outer = 20.025 },
   lower = body.disc{ radius = 9.975 }, mesh = { size = 0.1, height = 0.1, far = 1, zone = { cylinder = 14, plate = 14 } } } }
 within(cup.p_center, pin(0.05, 1000, 14, 0.1).p_center, 2e-3, "a cup over a pin: the same upside down")
 
 -- --- worn ----------------------------------------------------------------------------------------
 
--- If only the bush wears under a fixed load, h = delta cos t - c and p = p0 cos t with cos e = c / delta and V = 2 R c
--- (tan e - e): the depth follows from the volume.
+-- If only the bush wears under a fixed load, h = delta cos t - c and p = p0 cos t with cos e = c / delta. The
+-- volume V = 2 R c (tan e - e) determines the angle e and thus the depth.
 local R, gap, P, k = 10, 0.05, 1000, 1e-6
 local bush = model{ upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20 },
   mesh = { size = 0.25, height = 0.1, rows = 4, far = 1, zone = { cylinder = 26, plate = 26 } } }
@@ -49,14 +50,16 @@ for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   figures.ok(w.load_distance > 1.05 * P * w.distance, of .. "normal forces are more than the load")
 end
 
--- The law is checked on the default mesh too; the surfaces move and are condensed again during the run.
+-- Tests the cosine law on the default mesh too; the surfaces move, and their stiffness is condensed again
+-- during the run.
 for _, geometry in ipairs{ "moving", "frozen" } do
   local w = wear{ model = { upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20, name = "bush" } },
     k_cylinder = 0, k_plate = k, load = P, slide = "z", jump = "auto", distance = R * gap / (k * P), geometry = geometry }:run()
   below(bush_law.deviation(w, R, gap), 0.041, ("bush worn on its own mesh, %s: pressures off the cosine law"):format(geometry))
 end
 
--- Both bodies wear, their surfaces move, with sliding in the plane or out of it: the same force wears both.
+-- Tests wear of both bodies with moving surfaces and sliding in the plane or out of it: the same force wears
+-- both bodies.
 for _, way in ipairs{ { slide = "z", jump = "auto" }, { slide = "z", scheme = "implicit", tolerance = 1e-3 },
   { slide = "x", scheme = "implicit", tolerance = 1e-3 } } do
   local w = wear{ model = bush, k = k, alpha = 0.3, load = P, stroke = 0.5, distance = 30, slide = way.slide, jump = way.jump,
@@ -66,7 +69,7 @@ for _, way in ipairs{ { slide = "z", jump = "auto" }, { slide = "z", scheme = "i
   within(w.volume_plate, 0.7 * k * w.load_distance, 1e-12, of .. "of the bush [mm3]")
 end
 
--- Coatings thinner than a hundredth of the wear box, of the same material as their base.
+-- Tests coatings thinner than a hundredth of the wear box, of the same material as their base.
 local function in_hole(coat, on_pin)
   local layers = coat and { { thickness = coat, material = material{ E = 200e3 } } }
   return contact{ load = P, model = { upper = body.disc{ radius = R - gap, layers = on_pin and layers or nil },

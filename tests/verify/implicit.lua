@@ -1,11 +1,12 @@
--- Implicit steps with a tolerance: depths and pressures at every update against explicit updates on the same mesh;
--- number of solutions; continuation of a stored run.
+-- Tests implicit steps with a tolerance: depths and pressures at every update against explicit updates on the
+-- same mesh, the number of solutions, and the continuation of a stored run.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, ok, within = figures.below, figures.ok, figures.within
 
--- Explicit runs with updates of at most `jump` cycles, short at first, when the pressure changes quickly, and with
--- updates of half that length: their limit is twice the finer minus the coarser result.
+-- Computes two explicit runs: one with updates of at most `jump` cycles, shorter at first when the pressure
+-- changes quickly, and one with updates of half that length. The extrapolated limit is twice the finer minus
+-- the coarser result.
 local function references(fields, jump)
   local pair = {}
   for i = 1, 2 do
@@ -20,8 +21,7 @@ end
 
 local function largest(values) return math.max(table.unpack(values)) end
 
--- Returns the largest relative error over a body's nodes deeper than a twentieth of the largest
--- depth.
+-- Returns the largest relative error over the body's nodes deeper than a twentieth of the largest depth.
 local function depth_error(w, coarse, fine, body)
   local h, hc, hf, worst = w:profile(body).h, coarse:profile(body).h, fine:profile(body).h, 0
   local deepest = largest(hf)
@@ -33,8 +33,8 @@ local function depth_error(w, coarse, fine, body)
   return worst
 end
 
--- Returns the mean error of the pressures divided by the mean pressure, as the error of single
--- nodes at the edge of the contact depends on the mesh.
+-- Returns the mean error of the pressures divided by the mean pressure. Errors of single nodes at the edge of
+-- the contact depend on the mesh, so they are not used.
 local function pressure_error(w, coarse, fine)
   local p, pc, pf, sum, all = w:pressure("cylinder").p, coarse:pressure("cylinder").p, fine:pressure("cylinder").p, 0, 0
   for i, got in ipairs(p) do
@@ -43,7 +43,7 @@ local function pressure_error(w, coarse, fine)
   return sum / all
 end
 
--- Returns the largest error over all updates of a run.
+-- Returns the largest errors over all updates of a run.
 local function compare(fields, jump, tolerance)
   local coarse, fine = references(fields, jump)
   fields.scheme, fields.tolerance = "implicit", tolerance
@@ -81,7 +81,8 @@ end
 
 -- cases of the paper with several element sizes ------------------------------------------------------
 
-local cases = { -- element [um], stroke, alpha, longest explicit update, most solutions, most updates
+-- element size [um], stroke [mm], alpha, longest explicit update, largest number of solutions and of updates
+local cases = {
   { 20, 0.11, 0.5, 10, 14e3, 20 }, { 20, 0.22, 0.75, 5, 13e3, 20 }, { 20, 0.44, 0.25, 2.5, 9e3, 15 },
   { 20, 20, 0.5, 0.1, 250, 18 }, { 10, 0.11, 0.5, 10, 21e3, 25 }, { 10, 0.44, 0.75, 2.5, 19e3, 25 },
   { 10, 20, 1, 0.1, 500, 25 }, { 5, 0.11, 0.5, 10, 25e3, 25 }, { 5, 20, 1, 0.1, 950, 28 },
@@ -94,7 +95,8 @@ for _, case in ipairs(cases) do
   below(w.update, updates + 1, what .. ": updates")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   local off = figures.asymmetry(w:profile("cylinder").h)
-  local rests = stroke == 20 -- one contact position for the whole stroke: symmetric up to rounding
+  -- with one contact position for the whole stroke the symmetry is exact up to rounding
+  local rests = stroke == 20
   ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
 end
 

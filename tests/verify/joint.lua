@@ -1,4 +1,5 @@
--- Ball in socket against an independent computation, closed forms, and its own convergence.
+-- Tests a ball in a socket against an independent computation, closed forms, and converged results of
+-- archard.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
@@ -62,8 +63,9 @@ both(run(liner(3, "winkler"), gait "iso", 1e-9, 0, 5e6), "springs, walk of 5e6 c
 both(run(liner(3, "winkler", 30), gait "iso", 1e-9, 0, 5e6), "cup inclined by 30 degrees", 359.7, 0, 169.17, 5e-3)
 
 -- --- k that increases with cross-shear ---------------------------------------------------------------
--- k is computed from the cross-shear of the previous update (1e-9 in the first one); the volume is then 1 % larger than
--- with k of the present surfaces, and 80 updates change it by 4e-4. The engine calls k for the cells in a fixed order.
+-- The engine computes k from the cross-shear of the previous update (1e-9 in the first update). The volume is
+-- then 1 % larger than with k of the present surfaces, and 80 updates change it by 4e-4. The engine calls k
+-- for the cells in a fixed order.
 local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
 local function delayed()
   local before, cell, cells = {}, 0, 2 * 60 * 60

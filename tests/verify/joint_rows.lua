@@ -1,5 +1,6 @@
--- Ball in socket: exchange of head and cup, convergence in cells, instants and updates, cross-shear in closed form, the law
--- of deep wear, rocking of a metal joint; man/accuracy.md shows the table of convergence.
+-- Tests a ball in a socket: exchange of head and cup, convergence in cells, instants and updates, cross-shear
+-- against closed forms, the law of deep wear, and rocking of a metal joint. man/accuracy.md shows the table
+-- of convergence.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
@@ -66,7 +67,7 @@ end
 
 -- --- cross-shear in the direction of the load ----------------------------------------------------------
 local function cross_shear(g) return in_the_middle(run(springs, g, 1e-12, 0, 1, 1):map "cross shear") end
-local function rectangle(a, b) -- of a pin on disc: CS = b / (a + b)
+local function rectangle(a, b) -- a pin on a disc that moves along a rectangle has the cross-shear b / (a + b)
   local turn_at = a / (2 * (a + b))
   return gait{ t = { 0, turn_at, 0.5, 0.5 + turn_at, 1 }, flexion = { 0, a, a, 0, 0 }, adduction = { 0, 0, b, b, 0 }, load = 2000, increments = 20 * (a + b) }
 end
@@ -79,7 +80,7 @@ within(1 + cross_shear(gait "iso"), 1.1063, 2e-3, "of the walk")
 -- --- deep wear of the cup: p = D cos t / (k s(t)) where cos t > c / u, D = k F / integral of cos^2 / s dA --
 local deep = run(springs, gait.rocking{ increments = 40 }, 1e-9, 0, 4e6, 60)
 local angle, R, many = math.rad(23), 14, 400
-local function sliding(t)  -- sliding distance of a cycle [mm]
+local function sliding(t)  -- returns the sliding distance of a cycle [mm]
   local sum = 0
   for i = 1, many do
     local along = math.sin(angle) * math.sin(t) * math.cos(2 * math.pi * (i - 0.5) / many) + (math.cos(angle) - 1) * math.cos(t)
@@ -97,7 +98,8 @@ within(law, 4.3113, 2e-4, "the law of deep wear")
 within(in_the_middle(deep:map "pressure"), law, 1e-3, "the pressure in the middle against it")
 
 -- --- surface layers thinner than a cell -----------------------------------------------------------------
--- On 4 and 2 degrees (cells of 1 and .5 mm) against .5 degrees; a soft coat that vanishes has no effect.
+-- Tests cells of 4 and 2 degrees (1 and 0.5 mm) against cells of 0.5 degrees. A soft coat of vanishing
+-- thickness has no effect.
 local function coated(size, thickness, E)
   return contact{ load = 3000, model = joint{ mesh = { size = size }, head = { material = cocr,
     layers = thickness and { { thickness = thickness, material = material{ E = E, nu = 0.3 } } } or nil } } }.p_center

@@ -1,5 +1,6 @@
--- Scars in soft layers on the default mesh against another program: finite elements remeshed during wear with an exact
--- interface, errors below .1 % (steel cylinder of 10 mm and 200 GPa, 200 N/mm, on 210 GPa, stroke .02 mm).
+-- Tests scars in soft layers on the default mesh against another program: finite elements remeshed during
+-- wear with an exact interface, whose errors are below 0.1 %. Steel cylinder of 10 mm and 200 GPa, 200 N/mm,
+-- plate of 210 GPa, stroke 0.02 mm.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
@@ -13,7 +14,7 @@ local function on_cylinder(E, nu, thickness)
     lower = body.block{ E = 210e3, nu = 0.3 } }
 end
 
--- Distance [mm], centre pressure [MPa], largest depth [um].
+-- Each row: distance [mm], centre pressure [MPa], largest depth [um].
 local cases = {
   { "3 GPa, 100 um", on_plate(3e3, 0.35, 0.1), 0.2, 1e-7,
     { { 40, 335.8, 1.102 }, { 100, 311.8, 2.655 }, { 200, 276.7, 5.003 }, { 400, 224.6, 8.983 } } },

@@ -1,7 +1,7 @@
--- The area of a fretting loop in gross slip against the energy of shear times slip. A surface under the pressure p is
--- strained by (1 + nu)(1 - 2 nu) p / E, so the sliding distance measured along it is longer; linear elasticity, and
--- with it the slip, uses the unloaded length. Weighted with Hertz' pressure, the mean is 8 / (3 pi) p_max, for any mesh
--- and friction.
+-- Tests the area of a fretting loop in gross slip against the energy of shear times slip. A surface under the
+-- pressure p is strained by (1 + nu)(1 - 2 nu) p / E, so the sliding distance measured along it is longer.
+-- Linear elasticity, and thus the slip, uses the unloaded length. The mean pressure weighted with Hertz'
+-- pressure is 8 / (3 pi) p_max, for any mesh and friction.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function area_of(loop)

@@ -1,4 +1,4 @@
--- User-defined bodies against closed forms and independent results: a rounded punch.
+-- Tests user-defined bodies against closed forms and independent results: a rounded punch.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
@@ -11,8 +11,8 @@ figures.ok(hexes(contact{ model = { upper = body.cylinder{ radius = 10 }, lower 
 
 -- --- rounded punch ------------------------------------------------------------------------------
 
--- sin f = b/a, 4 P R / (E* a^2) = pi - 2 f - sin 2f on half-planes: a = 0.530577. Bodies 10 mm high with finite
--- elements of 5 um, another program: p(0) = 123.70, p_max = 644.46.
+-- Half-planes: sin f = b/a and 4 P R / (E* a^2) = pi - 2 f - sin 2f give a = 0.530577 mm. Bodies 10 mm high
+-- with finite elements of 5 um by another program: p(0) = 123.70 MPa, p_max = 644.46 MPa.
 local punch = model{ upper = body.punch{ flat = 1, radius = 2, height = 10 }, lower = body.block{ width = 20, height = 10 },
   mesh = { size = 0.01, height = 0.0125, zone = { cylinder = 1.4, plate = 1.4 } } }
 local c = contact{ model = punch, load = 200 }

@@ -1,5 +1,5 @@
--- Random pairs worn to 1.2 to 12 unworn half widths with implicit steps: depths at four distances against runs with a
--- tenth of the tolerance.
+-- Tests random pairs worn with implicit steps until the scar has 1.2 to 12 unworn half widths: depths at four
+-- distances against runs with a tenth of the tolerance.
 --   ARCHARD_RUNS=300 tests/run verify/random_scars   more runs
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
@@ -8,7 +8,7 @@ math.randomseed(23)
 
 local function between(low, high) return low * (high / low) ^ math.random() end
 
--- Returns a pair whose flat scar has `wide` unworn half widths.
+-- Returns a run that wears a random pair to a flat scar of `wide` unworn half widths.
 local function random_run()
   local radius, load = between(1, 200), between(10, 500)
   local pair = { radius = radius, cylinder = { E = between(3e3, 4e5) }, plate = { E = between(3e3, 4e5) } }
@@ -48,7 +48,7 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
     figures.ok(why:find("no larger mesh fits", 1, true) or why:find("the largest number that fits", 1, true), "refused: scars wider than the bodies alone")
   end
 end
--- The reference pair worn to a scar of ten half widths on automatically enlarged meshes.
+-- Tests the reference pair, worn to a scar of ten half widths on automatically enlarged meshes.
 local wide = { k = 1e-5, distance = 2000, scheme = "implicit" }
 local list, updates = depths(wide, 1e-3)
 for i, depth in ipairs((depths(wide, 1e-4))) do
@@ -56,7 +56,7 @@ for i, depth in ipairs((depths(wide, 1e-4))) do
 end
 figures.below(updates, 100, "reference pair, k = 1e-5: updates")
 
--- A stroke of one element: long steps converge only with a Jacobian for each part of the stroke.
+-- Tests a stroke of one element: long steps converge only with a Jacobian for each part of the stroke.
 local _, short = depths({ model = { radius = 42.317, cylinder = { E = 372e3 }, plate = { E = 18114 } }, load = 34.81, stroke = 0.05842,
   alpha = 0.61729, distance = 1320, k = 3.5677e-6, scheme = "implicit" }, 1e-3)
 figures.below(short, 60, "a stroke of one element: updates")

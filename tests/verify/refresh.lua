@@ -1,10 +1,10 @@
--- Moving geometry with occasional condensation of the wear box against condensation at every update, compared at every
--- update and node.
+-- Tests moving geometry with occasional condensation of the wear box against condensation at every update.
+-- All updates and nodes are compared.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
 
--- Returns the state after every update.
+-- Returns the pressures and depths after every update.
 local function path(definition, refresh)
   local copy = {}
   for name, value in pairs(definition) do copy[name] = value end
@@ -18,8 +18,8 @@ local function path(definition, refresh)
   return states
 end
 
--- Returns the largest differences: of the pressures, relative to that at the centre, at any node
--- and at nodes farther than 2.5 elements inside the contact's edges; and of the depths, relative.
+-- Returns three largest differences: of the pressures relative to the pressure at the centre, at any node and
+-- at nodes farther than 2.5 elements inside the contact's edges; and the relative difference of the depths.
 local function compare(definition, size)
   local exact, found = path(definition, 0), path(definition)
   local any, inside, depth = 0, 0, 0
@@ -41,7 +41,8 @@ local function check(what, definition, size)
   local any, inside, depth = compare(definition, size)
   below(any, 5e-4, what .. ": pressure at any node, share of p_center")
   below(inside, 1e-4, what .. ": the same inside the contact's edges")
-  -- nodes differ slightly from their positions in the coupling: depths follow the areas, which are exact
+  -- the coupling uses slightly different positions of the nodes; the worn areas are exact, so the depths
+  -- differ slightly
   below(depth, 5e-5, what .. ": depth, relative")
 end
 
@@ -55,7 +56,7 @@ check("10 um", { model = { mesh = { size = 0.01, height = 0.0125 } }, jump = 50,
 check("a soft plate, 8 um deep", { model = { plate = { E = 2e3, nu = 0.4 }, mesh = { size = 0.02, height = 0.025, far = 1, zone = { cylinder = 2.4, plate = 2.8 } } },
   load = 20, k = 1e-6, jump = 15, distance = 330, alpha = 0 }, 0.02)
 
--- A run stored between two condensations continues with identical bits.
+-- Tests that a run stored between two condensations continues with identical bits.
 local w = wear{ model = usual }
 w:run{ distance = 500, progress = false }
 local file = os.tmpname()

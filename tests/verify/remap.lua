@@ -1,5 +1,5 @@
--- A worn surface transferred to another mesh: the pressures equal those of a run on that mesh, the lost areas are the
--- same.
+-- Tests a worn surface that is transferred to another mesh: the pressures equal those of a run on that mesh,
+-- and the worn areas are unchanged.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
@@ -23,8 +23,8 @@ local function at(p, x)
   end
 end
 
--- Returns the largest difference over the inner part of the contact, relative to the pressure at
--- the centre.
+-- Returns the largest difference of the pressures over the inner part of the contact, relative to the
+-- pressure at the centre.
 local function apart(contact, w, reach)
   local largest = 0
   for _, body in ipairs{ "cylinder", "plate" } do
@@ -36,7 +36,7 @@ local function apart(contact, w, reach)
   return largest / w.p_center
 end
 
--- Returns the area lost from the outline of a body, and its smallest depth.
+-- Returns the area lost from the outline of a body [mm2], and the body's smallest depth [mm].
 local function lost(w, body)
   local p, area, least, radius = w:profile(body), 0, math.huge, w.model.radius
   local function top(x) return body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end
@@ -73,8 +73,9 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
   end
 end
 
--- Measured profiles: points of a known scar 20 um apart, between the nodes, transferred to meshes of 20 to 5 um. The
--- scar as a function is evaluated directly; broken lines through the points give 2.4, 13 and 22 % too much pressure.
+-- Tests measured profiles: points of a known scar 20 um apart, between the nodes, are transferred to meshes
+-- of 20 to 5 um. The reference is the scar given as a function, which is evaluated at the nodes. Broken lines
+-- through the points would give 2.4, 13 and 22 % too much pressure.
 local depth, reach = 2e-3, 0.25
 local function scar(x) return math.abs(x) < reach and depth * (1 - (x / reach) ^ 2) ^ 2 or 0 end
 local function points(spacing, offset)

@@ -1,12 +1,13 @@
--- Bodies of revolution and thin plates against Hertz' theory, and their wear: pins on discs, spinning balls, rings.
+-- Tests bodies of revolution and thin plates against Hertz' theory, and the wear of pins on discs, spinning
+-- balls and rings.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
 local pi = math.pi
 
 -- --- Hertz --------------------------------------------------------------------------------------
 
--- R = 10, P = 50: a = .150554, p0 = 1053.25 on half-spaces; a hemisphere on a disc 10 high with finite elements of
--- another program: p0 = 1051.34.
+-- A ball with R = 10 mm under P = 50 N: a = 0.150554 mm, p0 = 1053.25 MPa on half-spaces. A hemisphere on a
+-- disc of 10 mm height has p0 = 1051.34 MPa with finite elements of another program.
 local ball = hertz{ geometry = "axisymmetric", radius = 10, load = 50 }
 within(ball.half_width, 0.150554, 1e-5, "ball: radius of the contact in closed form [mm]")
 within(ball.p_max, 1053.25, 1e-5, "ball: pressure in closed form [MPa]")
@@ -27,8 +28,9 @@ end
 below(off, 0.006, "ball: pressures over nine tenths of the contact, largest share off")
 below(figures.asymmetry(p.p), 1e-9, "ball: both halves of the section alike")
 
--- The largest shear is .31002 p0 at .4809 a on the axis. Outside the contact the radial stress of the surface is
--- tensile and the hoop stress compressive, both (1 - 2 nu) p0 a^2 / (3 r^2).
+-- Hertz' theory: the largest shear stress is 0.31002 p0 at the depth 0.4809 a on the axis. Outside the
+-- contact the radial stress of the surface is tensile and the hoop stress compressive, both with the value (1
+-- - 2 nu) p0 a^2 / (3 r^2).
 local field = c:stress().plate
 local deepest, shear, around, along = nil, 0, 0, 0
 for i, x in ipairs(field.x) do
@@ -50,7 +52,7 @@ local rubber = contact{ load = 5, model = { geometry = "axisymmetric", cylinder 
 within(rubber.p_center, hertz{ geometry = "axisymmetric", load = 5, cylinder = soft, plate = soft }.p_max, 0.005,
   "ball of nu = 0.49: centre pressure [MPa]")
 
--- Thin plates: E instead of E / (1 - nu^2).
+-- Tests thin plates, whose modulus is E instead of E / (1 - nu^2).
 local thin = hertz{ geometry = "plane stress", load = 50 }
 within(thin.E_star, 100e3, 1e-12, "plane stress: modulus of like bodies is E / 2 [MPa]")
 local plate = contact{ model = { geometry = "plane stress" }, load = 50 }
@@ -58,12 +60,12 @@ within(plate.p_center, thin.p_max, 0.003, "plane stress: centre pressure [MPa]")
 local sheet = plate:stress().plate
 for i = 1, #sheet.szz do if sheet.szz[i] ~= 0 then ok(false, "plane stress: none out of the plane") break end end
 
--- A large ring equals a straight line: P divided by its circumference.
+-- Tests a large ring against a straight line contact under P divided by the ring's circumference.
 local line = hertz{ load = 100 }
 local ring = contact{ load = 100 * 2 * pi * 400, model = { geometry = "axisymmetric", axis = 400 } }
 within(ring.p_center, line.p_max, 0.003, "ring of radius 400: centre pressure of the straight line [MPa]")
 
--- The same shapes from a Gmsh file, with the axis in the body and beside it.
+-- Tests the same shapes from a Gmsh file, with the axis inside and beside the body.
 local function through_gmsh(m, fields)
   local path = os.tmpname() .. ".msh"
   export.msh(m, path)
@@ -87,7 +89,8 @@ within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc 
 
 -- --- a pin on a disc ----------------------------------------------------------------------------
 
--- After much wear the pin is a ball minus a cap of the worn volume, V = pi h^2 (3 R - h) / 3.
+-- Computes the height h of a cap from its volume V = pi h^2 (3 R - h) / 3. After much wear the pin is a ball
+-- without a cap of the worn volume.
 local function cap_of(volume, R)
   local low, high = 0, R
   for _ = 1, 80 do
@@ -119,7 +122,7 @@ local flat = 0
 for _, h in ipairs(both:profile("plate").h) do flat = math.max(flat, math.abs(h)) end
 ok(flat == 0, "pin on disc: the disc stays flat")
 
--- A run stored in between continues with identical bits.
+-- Tests that a run stored halfway continues with identical bits.
 local file = os.tmpname() .. ".wear"
 local half = with{ alpha = 0.25 }:run{ distance = both.distance / 2 }
 half:save(file)
@@ -131,7 +134,8 @@ ok(hexes(half) == hexes(again), "pin on disc: stored and opened again, the same 
 
 -- --- spin ---------------------------------------------------------------------------------------
 
--- Torsion after much wear: p = P / (2 pi c r), c^3 = 3 k P R phi / (2 pi). The pressure is unbounded on the axis.
+-- Tests torsion after much wear against p = P / (2 pi c r) with c^3 = 3 k P R phi / (2 pi). The pressure is
+-- unbounded on the axis.
 local angle = 3e4
 local spin = { model = { geometry = "axisymmetric", mesh = { size = 0.04, height = 0.04, rows = 4, zone = { cylinder = 2.8, plate = 2.8 } } },
   load = 50, slide = "z", alpha = 0.3, k = k, spin = 1, distance = 100, jump = "auto" }
@@ -150,8 +154,8 @@ for i, x in ipairs(ps.x) do
 end
 below(worst, 0.05, "spin: pressures by P / (2 pi c r), largest share off")
 
--- A spinning thrust ring wears more at its outer edge; one with equal sliding distance at all points wears like a line
--- contact.
+-- Tests thrust rings: a spinning ring wears more at its outer edge, and a ring with equal sliding distance at
+-- all points wears like a line contact.
 local thrust = { model = { geometry = "axisymmetric", axis = 40, mesh = { fineness = 1 } }, load = 100 * 2 * pi * 40, slide = "z",
   alpha = 0.5, k = 1e-7, stroke = 1, distance = 400, jump = "auto" }
 local even = wear(thrust):run()

@@ -1,5 +1,5 @@
--- Rotation as motion and loads at an angle in pairs with a hole: results that must not depend on either, the cosine law
--- of a bush that wears alone, volumes.
+-- Tests rotation as motion and loads at an angle in pairs with a hole: results that must not depend on
+-- rotation or angle, the cosine law of a bush that wears alone, and volumes.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
@@ -9,8 +9,10 @@ local R, gap, P, k = 10, 0.05, 1000, 1e-6
 local mesh = { size = 0.25, height = 0.1, rows = 4, far = 1, zone = { cylinder = 26, plate = 26 } }
 local function pin() return body.disc{ radius = R - gap, name = "pin" } end
 local function bush() return body.ring{ inner = R, outer = 20, name = "bush" } end
-local journal = model{ upper = bush(), lower = pin(), mesh = mesh } -- the pin turns under a load fixed in the bush
-local hip = model{ upper = pin(), lower = bush(), mesh = mesh } -- the bush turns under a load fixed in the pin
+-- the pin rotates under a load fixed to the bush
+local journal = model{ upper = bush(), lower = pin(), mesh = mesh }
+-- the bush rotates under a load fixed to the pin
+local hip = model{ upper = pin(), lower = bush(), mesh = mesh }
 
 -- --- unworn: round bodies are the same from all directions ---------------------------------------
 
@@ -31,7 +33,8 @@ local lopsided = 0
 for i = 1, #right do lopsided = math.max(lopsided, math.abs(right[i] - left[#left + 1 - i]) / P) end
 below(lopsided, 1e-10, "loads from either side: mirror images")
 
--- Stresses are given in the position of the body: rotated with the bush, the field of a straight load.
+-- Tests that stresses are given in the position of the body: the field is that of a straight load, rotated
+-- with the bush.
 local straight, turned = contact{ model = hip, load = P }:stress(), contact{ model = hip, load = P, load_angle = 20,
   x = R * math.rad(20) }:stress()
 local function largest(field)
@@ -47,7 +50,7 @@ below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0
 
 -- --- the cosine law -------------------------------------------------------------------------------
 
--- Returns the largest deviation of the pressures over nine tenths of the contact.
+-- Returns the largest deviation of the pressures from the cosine law over nine tenths of the contact.
 local function deviation(w, at) return bush_law.deviation(w, R, gap, at) end
 local function swing(t) return 15 * math.sin(2 * math.pi * t) end
 local function run(m, angle, share, to_bush)
@@ -79,7 +82,7 @@ within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both wear: V of the
 within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "volume of the pin [mm3]")
 figures.ok(both.depth.pin < both.depth.bush, "the pin, whose wear the swing spreads, is worn less deep")
 
--- A load that follows the swinging bush wears it like a load fixed in the resting bush.
+-- Tests that a load that follows the swinging bush wears the bush like a load fixed to a resting bush.
 local led = wear{ model = hip, k_cylinder = 0, k_plate = k, load = P, geometry = "frozen", distance = 50,
   loading = { rotation = swing, load_angle = swing }, jump = 0.5 }
 local fixed = wear{ model = journal, k_cylinder = k, k_plate = 0, load = P, geometry = "frozen", distance = 50,

@@ -1,4 +1,4 @@
--- Automatic steps: implicit updates with a tolerance, and automatic explicit updates.
+-- Tests automatic steps: implicit updates with a tolerance, and automatic explicit updates.
 -- Long
 
 local at = require "archard.lib.history_at"
@@ -22,7 +22,8 @@ local function depths(w, true_depth, share, what)
   end
 end
 
--- Limit of explicit updates for decreasing length: twice the finer minus the coarser result.
+-- Returns the depths for explicit updates of decreasing length, extrapolated to zero: twice the finer minus
+-- the coarser result.
 local function extrapolated(fields, jump)
   local depth = {}
   for i, part in ipairs{ 5, 10 } do
@@ -34,7 +35,7 @@ end
 
 -- implicit: the error is within the tolerance, with few steps -------------------------------------------
 
-local cases = { -- stroke, alpha, N-bar of Table 1, most steps
+local cases = { -- stroke [mm], alpha, N-bar of Table 1, largest number of steps
   { 0.11, 0.5, 100, 50 }, { 0.22, 0.25, 40, 50 }, { 0.44, 0.75, 20, 50 }, { 20, 0.5, 1, 50 },
 }
 for _, case in ipairs(cases) do
@@ -49,8 +50,8 @@ for _, case in ipairs(cases) do
   below(asymmetry(w), 1e-9, what .. ": asymmetry")
 end
 
--- Both orders converge to the same result at their rate; over the whole profile, as the deepest node alone agrees by
--- chance.
+-- Returns the difference of two runs over the whole profile; the deepest nodes alone may agree by chance.
+-- Tests that implicit steps of both orders converge to the same result at their rate.
 local function apart(w, other)
   local h, g, off, all = w:profile("cylinder").h, other:profile("cylinder").h, 0, 0
   for i = 1, #h do off, all = off + (h[i] - g[i]) ^ 2, all + g[i] ^ 2 end
@@ -67,13 +68,13 @@ for order = 1, 2 do
   below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depths off by"):format(order))
 end
 
--- The error control includes functions of the state: running-in.
+-- Tests that the error control includes functions of the state, such as running-in.
 local function running_in(s) return 1e-8 * (1 + 4 * math.exp(-s.distance / 100)) end
 local exact = 1e-6 * (1320 + 400 * (1 - math.exp(-13.2)))
 local w = run{ k = running_in, scheme = "implicit", tolerance = 1e-3 }
 within(w.volume.total, exact, 1e-3, "running-in k, tolerance = 1e-3: volume [mm3]")
 below(w.update, 60, "running-in k: steps")
--- the tolerance is that of one step: errors of the same sign add up
+-- the tolerance applies to one step, and errors of the same sign add up
 within(run{ k = running_in, scheme = "implicit", tolerance = 1e-4 }.volume.total, exact, 3e-4,
   "running-in k, tolerance = 1e-4: volume [mm3]")
 
@@ -104,8 +105,8 @@ for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
   end
 end
 
--- Largest relative error of a column over all stored updates, against explicit updates extrapolated to length zero at
--- the same distance.
+-- Returns the largest relative error of a column over all stored updates, against explicit updates
+-- extrapolated to length zero at the same distance.
 local function worst(history, coarse, fine, column)
   local most = 0
   for i = 2, #history.distance do
@@ -116,7 +117,8 @@ local function worst(history, coarse, fine, column)
   return most
 end
 
--- A law with a threshold: nodes alternate across it, and steps are short enough to follow; at all updates.
+-- Tests a law with a threshold over all updates. Nodes alternate across the threshold, so steps must be short
+-- enough to follow.
 for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 }, { 200, 0.44, 0.75, 0.5 } } do
   local p0, stroke, alpha, jump = table.unpack(case)
   local fields = { law = "threshold", law_pressure = p0, stroke = stroke, alpha = alpha, distance = 660, geometry = "frozen" }
@@ -131,7 +133,8 @@ for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 }, { 200, 
 end
 
 local aluminium = material{ E = 70e3, nu = 0.33 }
-local whole_runs = { -- name, fields, jump of the coarser reference; the last three cases are not from the paper
+-- name, fields, jump of the coarser reference; the last three cases are not from the paper
+local whole_runs = {
   { "s = a, alpha = 0.5", { stroke = 0.11, alpha = 0.5 }, 4 },
   { "s = a, alpha = 0", { stroke = 0.11, alpha = 0 }, 4 },
   { "s = 2a, alpha = 0.25", { stroke = 0.22, alpha = 0.25 }, 2 },

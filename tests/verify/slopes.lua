@@ -1,4 +1,5 @@
--- Deep scars with inclined surfaces: the outline loses k L d, and the losses of both bodies have the ratio k_c to k_p.
+-- Tests deep scars with inclined surfaces: the outlines lose the area k L d in total, and the losses of both
+-- bodies have the ratio k_c to k_p.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
@@ -10,7 +11,8 @@ local function under(x, y)
   return sum
 end
 
--- Returns the area lost from the outline of a body [mm2], by the polygon of its present nodes.
+-- Returns the area lost from the outline of a body [mm2], computed by the polygon of the body's present
+-- nodes.
 local function lost(w, body)
   local p, y, radius = w:profile(body), {}, w.model.radius
   for i, x in ipairs(p.x) do y[i] = body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end
@@ -42,12 +44,13 @@ for _, case in ipairs(cases) do
   end
 end
 
--- Pressures act along normals: between a stiff and a soft body the forces along x raise or lower the surfaces, with
--- opposite sign if the bodies are exchanged. With forces along the load, the difference would be smaller.
+-- Tests that pressures act along normals. Between a stiff and a soft body the forces along x raise or lower
+-- the surfaces, with opposite sign if the bodies are exchanged. If forces acted along the load, the
+-- difference would be smaller.
 local soft_plate, soft_cylinder = cases[2][2], cases[3][2]
 ok(soft_plate.p_center < soft_cylinder.p_center, "a soft plate under a slope bears less in the middle than a soft cylinder")
 
--- With slip that includes the elastic part, the work is that of pairs of points.
+-- Tests slip that includes the elastic part: its work is the work summed over pairs of points.
 for _, couple in ipairs{ { plate = { E = 2e3 } }, { plate = { E = 20e3 } }, { cylinder = { E = 2e3 } } } do
   for _, alpha in ipairs{ 0.25 } do
     couple.radius = 10
@@ -68,13 +71,13 @@ for name, w in pairs{ steel = wear{ slip = "total", stroke = 20, alpha = 0.3, ju
   within(w.volume.cylinder / w.volume.plate, 3 / 7, 1e-9, "total slip over the whole plate, " .. name .. ": V_c / V_p (Eq. 15)")
 end
 local steady = wear{ alpha = 1, slip = "total", distance = 440, jump = 100 }:run()
--- The plate's strain below the contact, -(1 + nu)(1 - 2 nu) p / E at the surface of a half-plane, shortens the sliding
--- distance.
+-- The plate's strain below the contact shortens the sliding distance. At the surface of a half-plane the
+-- strain is -(1 + nu)(1 - 2 nu) p / E.
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
 figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
 
--- Sliding out of the plane: points keep their partners, alpha-tilde equals alpha, and the sum of depths is that of
--- alpha = 1.
+-- Tests sliding out of the plane: pairs of points stay together, so alpha-tilde equals alpha, and the sum of
+-- depths equals that for alpha = 1.
 local one = wear{ alpha = 1 }:run()
 for _, alpha in ipairs{ 0.25, 0.5 } do
   local w = wear{ alpha = alpha, slide = "z" }:run()
@@ -84,16 +87,17 @@ for _, alpha in ipairs{ 0.25, 0.5 } do
   within(w.p_center, one.p_center, 1e-3, "its centre pressure against alpha = 1 [MPa]")
 end
 
--- An inclined plate has an exact solution by rotation: the cylinder touches it beside its axis with the normal force L
--- sqrt(1 + m2), so that the largest pressure is Hertz' times (1 + m2)^(1/4). Forces along y would give (1 + m2)^(3/4):
--- the effect of the normals is of second order in the slope, -m2 / 2.
+-- Tests an inclined plate, which has an exact solution by rotation: the cylinder touches the plate beside its
+-- axis with the normal force L sqrt(1 + m2), so the largest pressure is Hertz' pressure times (1 + m2)^(1/4).
+-- Forces along y would give the factor (1 + m2)^(3/4); the normals change the pressure only in second order,
+-- by -m2 / 2.
 local function peak(c)
   local p, sum, top, at = c:pressure("cylinder"), {}, 0, 0
   for i, value in ipairs(p.p) do
     if value > top then top, at = value, i end
   end
   for i = 0, 4 do sum[i], sum[5 + i] = 0, 0 end
-  for i, value in ipairs(p.p) do -- p^2 is a parabola: least-squares fit to its upper part
+  for i, value in ipairs(p.p) do -- p^2 is a parabola, fitted by least squares to its upper part
     local x, y = (p.x[i] - p.x[at]) / 0.05, (value / top) ^ 2
     for power = 0, value > 0.6 * top and 4 or -1 do
       sum[power], sum[5 + power] = sum[power] + x ^ power, sum[5 + power] + y * x ^ power

@@ -1,5 +1,5 @@
--- Soft bodies: no locking for nu near 1/2. Hertz' pressures and, on a plate that stays flat, the worn pressures depend
--- only on the contact modulus.
+-- Tests soft bodies: no locking for nu near 1/2. Hertz' pressures and, on a plate that stays flat, the worn
+-- pressures depend only on the contact modulus.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
@@ -13,7 +13,7 @@ local pairs_of = {
   { "both nu = .4999", { E = 10, nu = 0.4999 }, { E = 10, nu = 0.4999 } },
 }
 
--- loads that give the same widths as on steel
+-- Returns the factor of the load that gives the same contact widths as on steel.
 local function modulus(pair)
   return hertz{ cylinder = pair[2], plate = pair[3] }.E_star / hertz{}.E_star
 end
@@ -23,8 +23,8 @@ local function model_of(pair, size, element)
     mesh = { size = size, height = 1.25 * size, far = 1, zone = { cylinder = 1, plate = 1.2 }, element = element } }
 end
 
--- Returns r.m.s. and largest error of the centre pressure over half widths from 5 elements of 20 um
--- on.
+-- Returns the root mean square and the largest error of the centre pressure over contacts of at least 5
+-- elements of 20 um in the half width.
 local function centre_errors(pair, size)
   local m, scale, sum, worst, count = model_of(pair, size), modulus(pair), 0, 0, 0
   for load = 100, 1200, size < 0.02 and 220 or 55 do
@@ -43,8 +43,9 @@ for _, pair in ipairs(pairs_of) do
   end
 end
 
--- Approach of the rigid bodies, which includes the deformation of the whole body with its triangles. Elements of an
--- eighth of the size far from the contact change it as little as with steel.
+-- Returns the change of the approach of the rigid bodies by smaller elements far from the contact. The
+-- approach includes the deformation of the whole body with its triangles. Elements of an eighth of the size
+-- must change it as little as with steel.
 local function approach_change(pair)
   local function approach(far)
     return contact{ load = 100 * modulus(pair), model = { cylinder = pair[2], plate = pair[3],
@@ -55,8 +56,8 @@ end
 below(approach_change(pairs_of[6]), 1.2 * approach_change{ "", steel, steel },
   "both nu = .4999: share of the approach that coarse elements miss")
 
--- The wear of the cylinder on a plate that stays flat, by boundary elements (see flat_plate.lua): k_c d E* of steel,
--- centre pressure / p_H, depth [um].
+-- Tests the wear of the cylinder on a plate that stays flat against boundary elements (see flat_plate.lua):
+-- k_c d E* of steel, centre pressure / p_H, depth [um].
 for _, at in ipairs{ 4, 5, 6 } do
   local pair, scale = pairs_of[at], modulus(pairs_of[at])
   local w = wear{ model = model_of(pair, 0.02), alpha = 1, stroke = 0.11, load = 100 * scale,
@@ -70,7 +71,7 @@ for _, at in ipairs{ 4, 5, 6 } do
   end
 end
 
--- Elements that lock give a warning for nu above 0.45; "auto" gives none.
+-- Tests that elements that lock give a warning for nu above 0.45 and that "auto" gives no warning.
 local warnings = require "archard.warnings"
 warnings.keep()
 local function warned(element, nu)

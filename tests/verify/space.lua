@@ -1,5 +1,5 @@
--- Wear in three dimensions against an independent computation of the same problem, and its exact symmetries: volumes,
--- exchange of bodies, mirror symmetry across the motion.
+-- Tests wear in three dimensions against an independent computation of the same problem, and its exact
+-- symmetries: volumes, exchange of bodies, and mirror symmetry across the motion.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
@@ -14,7 +14,7 @@ local function run(load, stroke, alpha, distance, changes)
 end
 
 -- --- ball of 10 mm, 10 N, 1320 mm: depths of both bodies [mm] --------------------------------------
--- The stroke of half a contact width is integrated with four positions: error 1 %.
+-- A stroke of half a contact width is integrated with four positions, with an error of 1 %.
 local short = {
   [0] = { 0, 1.97333e-3 }, [0.25] = { 5.1384e-4, 1.47537e-3 }, [0.5] = { 1.01401e-3, 9.8532e-4 },
   [0.75] = { 1.50853e-3, 4.9526e-4 }, [1] = { 2.00459e-3, 0 },
@@ -54,7 +54,7 @@ within(fine.depth.block, 2.3987e-3, 0.0015, "flat")
 figures.about(fine.depth_partition, 0.53815, 0.001, "alpha-tilde")
 
 -- --- long strokes: all positions, and the track as a groove -----------------------------------------
--- Away from its ends the middle of the groove agrees within 3 %, the ball's depth within .5 %.
+-- Except near its ends, the depth of the groove's middle agrees within 3 % and the ball's depth within 0.5 %.
 for _, case in ipairs{ { 0, 0, 7.3231e-4 }, { 0.25, 8.5054e-4, 4.6460e-4 }, { 0.5, 1.31788e-3, 2.8773e-4 }, { 0.75, 1.68647e-3, 1.3841e-4 } } do
   local w = wear{ model = m, load = 10, stroke = 1, alpha = case[1], distance = 1320, procedure = "NSP" }
   w:run()
@@ -68,23 +68,24 @@ for _, case in ipairs{ { 0, 0, 7.3231e-4 }, { 0.25, 8.5054e-4, 4.6460e-4 }, { 0.
   within(all:map("block"):at(0, 0), case[3], 0.005, name .. "middle of the flat")
 end
 
--- Bodies a thousand times as stiff are compared with rigid ones, by integration along the wear. If
+-- Tests bodies a thousand times as stiff against rigid bodies, whose wear is integrated over the distance. If
 -- only the flat wears, the section of the groove in its middle is V / s = 4/3 sqrt(2 R) h^(3/2).
 local rigid = model{ geometry = "3-D", upper = body.ball{ radius = 10, E = 2e8 }, lower = body.block{ E = 2e8 }, mesh = { size = 0.0125 } }
 local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
 within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid, stroke 1: ball")
 within(both.depth.block, 2.9974e-4, 0.002, "groove")
--- The edge of the pressure between rigid bodies is known to one cell only, and rounding, as of another
--- BLAS, can move the edge by a cell: tolerance 0.0125 / 0.16505.
+-- The edge of the pressure between rigid bodies is computed to one cell only. Rounding errors, such as those
+-- of another BLAS, can move the edge by a cell, so the tolerance is 0.0125 / 0.16505.
 within(both.half_width, 0.16505, 0.076, "half width along, to a cell")
 within(both.half_width_z, 0.18231, 0.076, "half width across, to a cell")
 within(run(10, 1, 0, 1320, { model = rigid }):map("block"):at(0, 0), (0.75 * 1.32e-4 / math.sqrt(20)) ^ (2 / 3), 0.005,
   "nearly rigid, only the flat wears: groove")
 
 -- --- a power law far beyond Hertz --------------------------------------------------------------------
--- Rigid bodies, one position: p = P / (pi c^2) everywhere, dh = k p (p / p0)^n dd, h = c^2 / 2R; so c^(4 + 2n) = (4 +
--- 2n) R k P^(1 + n) d / (pi^(1 + n) p0^n). Elasticity makes contacts wider and reduces the depth by 1.5 to 2.7 % (n = 0
--- to 2), at ten times the distance by 0.3 to 1.1 %.
+-- Tests rigid bodies at one position against their closed form. From p = P / (pi c^2), dh = k p (p / p0)^n dd
+-- and h = c^2 / 2R follows c^(4 + 2n) = (4 + 2n) R k P^(1 + n) d / (pi^(1 + n) p0^n). Elasticity makes
+-- contacts wider and reduces the depth by 1.5 to 2.7 % (n = 0 to 2), at ten times the distance by 0.3 to 1.1
+-- %.
 local function cap(n, p0)
   return ((4 + 2 * n) * 10 * 1e-8 * 30 ^ (1 + n) * 3000 / (math.pi ^ (1 + n) * p0 ^ n)) ^ (1 / (2 + n)) / 20
 end
@@ -106,7 +107,8 @@ for _, stroke in ipairs{ 0.04, 0.2 } do
 end
 
 -- --- symmetries ------------------------------------------------------------------------------------
--- Mirror symmetry across the motion, cell by cell; the flat's scar is equal in both halves of the stroke.
+-- Tests the mirror symmetry across the motion cell by cell, and the scar of the flat, which is equal in both
+-- halves of the stroke.
 local function asymmetry(t)
   local nx, nz, most, largest = #t.x, #t.z, 0, 0
   for i = 1, nx do
@@ -120,9 +122,11 @@ end
 below(asymmetry(runs[0.25]:map "ball"), 1e-9, "mirror across the motion: ball")
 below(asymmetry(runs[0.25]:map "block"), 1e-9, "mirror across the motion: flat")
 
--- The flat above and the ball below: the same bodies wear by the same amounts in the same motion.
+-- Tests the flat as the upper and the ball as the lower body: both wear by the same amounts in the same
+-- motion.
 local turned = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 } }
-local even = { scheme = "implicit", jump = 1320 / 0.08 / 16 } -- error-controlled steps would differ
+-- fixed steps, because error-controlled steps would differ
+local even = { scheme = "implicit", jump = 1320 / 0.08 / 16 }
 local straight = run(10, 0.04, 0.25, 1320, even)
 even.model = turned
 local w = run(10, 0.04, 0.75, 1320, even)

@@ -1,5 +1,6 @@
--- Fretting wear of a ball in partial and gross slip: volumes against an independent study with cells of its own, the
--- closed end state at nu = 0, steps, times of the processor as a note. Steel ball of 10 mm, 10 N, friction 0.5.
+-- Tests fretting wear of a ball in partial and gross slip: volumes against an independent study with other
+-- cells, the final state at nu = 0 in closed form, and the effect of steps. Processor times are printed as a
+-- note. Steel ball of 10 mm, 10 N, friction 0.5.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local warnings = require "archard.warnings"
@@ -13,7 +14,7 @@ local function contact_of(nu)
   return a, 3 * load / (2 * math.pi * a * a)
 end
 
--- cells in the half width; 0: automatic
+-- Returns a run with `cells` cells in the half width (0: automatic) and the number of cycles of one period.
 local function fret(nu, share, cells, periods)
   local a, p0 = contact_of(nu)
   local steel = material{ E = 200e3, nu = nu }
@@ -80,8 +81,9 @@ within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40: depth
 within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40: volume")
 
 -- --- a long crowned roller -------------------------------------------------------------------------
--- McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a roller, and the plane engine under the
--- load there, over the same slip: the lag of long rollers is that of their length.
+-- McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a long roller, and the plane
+-- engine under the load there with the same slip. The lag of slip behind the motion depends on the length of
+-- the roller.
 do
   local fields = { friction = 0.9, stroke = 0.05, k_cylinder = 1.9e-8, k_plate = 2.9e-8 }
   local function run(changes)
@@ -134,9 +136,9 @@ do
     ("chosen increments miss %.2g N mm of its work, energy_error shows %.2g"):format(missed, shown))
 end
 
--- Circular motion of radius r in full slip: each point lags by its own angle, the work of a turn is 2 pi mu times the
--- integral of p sqrt(r^2 - u^2) with the displacement u = d (1 - s^2 / 2) that Hertz' pressure times mu causes at the
--- distance s a from the axis (nu = 0; the same within 1 % at 0.3).
+-- Circular motion of radius r in full slip: each point lags by its own angle. The work of a turn is 2 pi mu
+-- times the integral of p sqrt(r^2 - u^2), where u = d (1 - s^2 / 2) is the displacement by Hertz' pressure
+-- times mu at the distance s a from the axis (exact at nu = 0, within 1 % at 0.3).
 do
   warnings.keep()
   local bodies = model{ geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{}, mesh = { size = a / 14 } }
@@ -166,7 +168,7 @@ do
   ok(warnings.take():find "14 cells in its half width", "cells that are too large for friction are named")
 end
 
--- The map of stick, partial slip and gross slip against Mindlin's motions, on automatic cells.
+-- Tests the map of stick, partial slip and gross slip against Mindlin's motions, on automatic cells.
 do
   local limit = 3 * mu * load * 2 * 1.7 * 2.6 / 200e3 / (16 * a)
   local map = study.fretting_map{ friction = mu, load = { load }, motion = { 2e-4 },

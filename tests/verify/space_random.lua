@@ -1,6 +1,7 @@
--- Random histories in three dimensions: radii of 0.5 to 500 mm, E ratios to 1000, layers, rigid bases, maps, any alpha,
--- motions along x and z, strokes of 0.1 to 4 contact widths, grooves, tracks, laws, local factors. Each run ends, and
--- with Archard's law the volume of both bodies is k P d, the share of the upper one alpha.
+-- Tests random histories in three dimensions: radii of 0.5 to 500 mm, E ratios up to 1000, layers, rigid
+-- bases, maps, any alpha, motions along x and z, strokes of 0.1 to 4 contact widths, grooves, tracks, laws
+-- and local factors. Each run must end. With Archard's law the volume of both bodies must be k P d, and the
+-- share of the upper body alpha.
 --   ARCHARD_RUNS=500 tests/run verify/space_random   more runs (an hour)
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
@@ -42,7 +43,7 @@ local function history()
   local a, b = math.min(h.half_width, h.half_width_z), math.max(h.half_width, h.half_width_z)
   local slide = random() < 0.3 and "z" or "x"
   local def = motion(slide == "x" and h.half_width or h.half_width_z, b)
-  local groove = def.track or def.procedure -- only on a flat body
+  local groove = def.track or def.procedure -- grooves exist only on a flat body
   local ball = body.ball{ radius = radius, radius_z = radius_z, E = E }
   local flat = groove and body.block{ E = other } or partner(other, a, b, h.approach)
   local turned = not groove and random() < 0.15

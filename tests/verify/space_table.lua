@@ -1,5 +1,6 @@
--- Contact and wear in three dimensions by scripts: closed forms and tables, order of convergence, other solvers of this
--- program (finite elements of revolution and of plane strain), other steps.
+-- Tests contact and wear in three dimensions by scripts against closed forms and tables, other solvers of
+-- this program (finite elements of revolution and of plane strain) and other steps, and tests the order of
+-- convergence.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, above = figures.within, figures.below, figures.above
@@ -21,7 +22,8 @@ within(roller.p_center, 816.46, 0.003, "ellipse: centre pressure [MPa]")
 within(roller.approach, 1.19891e-3, 0.002, "ellipse: approach [mm]")
 within(roller.half_width_z, 0.171021, 0.02, "ellipse: half width across [mm]")
 
--- A cone as a map: a = sqrt(2 P / (pi E* t)), approach pi a t / 2, p(a / 2) = E* t acosh(2) / 2; p(0) is unbounded.
+-- Tests a cone given as a map: a = sqrt(2 P / (pi E* t)), approach pi a t / 2, p(a / 2) = E* t acosh(2) / 2;
+-- p(0) is unbounded.
 local slope, a = 0.01, 0.0761133
 local cone = map{ x = even(-0.3, 0.3, 301), z = even(-0.3, 0.3, 301), y = function(x, z) return -slope * math.sqrt(x * x + z * z) end }
 local pointed = contact{ load = 10, model = { geometry = "3-D", upper = body.map{ y = cone }, lower = body.block{}, mesh = { size = a / 32 } } }
@@ -35,7 +37,7 @@ for i = 2, #line.x do
   end
 end
 
--- A rigid ball on layers bonded to a rigid base.
+-- Tests a rigid ball on layers bonded to a rigid base against an independent program.
 for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0.2994, 4.887e-3 }, { 1, 0.45, 31.985, 0.3875, 0.011474 } } do
   local thick, nu, p, half, approach = table.unpack(row)
   local d = contact{ load = 10, model = { geometry = "3-D", upper = body.ball{ radius = 10, E = 1e12 },
@@ -46,7 +48,8 @@ for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0
   within(d.approach, approach, 0.002, name .. "approach [mm]")
 end
 
--- A layer of the base's material changes nothing; a hard coat and a soft one, against finite elements of revolution.
+-- Tests a layer of the base's material, which changes nothing, and a hard and a soft coat against finite
+-- elements of revolution.
 for _, row in ipairs{ { 0.05, 200e3 }, { 0.05, 400e3 }, { 0.02, 100e3 } } do
   local coated = body.block{ layers = { { thickness = row[1], E = row[2] } } }
   local d = contact{ load = 50, model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = coated } }
@@ -57,7 +60,8 @@ for _, row in ipairs{ { 0.05, 200e3 }, { 0.05, 400e3 }, { 0.02, 100e3 } } do
   within(d.half_width, elements.half_width, 0.02, name .. "half width by them [mm]")
 end
 
--- A flat round punch c as a map of steps: approach P / (2 E* c), p(0) = P / (2 pi c^2); first order, as the edge is a staircase.
+-- Tests a flat round punch of radius c given as a map of steps: approach P / (2 E* c), p(0) = P / (2 pi c^2).
+-- The convergence is of first order because cells approximate the edge by a staircase.
 for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 } } do
   local size, half = 2.2 * 0.25 / row[1], 0.3
   local reach = math.floor(half / size)
@@ -68,9 +72,9 @@ for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 
   within(d.p_center, 254.648, 0.012, "its centre pressure [MPa]")
 end
 
--- Periodic waves D cos cos, in full contact from p* = sqrt 2 pi E* D / l on: shares of contact of
--- an independent program, whose first cell is on a crest. Beyond p* the pressure is its mean plus a
--- wave of the amplitude p*.
+-- Tests periodic waves D cos cos, which are in full contact above p* = sqrt 2 pi E* D / l. The shares of area
+-- in contact are those of an independent program, whose first cell is on a crest. Above p* the pressure is
+-- the mean pressure plus a wave of the amplitude p*.
 local length, modulus = 0.1, 200e3 / (1 - 0.09) / 2
 local q, points = 2 * math.pi / length, even(0, length * 127 / 128, 128)
 local crests = map{ x = points, z = points, y = function(x, z) return 1e-4 * math.cos(q * x) * math.cos(q * z) end }
@@ -81,14 +85,15 @@ for _, row in ipairs{ { 0.1, 0.19397 }, { 0.2, 0.341431 }, { 0.4, 0.622437 }, { 
   figures.about(d.area / length ^ 2, row[2], 1e-3, ("waves under %g p*: share in contact"):format(row[1]))
 end
 within(contact{ model = waves, load = 1.2 * full * length ^ 2 }.p_max, 2.2 * full, 1e-3, "waves in full contact: largest pressure [MPa]")
--- Waves in full contact that wear decay as exp(-k E* q d / 2), with q = sqrt 2 2 pi / l.
+-- Tests the wear of waves in full contact: they decay as exp(-k E* q d / 2) with q = sqrt 2 2 pi / l.
 local worn = wear{ model = waves, load = 1.5 * full * length ^ 2, stroke = 0.05, alpha = 1, distance = 20, k = 1e-8 }
 worn:run()
 within(worn.p_max / full - 1.5, math.exp(-1e-8 * modulus * math.sqrt(2) * math.pi / length * 20), 0.003, "worn waves: amplitude left")
 within(worn.volume.total, 1e-8 * worn.load * 20, 1e-9, "worn waves: volume")
 
 -- --- order in the grid --------------------------------------------------------------------------------
--- Depths with cells of a/4, a/8 and a/16 after the same six steps, stroke a, both bodies worn.
+-- Returns the depths with cells of a/4, a/8 and a/16 after the same six steps with stroke a and wear of both
+-- bodies.
 local function depths(fineness)
   local w = wear{ model = { geometry = "3-D", mesh = { fineness = fineness } }, load = 10, stroke = 0.0880442, alpha = 0.5, distance = 600,
     scheme = "implicit", jump = 600 / (2 * 0.0880442) / 6 }
@@ -121,8 +126,8 @@ within(few.depth.ball, tight.depth.ball, 0.001, "8 equal steps against graded on
 within(few.depth.block, tight.depth.block, 0.001, "flat")
 
 -- --- other solvers ---------------------------------------------------------------------------------------
--- Only the ball wears, compared with finite elements of revolution: bodies of 10 mm are stiffer by .9 % in the
--- approach.
+-- Tests wear of the ball alone against finite elements of revolution. Bodies of 10 mm are stiffer by 0.9 % in
+-- the approach.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,
   model = { geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 1.2, plate = 1.2 } } } }
@@ -134,7 +139,8 @@ here:run()
 within(here.depth.ball, revolved.depth.cylinder, 0.01, "ball worn alone: depth by them [mm]")
 within(here.p_center, revolved.p_center, 0.02, "its centre pressure [MPa]")
 
--- A long crowned roller in its middle and the plane engine under the load there, which is the area that was worn over k d.
+-- Tests a long crowned roller in its middle against the plane engine under the same load per length, which is
+-- the worn area over k d.
 local long = model{ geometry = "3-D", upper = body.ball{ radius = 10, radius_z = 1000 }, lower = body.block{} }
 local rolled = wear{ model = long, load = 270, stroke = 0.11, alpha = 0.5, distance = 400, k = 1e-8 }
 rolled:run()

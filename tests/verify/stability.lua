@@ -1,6 +1,7 @@
--- Stability limit of explicit updates: the N-bar at which a sawtooth grows, by a scan, against the limit from the
--- largest eigenvalue. Roughness: root mean square of the profile's fourth differences divided by 16 (1 for a sawtooth
--- of amplitude 1), relative to the depth, over the middle of the contact.
+-- Tests the stability limit of explicit updates: the N-bar at which a sawtooth grows, by a scan, against the
+-- limit from the largest eigenvalue. The roughness is the root mean square of the profile's fourth
+-- differences divided by 16 (1 for a sawtooth of amplitude 1), relative to the depth, over the middle of the
+-- contact.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function roughest(w) return math.max(w:roughness("cylinder"), w:roughness("plate")) end
@@ -25,7 +26,7 @@ local worn = reference:stability().jump_limit
 local limit = math.min(unworn, worn)
 figures.note(("limit 2 / eigenvalue: N-bar = %.1f unworn, %.1f worn"):format(unworn, worn))
 
--- The scan: "rough" means ten times the roughness at N-bar = 100.
+-- Scans N-bar; "rough" means ten times the roughness at N-bar = 100.
 local onset
 for share = 0.80, 1.401, 0.05 do
   local jump = share * limit
@@ -39,19 +40,20 @@ end
 figures.ok(onset ~= nil, ("roughness sets in at N-bar = %.0f"):format(onset or 0 / 0))
 figures.about(onset / limit, 1.05, 0.1501, "that N-bar over the limit of the eigenvalue")
 
--- The limit of the sliding distance, r s N-bar, decreases with the element size: the shortest ripple, of one element,
--- grows first.
+-- Tests that the limit of the sliding distance, r s N-bar, decreases with the element size: the shortest
+-- ripple, of one element, grows first.
 local halved = wear{ model = { mesh = { size = 0.01, height = 0.0125 } } }:stability().jump_limit
 figures.within(halved, unworn / 2, 0.02, "limit at half the element size, N-bar")
 
--- alpha = 1 puts all of k on one surface, which is always in the middle of its contact: the sliding distance between
--- updates must be below about 40 mm for matched quadrilaterals of 20 x 25 um.
+-- alpha = 1 assigns all of k to one surface, which is always in the middle of its contact. The sliding
+-- distance between updates must then be below about 40 mm for matched quadrilaterals of 20 x 25 um.
 local alone = wear{ alpha = 1 }:stability().jump_limit
 figures.note(("alpha = 1: limit N-bar = %.1f, %.1f at alpha = 0.5"):format(alone, unworn))
 figures.within(2 * 0.11 * alone, 40, 0.05, "alpha = 1: sliding between updates at the limit [mm]")
 
--- The search for settings stays below the limit of all states during the run and evaluates the whole run. Kinks of the
--- plate's scar move through the contact at alpha = 0: they are not treated as ripples.
+-- Tests the search for settings: it stays below the limit of all states during the run and evaluates the
+-- whole run. At alpha = 0 kinks of the plate's scar move through the contact; the search must not treat them
+-- as ripples.
 local search = require "archard.study.search"
 for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
   local alpha, stroke, table_1 = table.unpack(case)
@@ -72,8 +74,9 @@ for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
   figures.ok(found.judged == w.update, what .. "judged to the end")
 end
 
--- The limit is computed again if coefficients increase, alpha changes or the path becomes wider; a run below it gives
--- no warning. A run with ripples ends before its pressures become meaningless.
+-- Tests that the limit is computed again if coefficients increase, alpha changes or the path becomes wider,
+-- and that a run below the limit gives no warning. A run with ripples ends before its pressures become
+-- meaningless.
 local warnings = require "archard.warnings"
 warnings.keep()
 local function told(fields)

@@ -1,13 +1,14 @@
--- Stresses against the closed form for Hertz' pressure (McEwen): at the surface, where they follow from the contact's
--- tractions and the strain along it, also near the contact's edge, and inside; on worn surfaces against the
--- half-plane's law that the stress along the surface equals the pressure. Errors are relative to the largest pressure.
--- Finite bodies carry the load to their supports with a tension along the surface, of the order of L / (pi R) and of p
--- a / R, which half-planes do not have: 1 % of the pressure here, counted as an error.
+-- Tests stresses against the closed form for Hertz' pressure (McEwen): at the surface, also near the
+-- contact's edge, and inside. At the surface they follow from the contact's tractions and the strain along
+-- it. On worn surfaces the reference is the law of half-planes that the stress along the surface equals the
+-- pressure. Errors are relative to the largest pressure. Finite bodies carry the load to their supports with
+-- a tension along the surface, of the order of L / (pi R) and of p a / R, which half-planes do not have: 1 %
+-- of the pressure here, counted as an error.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
--- Returns xx, yy and xy at x and `depth` for Hertz' pressure p0 over the width 2 a.
+-- Returns the stresses xx, yy and xy at x and `depth` for Hertz' pressure p0 over the width 2 a.
 local function mcewen(x, depth, a, p0)
   local q = a * a - x * x + depth * depth
   local root = math.sqrt(q * q + 4 * x * x * depth * depth)
@@ -38,9 +39,9 @@ local function nodes_near(c, bodies, load, each)
   end
 end
 
--- Largest errors of a mesh over loads whose edges move across several nodes: at surface nodes more than one and a half
--- elements from the edge, at the other surface nodes, in the first row inside, deeper; and of von Mises' stress at the
--- free surface.
+-- Returns the largest errors of a mesh over loads whose edges move across several nodes: at surface nodes
+-- more than one and a half elements from the edge, at the other surface nodes, in the first row inside, and
+-- deeper. The last error is that of von Mises' stress at the free surface.
 local function errors_of(bodies, size)
   local scale = hertz(bodies).E_star / hertz{}.E_star
   local m = model{ cylinder = bodies.cylinder, plate = bodies.plate,
@@ -78,8 +79,8 @@ for _, pair in ipairs{ { "steel on steel", steel, steel }, { "steel on nu = .499
   end
 end
 
--- Second-order convergence: the stress along the surface at the centre and near it, and the largest von Mises stress,
--- against the finest mesh, r.m.s. over the same loads and both bodies [MPa].
+-- Tests second-order convergence against the finest mesh: the stress along the surface at the centre and near
+-- it, and the largest von Mises stress, r.m.s. over the same loads and both bodies [MPa].
 local models = {}
 local function figures_at(size, load)
   models[size] = models[size] or model{ mesh = { size = size, height = 1.25 * size } }
@@ -115,8 +116,8 @@ for _, row in ipairs{ { "along", "stress along the surface" }, { "mises", "large
   figures.above(math.log(coarse / fine, 2), 1.7, what .. ": order of convergence from 20 to 10 um")
 end
 
--- The largest von Mises stress at the nominal load and its limit: the half-plane's stresses plus the tension of finite
--- bodies at the same position.
+-- Tests the largest von Mises stress at the nominal load and its limit: the stresses of the half-plane plus
+-- the tension of finite bodies at the same position.
 local function mises_of(xx, yy)
   local zz = 0.3 * (xx + yy)
   return math.sqrt(((xx - yy) ^ 2 + (yy - zz) ^ 2 + (zz - xx) ^ 2) / 2)
@@ -137,9 +138,9 @@ for _, body in ipairs{ "cylinder", "plate" } do
   within(math.max(table.unpack(default[body].mises)), most, 0.01, body .. ": the same at 20 um [MPa]")
 end
 
--- Worn surfaces, including kinks at the edges of scars: the stress along the surface equals the pressure except for the
--- tension of finite bodies and the effect of inclined surfaces (proportional to the slopes), for any shape, mesh and
--- material.
+-- Tests worn surfaces, including kinks at the edges of scars. The stress along the surface equals the
+-- pressure except for the tension of finite bodies and the effect of inclined surfaces (proportional to the
+-- slopes), for any shape, mesh and material.
 for _, case in ipairs{ { "steel on steel", {}, { alpha = 0.5, load = 100 } },
   { "cylinder alone", {}, { alpha = 1, load = 100 } }, { "s = 4a", {}, { alpha = 0.75, stroke = 0.44 } },
   { "steel on nu = .4999", { plate = soft }, { alpha = 0.5, load = 1.2, k = 1e-6 } } } do

@@ -1,4 +1,4 @@
--- The twenty cases of the paper: invariants, final values, findings and figures.
+-- Tests the study of the reference paper's twenty cases: invariants, final values, findings and figures.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ok, near, holds = tap.ok, tap.near, tap.holds

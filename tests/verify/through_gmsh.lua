@@ -1,14 +1,14 @@
--- The same shapes from Gmsh files: meshes made by Gmsh from tests/files/gmsh/*.geo, and archard's own meshes, written
--- and read. Contact and wear over several updates are compared with archard's own bodies, which other tests of this
--- folder compare with closed forms. Gmsh itself is not needed.
+-- Tests the same shapes from Gmsh files: meshes made by Gmsh from tests/files/gmsh/*.geo, and archard's own
+-- meshes, written and read. Contact and wear over several updates are compared with archard's own bodies,
+-- which other tests of this folder compare with closed forms. Gmsh itself is not needed.
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
 local function wave(x) return 1e-4 * math.cos(2 * math.pi * x / 0.1) end
 
--- upper, lower: archard's own bodies; outside: the bodies for the mesh by Gmsh; fields: fields of
--- both models; wear: fields of both runs.
+-- upper, lower: archard's own bodies; outside: the bodies for the mesh by Gmsh; fields: fields of both
+-- models; wear: fields of both runs.
 local shapes = {
   { name = "punch", load = 200, upper = body.punch{ flat = 1, radius = 2, height = 10 },
     lower = body.block{ width = 20, height = 10 }, outside = {}, mesh = { size = 0.02 },
@@ -38,7 +38,7 @@ local function run(s, m, more)
   return wear(with(with({ model = m, load = s.load, scheme = "implicit", increments = 20 }, s.wear), more)):run()
 end
 
--- Compares depths and volumes of both bodies at the end, and the volume with its exact value.
+-- Compares the final depths and volumes of both bodies, and the total volume with its exact value.
 local function compare(s, of, v, w, share)
   for _, role in ipairs{ "upper", "lower" } do
     if w.depth[role] > 0 then
@@ -46,7 +46,7 @@ local function compare(s, of, v, w, share)
       within(v.volume[role], w.volume[role], share, of .. "volume of the " .. role .. " body [mm3]")
     end
   end
-  -- equal to the tolerance of implicit steps
+  -- equal up to the tolerance of implicit steps
   within(v.volume.total, (s.wear.k or 1e-8) * v.load_distance, 1e-9, of .. "V = k integral normal force ds [mm3]")
 end
 
@@ -57,10 +57,10 @@ for _, s in ipairs(shapes) do
   local of = s.name .. " by Gmsh: "
   within(c.p_center, d.p_center, 0.01, of .. "centre pressure [MPa]")
   below(math.abs(c.half_width - d.half_width), s.mesh.size / 2, of .. "half width, off by less than half an element [mm]")
-  -- frozen geometry, compared with a run with moving geometry
+  -- frozen geometry against a run with moving geometry
   compare(s, of, run(s, by_gmsh, { geometry = "frozen" }), run(s, own), 0.01)
 
-  -- archard's own mesh, written and read: differences by rounding only
+  -- archard's own mesh, written and read: results differ by rounding only
   local inside = s.inside and { upper = s.inside, lower = s.outside.lower } or s.outside
   local path = os.tmpname()
   os.remove(path)
@@ -70,5 +70,6 @@ for _, s in ipairs(shapes) do
   of = s.name .. ", own mesh written and read: "
   within(e.p_center, d.p_center, 1e-9, of .. "centre pressure [MPa]")
   within(e.half_width, d.half_width, 1e-9, of .. "half width [mm]")
-  compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 5e-8) -- steps are solved to 1e-8
+  -- steps are solved to 1e-8
+  compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 5e-8)
 end

@@ -1,5 +1,5 @@
--- Uncertainties: distributions, designs, Sobol's indices against closed forms, samples of studies, failure
--- probabilities, sensitivities, pictures.
+-- Tests uncertainties: distributions, designs, Sobol's indices against closed forms, samples of studies,
+-- failure probabilities, sensitivities and pictures.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
@@ -16,7 +16,7 @@ local sampled = require "archard.uncertainty.sampled"
 local statistics = require "archard.lib.statistics"
 
 -- --- points --------------------------------------------------------------------------------------
--- 2^m consecutive Sobol points form a net: one point in each of 2^m equal slices of every axis.
+-- Checks that 2^m consecutive Sobol points form a net: one point in each of 2^m equal slices of every axis.
 local function one_a_slice(column)
   local seen = {}
   for _, value in ipairs(column) do
@@ -50,7 +50,7 @@ near(statistics.deviation(values_of(normal{ 100, 5 }, 4096)), 5, 2e-3, "normal b
 near(statistics.deviation(values_of(uniform{ 0.3, 0.7 }, 4096)), 0.4 / math.sqrt(12), 1e-3, "uniform")
 local cut = sampled.sorted(values_of(normal{ 100, 5, low = 98, high = 103 }, 512))
 ok(cut[1] >= 98 and cut[#cut] <= 103, "low and high cut")
--- The mean of a normal distribution truncated below at its mean: mu + sigma sqrt(2 / pi).
+-- The mean of a normal distribution that is cut below its mean is mu + sigma sqrt(2 / pi).
 near(statistics.mean(values_of(normal{ 100, 5, low = 100 }, 4096)), 100 + 5 * math.sqrt(2 / math.pi), 1e-4,
   "what is left keeps its shape")
 is(tostring(normal{ 100, 5 }), "normal{ mean=100, deviation=5 }", "a distribution prints")
@@ -64,7 +64,7 @@ fails(function() normal{ 100, 5, low = 200 } end, "is almost 0", "nothing is lef
 fails(function() uniform(3) end, { "uniform", "table" }, "no table")
 
 -- --- Sobol's indices -----------------------------------------------------------------------------
--- Ishigami's function: its indices are known and include strong interactions.
+-- Ishigami's function: its indices are known in closed form and include strong interactions.
 local function ishigami(x) return math.sin(x[1]) + 7 * math.sin(x[2]) ^ 2 + 0.1 * x[3] ^ 4 * math.sin(x[1]) end
 local function at(columns, i, first)
   local x = {}
@@ -95,7 +95,7 @@ for d = 1, 3 do
   near(s.value - first[d], 0, 0.005, ("Ishigami: first order of x%d"):format(d))
   near(t.value - total[d], 0, 0.005, ("Ishigami: total order of x%d"):format(d))
 end
--- The 95 % confidence ranges contain the truth in about 95 of 100 trials.
+-- Tests that the 95 % confidence ranges contain the exact indices in about 95 of 100 trials.
 local held, trials = 0, 40
 for seed = 1, trials do
   base, other, mixed = design_of("random", 512, seed)
@@ -148,7 +148,7 @@ local many = {}
 for i = 1, 41 do many[("loading.%d.load"):format(i)] = uniform{ 1, 2 } end
 fails(function() with{ sample = many } end, { "41", "40" }, "more fields than the sequence has")
 
--- Correlated normal scores: the ranks are correlated, the distributions unchanged.
+-- Tests correlated normal scores: the ranks are correlated, and the distributions are unchanged.
 local twins = with{ n = 1024, sample = joined{ { "k", "alpha", -0.5 } } }
 local ks, alphas = {}, {}
 for i, case in ipairs(twins:cases()) do ks[i], alphas[i] = case.k, case.alpha end
@@ -164,7 +164,7 @@ fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:r
 fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet", "no results yet")
 
 -- --- a case with a known answer ------------------------------------------------------------------
--- The volume of the cylinder is alpha k L d: all moments and indices are known.
+-- The volume of the cylinder is alpha k L d, so all moments and indices are known in closed form.
 local s = with{ n = 64, indices = true, name = "known", sample = { alpha = uniform{ 0.4, 0.6 },
   k = lognormal{ mean = 1e-8, variation = 0.1 }, load = normal{ 100, 5 } } }
 s:run{ file = path("known"), workers = 2, progress = false }
@@ -187,7 +187,7 @@ fails(function() s:uncertainty{ of = "depth" } end, { "'of'", "depth" }, "an unk
 fails(function() s:uncertainty{ at = { 500 } } end, { "'at'", "220" }, "beyond the end")
 fails(function() s:uncertainty{ quantiles = { 2 } } end, { "'quantiles[1]'", "(0, 1)", "got 2" }, "no quantile")
 
--- If only k is uncertain, the volume exceeds a limit exactly if k does.
+-- If only k is uncertain, the volume exceeds its limit exactly when k exceeds the corresponding limit.
 local one = with{ n = 256, sample = { k = scatter.k } }
 one:run{ file = path("one"), workers = 2, progress = false }
 local limit = 1.3e-8
@@ -237,8 +237,8 @@ near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10, "alpha L d")
 near(t.volume_plate.load.elasticity[2], 1, 1e-10, "elasticity by the load")
 near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "elasticity of the plate's volume by alpha")
 
--- With all stresses scaled (load and E increased, k decreased) the depth is constant and the pressure proportional:
--- exact at every distance for any mesh.
+-- Tests sensitivities with all stresses scaled (load and E increased, k decreased): the depth is constant and
+-- the pressure proportional, exactly so at every distance for any mesh.
 local w = wear{ distance = 330, jump = 100 }
 w:run{ progress = false }
 local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" }, over = 0 }
@@ -251,7 +251,7 @@ for _, name in ipairs(g.of) do
 end
 tap.note(("scaling of stresses holds to %.1e"):format(worst))
 ok(worst < 1e-4, "sensitivities obey the scaling of stresses to 1e-4")
--- Compared with differences that this test extrapolates.
+-- Tests sensitivities against differences that this test extrapolates.
 local function depth(load)
   local run = wear{ distance = 330, jump = 100, load = load, model = w.model }
   run:run{ progress = false }
@@ -269,8 +269,8 @@ for _, given in ipairs{ { scheme = "implicit", tolerance = 1e-3 }, { jump = "aut
   local n = #e.k.elasticity
   near(e.load.elasticity[n] + e.E.elasticity[n] - e.k.elasticity[n], 0, 1e-3, "steps that choose themselves")
 end
--- Automatic steps: the reported errors include those of the steps and contain the derivatives for decreasing steps,
--- which differ from those of jump = 5 by half of the change from 10 to 5.
+-- Tests automatic steps. The reported errors include the errors of the steps and contain the derivatives for
+-- decreasing steps, which differ from those of jump = 5 by half of the change from 10 to 5.
 local function sensitivity_of(given)
   given.distance, given.model, given.geometry = 220, w.model, "frozen"
   local run <close> = wear(given)
@@ -292,12 +292,13 @@ for what, given in pairs{ implicit = { scheme = "implicit", tolerance = 1e-3 }, 
     near(one.value, truth, name == "p_center" and 5e-3 or 3e-4, "the derivative agrees with smaller steps")
   end
 end
--- The contact's edge moves from node to node: the reported derivative is the slope over many nodes, which agrees with
--- finer elements.
+-- Tests quantities of the contact's edge, which moves from node to node: the reported derivative is the slope
+-- over many nodes, which agrees with finer elements.
 local worn = wear{ jump = 100, distance = 660 }
 worn:run{ progress = false }
 local jumping = worn:sensitivity{ of = { "half_width", "p_center", "volume_plate" }, to = { "k", "alpha" } }
-for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do -- derivatives by k with elements of 5 um
+-- derivatives with respect to k with elements of 5 um
+for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do
   local one, n = jumping[name].k, #jumping.distance
   tap.note(("%s by k: %.3f +- %.3f over %g"):format(name, one.elasticity[n], one.elasticity_error[n], one.over[n]))
   ok(math.abs(one.elasticity[n] - truth) < one.elasticity_error[n] + 0.01, name .. ": the slope over many nodes")

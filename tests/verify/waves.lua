@@ -1,13 +1,15 @@
--- Rough profiles: default meshes, Westergaard's waves in partial contact, the decay of waves in full contact.
+-- Tests rough profiles: default meshes, Westergaard's waves in partial contact, and the decay of waves in
+-- full contact.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
 local length, height = 0.1, 1e-4
-local star = math.pi * 109890.1 * height / length -- mean pressure for full contact
+local star = math.pi * 109890.1 * height / length -- mean pressure for full contact [MPa]
 
--- Default meshes have eight elements per wave and five in the width that touches on a crest. For Westergaard's pressures, (p
--- / cos)^2 is linear in sin^2 of pi x / l and becomes zero at the edge of the contact.
+-- Tests the default meshes, which have eight elements per wave and five in the width that touches on a crest.
+-- For Westergaard's pressures, (p / cos)^2 is linear in sin^2 of pi x / l and becomes zero at the edge of the
+-- contact.
 local function wavy(radius, fineness, zone)
   return model{ upper = body.profile{ width = 4, height = 2,
       y = function(x) return height * math.cos(2 * math.pi * x / length) - x * x / (2 * radius) end },
@@ -36,7 +38,8 @@ within(2 / math.pi * math.asin(math.sqrt(s0 + q0 * (s1 - s0) / (q0 - q1))), 2 / 
   "waves: share in contact")
 within(fine.p_center, 2 * math.sqrt(mean * star), 0.01, "waves: pressure at a crest, 48 elements each [MPa]")
 
--- Waves of a micrometre on a cylinder: the crest in the middle, and the largest crest beside it.
+-- Tests waves of one or two micrometres against a finer mesh: the crest in the middle, and the largest crest
+-- beside it.
 for _, row in ipairs{ { 1e-3, 0.05 }, { 2e-3, 0.1 } } do
   local deep, long = table.unpack(row)
   local function crests(finer)
@@ -52,7 +55,8 @@ for _, row in ipairs{ { 1e-3, 0.05 }, { 2e-3, 0.1 } } do
   within(next_crest, fine_next, 0.04, "on the next crest")
 end
 
--- In full contact waves decay as exp(-d / d_c), d_c = l / (pi k E*), after subtraction of the profile's form.
+-- Tests waves in full contact: they decay as exp(-d / d_c) with d_c = l / (pi k E*), after subtraction of the
+-- profile's form.
 local decay = length / (math.pi * 1e-8 * 109890.1)
 local flattened = wear{ model = wavy(22, 2, 1.2), load = 400, k_cylinder = 1e-8, k_plate = 0, stroke = 0.01, jump = "auto",
   geometry = "frozen", distance = decay / 2 }
@@ -60,5 +64,6 @@ flattened:run()
 local h = flattened:profile("profile").h
 middle = #h // 2 + 1
 local function dip(nodes) return h[middle] - (h[middle + nodes] + h[middle - nodes]) / 2 end
-local lost = (dip(8) - dip(16) / 4) / 2 -- sixteen elements per wave; at the distance of a whole wave, only the form contributes
+-- a wave has sixteen elements; over the distance of a whole wave only the form contributes to the dip
+local lost = (dip(8) - dip(16) / 4) / 2
 within(-math.log(1 - lost / height), 0.5, 0.01, "waves: exponent of their decay")

@@ -1,8 +1,8 @@
--- Closed form for a bush when only the bush wears: h = delta cos t - c and p = p0 cos t with cos e
--- = c / delta and V = 2 R c (tan e - e), for the radius R and the clearance c = gap.
+-- Closed form for a bush of radius R with the clearance c = gap if only the bush wears: depth h = delta cos t
+-- - c and pressure p = p0 cos t with cos e = c / delta, and volume V = 2 R c (tan e - e).
 local bush = {}
 
--- Returns the half angle e of the contact for a volume.
+-- Returns the half angle e of the contact [rad] for a worn volume.
 function bush.angle_of(R, gap, volume)
   local low, high = 0, math.pi / 2 - 1e-9
   for _ = 1, 80 do
@@ -12,8 +12,8 @@ function bush.angle_of(R, gap, volume)
   return low
 end
 
--- Returns the largest deviation of a worn bush's pressures from the closed form over nine tenths of
--- its contact, under a load at the angle `at` [rad].
+-- Returns the largest deviation of a worn bush's pressures from the closed form over nine tenths of the
+-- contact, under a load at the angle `at` [rad].
 function bush.deviation(w, R, gap, at)
   local e, worst = bush.angle_of(R, gap, w.volume.bush), 0
   local p0 = w.load / (R * (e + math.sin(e) * math.cos(e)))

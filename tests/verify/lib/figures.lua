@@ -1,4 +1,4 @@
--- Checks of values against references, as TAP lines that print the computed value.
+-- Functions that check values against references and print the computed values as TAP lines.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 
@@ -31,14 +31,14 @@ function figures.mean(values, first)
   return sum / (#values - (first or 1) + 1)
 end
 
--- Returns the mean of the four cells of a joint's map about the direction of the load.
+-- Returns the mean of the four cells of a joint's map around the direction of the load.
 function figures.in_the_middle(map)
   local n = #map.theta
   local function at(i, k) return map.values[(i - 1) * 2 * n + k] end
   return (at(n // 2, n) + at(n // 2 + 1, n) + at(n // 2, n + 1) + at(n // 2 + 1, n + 1)) / 4
 end
 
--- Returns the largest |v[i] - v[mirror]|, relative to the largest value.
+-- Returns the largest |v[i] - v[mirror of i]|, relative to the largest value.
 function figures.asymmetry(values)
   local largest, apart = 0, 0
   for i, v in ipairs(values) do

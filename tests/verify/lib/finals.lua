@@ -1,4 +1,4 @@
--- Final values of the paper's cases from an independent solution of the same problem, as used by
--- the page of figures.
+-- Returns the final values of the reference paper's cases from an independent solution of the same problem.
+-- The page of figures uses the same values.
 local here = arg[0]:match("^(.*)/") or "."
 return dofile(here .. "/../../examples/paper/independent.lua").finals

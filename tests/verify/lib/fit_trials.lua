@@ -1,7 +1,8 @@
--- Trials of fit with a known truth: simulates a run, adds noise to its results, fits them, and checks whether the true
--- values are in the ranges of the fit. Returns trial(seed, kind) -> { name = inside }, seconds; kind "pair" (k and
--- alpha from one pair of profiles and the volumes), "curve" (alpha at three knots from four pairs), or "width" (k from
--- the contact's widths, which change in steps from node to node).
+-- Runs trials of fit with known true values: simulates a run, adds noise to its results, fits them, and
+-- checks whether the true values are in the ranges of the fit. Returns the function trial(seed, kind), which
+-- returns { name = inside } and the seconds. The kinds are "pair" (k and alpha from one pair of profiles and
+-- the volumes), "curve" (alpha at three knots from four pairs), and "width" (k from the contact's widths,
+-- which change in steps from node to node).
 
 local spline = require "archard.fit.spline"
 
@@ -11,7 +12,8 @@ local function normal()
   return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random())
 end
 
--- Consecutive small seeds give similar first numbers, so they are spread.
+-- Seeds the generator with widely different numbers, because consecutive small seeds give similar first
+-- numbers.
 local function seed_well(seed)
   math.randomseed(7919 * seed + 13, 104729 * seed)
   for _ = 1, 200 do math.random() end
@@ -21,8 +23,7 @@ local function base()
   return { jump = 50, stroke = 0.22, model = { mesh = { size = 0.04, height = 0.05 } } }
 end
 
--- Returns profiles as measured by an instrument: points between the nodes, shifted, tilted,
--- displaced, noisy.
+-- Returns profiles like measured ones: points between the nodes, shifted, tilted, displaced and noisy.
 local function measured(run, body)
   local shift, tilt, level = 0.004 * normal(), 1e-4 * normal(), 2e-4 * normal()
   local surface, x, h = run:profile(body), {}, {}

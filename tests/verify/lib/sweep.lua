@@ -1,6 +1,6 @@
--- Sweeps of an input: results must vary smoothly, and an input that differs by rounding must give the same result.
--- A step is the change of a result between two points beyond the changes before and after. ARCHARD_POINTS: points of
--- each sweep (24).
+-- Sweeps of an input: results must vary smoothly, and an input that differs by rounding must give the same
+-- result. A step is the part of a result's change between two points that exceeds the changes before and
+-- after. The variable ARCHARD_POINTS sets the number of points of each sweep (default 24).
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
 
@@ -17,8 +17,8 @@ end
 
 figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is distinguished from a slope")
 
--- Returns sweep(name, from, to, results, solve), where solve(x) returns the results by name. most: largest step of a
--- result; noise: largest relative change by rounding of the input.
+-- Returns the function sweep(name, from, to, results, solve), where solve(x) returns the results by name.
+-- most: largest allowed step of a result; noise: largest allowed relative change by rounding of the input.
 return function(most, noise)
   return function(name, from, to, results, solve)
     local found = {}
