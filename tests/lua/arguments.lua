@@ -1,9 +1,9 @@
--- Tests of definition tables: refused fields and the messages; error objects as values.
+-- Tests definition tables: refused fields and the error messages; and error objects as values.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
--- unknown names
+-- Tests unknown names.
 fails(function() wear{ aplha = 0.3 } end, "unknown field 'aplha' (did you mean 'alpha'?)",
   "swapped letters")
 fails(function() wear{ storke = 0.3 } end, "(did you mean 'stroke'?)", "swapped letters, longer name")
@@ -19,11 +19,11 @@ fails(function() hertz{ cylinder = { e = 1 } } end, "unknown field 'cylinder.e' 
 fails(function() wear{ model = { raduis = 9 } } end, "'model.raduis' (did you mean 'radius'?)",
   "model written as a table")
 
--- choices
+-- Tests choices that do not exist.
 fails(function() model{ geometry = "3D" } end, 'or "3-D", got "3D"; did you mean "3-D"?', "a choice nearly right")
 fails(function() wear{ scheme = "backward" } end, '"explicit" or "implicit", got "backward"', "a choice far from all")
 
--- types and ranges
+-- Tests wrong types and values out of range.
 fails(function() wear(3) end, "wear: expected a table of named fields, got 3", "no table")
 fails(function() wear{ alpha = 1.5 } end, "field 'alpha': expected a number in [0, 1], got 1.5",
   "above the range")
@@ -53,7 +53,7 @@ fails(function() wear{ worn = 3 } end, "field 'worn': expected a wear object or 
 fails(function() contact{ x = "left" } end, [[field 'x': expected a number in mm, got "left"]],
   "number without a range")
 
--- enumerations
+-- Tests enumerations, whose messages list all values.
 fails(function() wear{ procedure = "sp" } end,
   [[field 'procedure': expected "auto", "SP" or "NSP", got "sp"]], "enumeration lists its values")
 fails(function() wear{ slip = 1 } end, [[expected "rigid" or "total", got 1]], "enumeration of two")
@@ -61,7 +61,7 @@ fails(function() model{ mesh = { element = "CPE8" } } end, [[expected "auto", "C
 fails(function() wear{}:profile("pin") end,
   [[wear:profile: field 'body': expected "cylinder" or "plate", got "pin"]], "body of a method")
 
--- fields that exclude each other
+-- Tests fields that exclude each other.
 fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, got both",
   "distance and cycles")
 fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0 cycles, "auto" or a function of the state, got "often"]],
@@ -80,7 +80,7 @@ fails(function() wear{ tolerance = 1e-3 } end, { "tolerance", "implicit" }, "a t
 fails(function() wear{ order = 3 } end, "field 'order': expected a whole number in [1, 2], got 3", "order")
 fails(function() wear{ law = "coulomb" } end, [[expected "archard", "power", ]], "law")
 
--- error objects
+-- Tests the fields of error objects.
 local err = fails(function() wear{ alpha = 2 } end, "arguments.lua:", "position of the caller")
 is(err.code, "ARGUMENT", "error.code")
 is(err.where, "wear", "error.where")
@@ -88,17 +88,17 @@ is(err.step, nil, "error.step outside a run")
 is(err.message, "field 'alpha': expected a number in [0, 1], got 2", "error.message")
 is("failed: " .. err, "failed: " .. tostring(err), "errors can be joined with text")
 
--- checks of the physical model
+-- Tests checks of the physical model.
 fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the plate")
 fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
 ok(pcall(wear), "no table at all: the defaults")
 
--- messages for fields of another table
+-- Tests messages for fields that belong to another table.
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 
--- file names, numbers of cases
+-- Tests file names and numbers of cases.
 for where, call in pairs{ ["wear.open"] = wear.open, ["csv.read"] = csv.read, ["study.open"] = study.open,
   ["session.open"] = session.open, ["session.save"] = session.save, ["profile.read"] = profile.read } do
   fails(function() call "a\0b" end, { where, [[got "a\0b"]] }, where .. ": a zero byte in a name is refused, not its end")
@@ -112,7 +112,7 @@ for _, case in ipairs{ 0, -1, 1.5, 2 ^ 31, 2 ^ 62, 0 / 0, "1" } do
     ("case %s"):format(case))
 end
 
--- tables that contain themselves, studies with too many cases
+-- Tests tables that contain themselves and studies with too many cases.
 local endless, many = {}, {}
 endless.k = endless
 for i = 1, 1000 do many[i] = i end
@@ -136,7 +136,7 @@ fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
 
--- fields of another object, and symbols of textbooks
+-- Tests fields of another object, and symbols used in textbooks.
 for _, case in ipairs{
   { function() wear{ geometry = "axisymmetric" } end, "field 'geometry'", "give model = { geometry = \"axisymmetric\" }" },
   { function() wear{ plate = { E = 1e5 } } end, "unknown field 'plate': it is a field of model{}" },
@@ -152,7 +152,7 @@ local flat = model{ upper = body.punch{ flat = 1 }, mesh = { size = 0.05 } }
 ok(not tostring(flat):find("radius 10", 1, true), "a flat punch takes no radius from the model")
 tap.holds(tostring(wear{ model = flat, friction = 0.3, tangential = 10, load = 100, distance = 1 }), "done      cycle 0 of ", "cycles of a distance")
 
--- an element keeps its aspect ratio when only its width is given
+-- Tests that an element keeps its aspect ratio if only its width is given.
 local fine = model{ mesh = { size = 0.04 } }
 near(fine.mesh.height, 0.05, 1e-15, "the height follows the size")
 is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03, "unless it is given")

@@ -1,9 +1,9 @@
--- Tests of contact: solutions, pressures, stresses, worn shapes of the three kinds.
+-- Tests contact{}: solutions, pressures, stresses, and worn shapes given in three ways.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
--- sum of p dx over the nodes: the load divided by the thickness
+-- Returns the integral of p dx over the nodes, which equals the load divided by the thickness.
 local function load_of(pressure)
   local sum = 0
   for i = 2, #pressure.x do
@@ -29,7 +29,7 @@ for _, body in ipairs{ "cylinder", "plate" } do
 end
 holds(tostring(c), { "load 100 N", "MPa", "half" }, "print(contact)")
 
--- stress
+-- Tests stresses.
 local s = c:stress()
 is(s.contact, c, "the contact of a stress")
 for body, field in pairs(s) do
@@ -47,7 +47,7 @@ for body, field in pairs(s) do
 end
 holds(tostring(s), { "cylinder", "plate", "mises up to" }, "print(stress)")
 
--- definitions
+-- Tests definitions.
 near(contact{ load = 25 }.half_width, h.half_width / 2, 6e-2, "load")
 ok(contact{ load = 100 }.model.mesh.plate.nodes == c.model.mesh.plate.nodes, "default models alike")
 near(contact{ load = 25 }.model.mesh.size, 0.01, 1e-12, "elements follow the contact's width")
@@ -68,7 +68,7 @@ end
 is(fails(function() contact{ model = { mesh = { zone = { cylinder = 0.4, plate = 0.4 } } }, load = 5000 } end, "zone", "once more").code, "ZONE",
   "its code")
 
--- worn shapes
+-- Tests worn shapes.
 local function scar(x) return math.max(0, 1e-3 * (1 - (x / 0.3) ^ 2)) end
 local worn = contact{ worn = { cylinder = scar } }
 ok(worn.p_center < 0.9 * c.p_center, "a worn cylinder lowers the pressure")
@@ -93,7 +93,7 @@ near(other.p_center, w.p_center, 2e-2, "a wear object on another mesh: its profi
 local copy = contact{ worn = { cylinder = w:profile("cylinder"), plate = w:profile("plate") } }
 near(copy.p_center, w.p_center, 2e-3, "profiles of a run are profiles")
 
--- refused worn shapes
+-- Tests refused worn shapes.
 fails(function() contact{ worn = { pin = scar } } end, "unknown field 'worn.pin'", "unknown body")
 fails(function() contact{ worn = { plate = 1 } } end, "field 'worn.plate': expected a function",
   "number for a profile")

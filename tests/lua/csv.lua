@@ -1,4 +1,4 @@
--- Tests of csv.read: separators, quotes, names, numbers, refused files.
+-- Tests csv.read: separators, quotes, names, numbers, refused files.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -30,7 +30,7 @@ is(t.t[2], 1, "a column by its name")
 is(t.x[1], 1, "a column by its number")
 is(rawget(t, "time"), nil, "only the chosen columns are read")
 
--- units after names
+-- Tests units after names.
 t = csv.read(file "x [mm],h [um],p (GPa),T [K],w/h,\"\"\"a\"\" [nm]\"\n1,0.3,0.5,300,2,7\n2,-1.7,0.25,301,3,8\n")
 is(t.x[2], 2, "mm stay")
 is(t.h[1], 0.0003, "um to mm, rounded once")
@@ -60,7 +60,7 @@ is(csv.read(file "x [mm],x [um]\n1,2\n", { x = "x [um]" }).x[1], 0.002, "unless 
 fails(function() csv.read(file "x [furlong]\n1\n", { x = "x" }) end, { 'column "x [furlong]"', "expected one of the units",
   "um" }, "a strange unit")
 
--- a measured profile, and an exported history read back
+-- Tests a measured profile, and an exported history that is read back.
 local measured = csv.read(file "x [mm];h [um]\n-0,2;0\n-0,1;1,5\n0;2\n0,1;1,5\n0,2;0\n")
 local start = wear{ worn = { plate = measured } }
 near(start.depth.plate, 0.002, 1e-6, "a measured profile as the start of a run")
@@ -79,7 +79,7 @@ end
 is(columns, #require "archard.settings".columns, "all columns of a history")
 tap.ok(same, "come back by name, to the bit")
 
--- use in definitions
+-- Tests files in definitions.
 local w = wear{ loading = csv.read(file "t,x,load\n0,-0.05,100\n3,0.05,50\n4,-0.05,100\n"), cycles = 3 }
 is(w.loading[1].load[2], 50, "a file as a loading")
 near(w.total_distance, 0.6, 1e-12, "its distance")
@@ -99,14 +99,14 @@ fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an 
 refused("a,b\n1,1e999\n", { ":2: column \"b\": expected a number in the range of doubles, got \"1e999\"" }, "a number too large")
 refused("a,b\n1,2\n1,-1e400\n", { ":3: column \"b\"", "got \"-1e400\"" }, "or too small")
 
--- Returns the processor seconds of a call, and its result.
+-- Returns the processor time of a call [s] and its result.
 local function timed(f)
   local start = os.clock()
   local result = f()
   return os.clock() - start, result
 end
 
--- Returns the seconds to read a file with this number of columns, chosen by name.
+-- Returns the time [s] to read a file with this number of columns, chosen by name.
 local function seconds_for(columns)
   local names, numbers, choice = {}, {}, {}
   for i = 1, columns do
@@ -121,7 +121,7 @@ end
 local few = seconds_for(5000)
 tap.ok(seconds_for(50000) < 40 * few, "ten times the columns take some ten times as long, not a hundred times")
 
--- Returns the seconds to read a field with this number of blanks, at least a millisecond.
+-- Returns the time [s] to read a field with this number of blanks, at least 1 ms.
 local function seconds_of_blanks(count)
   local blanks = (" "):rep(count)
   local given = file("a,b\n1,x" .. blanks .. "y" .. blanks .. "\n")

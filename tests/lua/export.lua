@@ -1,4 +1,4 @@
--- Tests of export and mesh:write: formats, file names, failures.
+-- Tests export and mesh:write: formats, file names, failures.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -15,7 +15,8 @@ local function read(name)
   return text
 end
 
--- Returns the columns of a CSV file by name, with and without units; numbers start at row 1.
+-- Returns the columns of a CSV file by names with and without units. The numbers of a column start at index
+-- 1.
 local function read_csv(name)
   local names, columns, headers = {}, {}, read(name):match("[^\n]*")
   for line in read(name):gmatch("[^\n]+") do
@@ -30,7 +31,7 @@ local function read_csv(name)
   return columns, names, headers
 end
 
--- CSV
+-- Tests CSV files.
 local w = wear{ increments = 20 }
 w:step(3)
 is(export.csv(w, at "history.csv"), at "history.csv", "returns the name of the file")
@@ -87,7 +88,7 @@ local err = fails(function() export.csv(w, at "no/such/folder.csv") end, { "cann
   "a folder that is not there")
 is(err.code, "IO", "its code")
 
--- VTK
+-- Tests VTK files.
 local files = { export.vtk(c, at "stress.vtk") }
 is(files[1], at "stress-cylinder.vtk", "a file for the cylinder")
 is(files[2], at "stress-plate.vtk", "a file for the plate")
@@ -130,7 +131,7 @@ ok(columns.x[7] == x and columns.y[7] == y, "node by node")
 fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .vtu, .inp, .msh or .csv", "another ending")
 fails(function() mesh:write() end, "expected a file name", "no name")
 
--- decks (tests/verify/calculix.lua runs them)
+-- Tests decks for CalculiX (tests/verify/calculix.lua runs CalculiX with them).
 is(export.inp(w.model, at "model"), at "model.inp", "a deck, the ending is added")
 local deck = read "model.inp"
 holds(deck, { "*NODE, NSET=cylinder", "*ELEMENT, TYPE=C3D8, ELSET=plate", "TYPE=C3D6", "*ELASTIC\n200000, 0.3",
@@ -149,7 +150,7 @@ holds(read "soft.inp", { "TYPE=C3D8, ELSET=cylinder", "TYPE=C3D8I, ELSET=plate" 
 fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a run, a contact or a model", "of others")
 fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
 
--- series (tests/cli/test_vtk reads them)
+-- Tests time series (tests/cli/test_vtk reads the files).
 ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "a file name that XML cannot contain")
 local add = export.pvd(w, at "series.pvd")
 add()
@@ -175,7 +176,7 @@ fails(function() export.pvd(w, at "c.pvd", { each = 2 }) end, "unknown field 'ea
 ok(not io.open(at "c.pvd"), "nothing was written")
 fails(function() export.pvd(w, at "no/c.pvd") end, "export.pvd: cannot write", "no folder")
 
--- summaries
+-- Tests summaries in JSON.
 w = wear{ model = w.model, increments = 20 }
 w:step(3)
 is(export.json(w, at "w"), at "w.json", "a summary, the ending is added")

@@ -1,4 +1,4 @@
--- Tests of fit and fit.design: refused input, results, notes, run files, pictures.
+-- Tests fit and fit.design: refused input, results, notes, run files, pictures.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -55,7 +55,8 @@ near(g.value.k, 1.4e-8, 1e-2, "lists x and h of a scar at x = 2.1 mm: k")
 near(g.data[1].place.shift.value, 2.1, 1e-3, "lists x and h of a scar at x = 2.1 mm: the shift")
 
 -- --- standard errors by theory -------------------------------------------------------------------
--- The volume after little wear is k L d alpha: the relative error of k is that of the mean volume.
+-- Tests the standard error of k from volumes: after little wear the volume is k L d alpha, so the relative
+-- error of k equals that of the mean volume.
 local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,
   value = { 55e-6, 110e-6, 165e-6, 220e-6 } }
 local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
@@ -63,7 +64,7 @@ near(g.value.k, 1e-8, 1e-6, "k of exact volumes")
 near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "its standard error is that of the mean of four")
 near(g.times, 1.96, 1e-3, "ranges use the normal distribution for known errors")
 
--- Errors from residuals: a weighted mean has a closed form for equal weights too.
+-- Tests errors estimated from residuals against the closed form of a weighted mean with equal weights.
 local plain = { of = "volume", distance = { 55, 110, 165, 220 }, value = { 56e-6, 109e-6, 166e-6, 219e-6 } }
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { plain } }
 local sxx, sxy = 0, 0
@@ -75,7 +76,8 @@ near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "standard error of the slope fr
 near(g.times, 3.1824, 1e-4, "with Student's factor")
 
 -- --- friction loops ------------------------------------------------------------------------------
--- The loop of a run with friction 0.63, shifted in x and force, plus the compliance of a test rig, 1e-5 mm/N.
+-- Tests a fit of the loop of a run with friction 0.63. The loop is shifted in x and force, and the compliance
+-- of a test rig, 1e-5 mm/N, is added.
 local rubbing = { load = 92.5, k = 1e-8, jump = 50, model = { radius = 6, mesh = { size = 0.02 } } }
 local function moving(given)
   for name, value in pairs(rubbing) do given[name] = value end
@@ -103,7 +105,7 @@ is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
 holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a loop")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
--- In partial slip under a force: positions at the measured forces.
+-- Tests loops in partial slip under a force, whose positions are compared at the measured forces.
 local partial = loop_of({ tangential = 40 }, 1)
 for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
 local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },
@@ -223,8 +225,9 @@ holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
   { "measure[1]", "error" }, "an error is needed")
 
--- Widths change in steps from node to node: each alone determines k within 27, 28, 28 and 38 % with elements of 5 um,
--- and with the default mesh as well, except by chance (41, 45, 15, 41 % with slopes over a fit's range).
+-- Tests widths, which change in steps from node to node. With elements of 5 um each width alone determines k
+-- within 27, 28, 28 and 38 %. The default mesh gives the same errors; slopes over a fit's range would give
+-- 41, 45, 15 and 41 %, the smallest by chance.
 local widths = fit.design{ base = { stroke = 0.22, jump = 50 }, unknown = unknown,
   measure = { { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02 } } }
 for _, one in ipairs(widths.alone) do

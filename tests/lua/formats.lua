@@ -1,5 +1,5 @@
--- Tests of run files of older releases (tests/files, written by write.lua there): they are read correctly, continued
--- and merged. tests/unit/test_store_format.c checks their tables.
+-- Tests run files of older releases (in tests/files, written by write.lua there): they are read correctly,
+-- continued and merged. tests/unit/test_store_format.c checks their tables.
 -- Ordinary collector: mostly text comparison.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- Copies a file of tests/files; returns nil if it does not exist.
+-- Copies a file of tests/files and returns its new path, or nil if the file does not exist.
 local function copy(name, to)
   local from = io.open(here .. "/../files/" .. name, "rb")
   if not from then return nil end
@@ -23,16 +23,17 @@ local function copy(name, to)
   return path(to)
 end
 
--- Columns of the history since the first format; an old file has no values of later columns. The element type that was
--- the default then is now chosen by "auto", with identical results for these bodies.
+-- The columns of the history since the first format; an old file has no values of later columns. The default
+-- element type of old files is now chosen by "auto", with identical results for these bodies.
 local first = {}
 for name in ("update cycle distance jump k alpha p_center p_max half_width depth_cylinder depth_plate "
   .. "volume_cylinder volume_plate depth_partition error solutions"):gmatch "%S+" do
   first[name] = true
 end
 
--- Settings added later are missing in an old file's definition: only common settings are compared; `refresh` is
--- ignored, as its default has changed, without effect on frozen geometry.
+-- Returns the name of the setting in a line. Settings added later are missing in an old file's definition, so
+-- only common settings are compared. `refresh` is ignored: its default has changed, without effect on frozen
+-- geometry.
 local function definition_of(line) return line:match "^(.*definition%.[%w_.]+) " end
 
 local function settings_in(text)
@@ -53,9 +54,9 @@ local function without_later(text, settings)
   return table.concat(lines, "\n")
 end
 
--- Compares values: identical bits if the file was written on such a machine and rounding has not changed since; else to
--- 1e-6, as other processors and elimination orders round differently. The bits read are those written, which the
--- checksums guarantee.
+-- Compares the texts of two files. They must be identical if rounding is the same as on the machine that
+-- wrote the old file. Otherwise numbers may differ by 1e-6, because other processors and elimination orders
+-- round differently. Checksums guarantee that the bits read are the bits written.
 local function same(got, expected, what)
   local in_got, in_expected = settings_in(got), settings_in(expected)
   got, expected = without_later(got, in_expected), without_later(expected, in_got)

@@ -1,4 +1,4 @@
--- Tests of wear with friction: steady cycles and their results, the energy law, files and copies, refused input.
+-- Tests wear with friction: steady cycles and their results, the energy law, files and copies, refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -11,7 +11,8 @@ local function run(fields)
   return wear(all)
 end
 
--- gross slip: the slip is the stroke minus the elastic displacement, the force is that of friction
+-- Tests gross slip: the slip is the stroke minus the elastic displacement, and the force is the friction
+-- force.
 local gross = run{ stroke = 0.1 }
 is(gross.energy, 0, "nothing dissipated yet")
 gross:run{ progress = false }
@@ -32,7 +33,7 @@ ok(gross.volume.total < ideal and gross.volume.total > 0.9 * ideal, "wear by the
 near(gross.volume.total, 1e-7 * gross.energy / 0.6, 1e-9, "k p ds and mu p ds go together")
 near(gross.volume.cylinder, gross.volume.plate, 1e-9, "on both bodies alike")
 
--- the energy law
+-- Tests the energy law.
 for _, jump in ipairs{ 50, "auto" } do
   local w = run{ stroke = 0.1, law = "energy", jump = jump }
   w:run{ progress = false }
@@ -66,8 +67,8 @@ for label, fields in pairs{ ["jump 50"] = { jump = 50 }, ["jump auto"] = { jump 
   fields.stroke, fields.law, fields.friction = 0.1, "energy", table_of_mu.friction
   near(run(fields):run{ progress = false }.volume.total, short.volume.total, 1e-3, label .. ": friction on the way of an update")
 end
--- friction with a step or a decrease during the run: V within .04 % of short updates; 12, 6.6 and 1.3 % error if an
--- update used one value
+-- Tests friction with a step or a decrease during the run: the volume agrees within 0.04 % with short
+-- updates. The errors would be 12, 6.6 and 1.3 % if an update used a single value.
 local function step_up(state) return state.distance < 4 and 0.3 or 0.9 end
 local function falling(state) return 0.9 - 1.1 * math.min(state.distance, 0.5) end
 for label, case in pairs{
@@ -93,8 +94,8 @@ local by_function = run{ stroke = 0.1, friction = function(state) return state.c
 by_function:run{ progress = false }
 near(by_function.largest_shear, 20, 0.05, "friction as a function of the state")
 
--- a stroke over the whole plate, one pass per cycle: the plate stays flat; the slip is the stroke minus the elastic
--- displacement
+-- Tests a stroke over the whole plate with one pass per cycle: the plate stays flat, and the slip is the
+-- stroke minus the elastic displacement.
 for _, alpha in ipairs{ 0, 0.5, 1 } do
   local label = ("over the plate, alpha %g: "):format(alpha)
   local w = run{ stroke = 20, cycles = 10, jump = "auto", alpha = alpha, law = "energy", k = 1e-8 }
@@ -102,8 +103,8 @@ for _, alpha in ipairs{ 0, 0.5, 1 } do
   is(w.procedure, "NSP", label .. "procedure")
   near(w.volume.total, 1e-8 * w.energy, 1e-9, label .. "V = k E")
   near(w.volume.cylinder, alpha * w.volume.total, 1e-12, label .. "shared by alpha")
-  -- the plate slides after 2.677 um, and after twice this distance at a reversal; the force rises less than linearly
-  -- before
+  -- the plate slides after 2.677 um, and after twice this distance at a reversal; before, the force rises
+  -- less than linearly
   near(0.6 * 100 * 20 - w.cycle_energy, 0.6 * 100 * 2 * 2.677e-3, 0.1, label .. "lost to the elastic way at a turn [N mm]")
   near(w:loop().energy, 2 * w.cycle_energy, 1e-12, label .. "there and back in the loop")
   local lowest, highest = math.huge, 0
@@ -112,7 +113,7 @@ for _, alpha in ipairs{ 0, 0.5, 1 } do
   near(highest, w.volume.plate / 20, 1e-9, label .. "by its volume over its width")
 end
 
--- partial slip under a force
+-- Tests partial slip under a force.
 local partial = run{ stroke = false, cycles = 200 }
 partial:run{ progress = false }
 is(partial.cycle, 200, "number of cycles")
@@ -139,7 +140,8 @@ phase:run{ progress = false }
 ok(phase.gross == 1 and phase.energy > 0, "a load that changes meanwhile")
 ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings contain the driving motion or force")
 
--- a contact pressed and moved in the same way has the loop's steady cycle, whatever shear was caused by pressing
+-- Tests that a contact pressed and moved like the run has the loop's steady cycle, whatever shear pressing
+-- has caused.
 local function steady_energy(of, force, press)
   local c = contact{ model = of.model, friction = of.friction, load = of.load, press = press }
   local before
@@ -162,8 +164,8 @@ for beta, of in pairs(unlike) do
       near(energy[press], steady_energy(w, force, press), 1e-12,
         ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
     end
-    -- by 2.5, 0.6, 2.2 and 0.4 % on finer elements, and here, with few slipping nodes, by 0.35 %
-    -- and more
+    -- the change is 2.5, 0.6, 2.2 and 0.4 % on finer elements, and at least 0.35 % on these elements with few
+    -- slipping nodes
     ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "friction during pressing changes the energy")
   end
 end
@@ -171,7 +173,8 @@ is(run{ stroke = false }:loop().energy, run{ stroke = false, press = "frictionle
   "like bodies are pressed without it: the same bits")
 is(run{ stroke = false }.press, "friction", "pressed as contacts are")
 
--- motion and force give the same: sticking points keep their partners, and splitting a motion changes nothing
+-- Tests that motions and forces give the same result: pairs of sticking points stay together, and splitting a
+-- motion changes nothing.
 local still = contact{ model = { mesh = { size = 0.01 } }, friction = 0.6 }
 local out = still:move{ x = 1e-3, increments = 10 }
 local back = out:move{ x = -1e-3, increments = 20 }
@@ -183,7 +186,7 @@ near(again.energy - back.energy, back.energy - out.energy, 1e-4, "to and fro ali
 pulled = pulled:move{ tangential = back.tangential, increments = 20 }
 near(back.energy, pulled.energy, 1e-4, "energy of the second half of the cycle")
 
--- almost equal bodies behave like equal ones; node sums alone gave up to 44 % less
+-- Tests that almost equal bodies behave like equal bodies; sums over nodes alone gave up to 44 % less.
 local cycle_of = {}
 for _, E in ipairs{ 200e3, 200e3 * (1 + 1e-6), 202e3 } do
   local pair = hertz{ plate = { E = E } }
@@ -194,7 +197,7 @@ for _, E in ipairs{ 200e3, 200e3 * (1 + 1e-6), 202e3 } do
 end
 near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alike")
 
--- vanishing friction: the wear of the plain run with rigid sliding
+-- Tests vanishing friction: the wear is that of the run without friction and with rigid sliding.
 local plain, slight = run{ friction = 0, stroke = 0.2, jump = 10 }, run{ friction = 1e-6, stroke = 0.2, jump = 10 }
 plain:run{ progress = false } slight:run{ progress = false }
 near(slight.volume.total, plain.volume.total, 1e-3, "without shear the slip is almost the stroke")
@@ -202,7 +205,7 @@ near(slight.depth.plate, plain.depth.plate, 5e-3, "small friction: depths as wit
 is(plain.energy, 0, "no energy is dissipated without friction")
 fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "no loop without friction")
 
--- files and copies contain only the shape and the history
+-- Tests that files and copies contain only the shape and the history.
 local name = os.tmpname()
 os.remove(name)
 local soft = model{ cylinder = { E = 20e3, nu = 0.2 }, mesh = { size = 0.02, height = 0.025 } }
@@ -226,7 +229,7 @@ for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, pressed = 
   is(stored.press, w.press, label .. ": how it is pressed")
 end
 
--- materials so different that the solution may not be unique
+-- Tests materials so different that the solution may not be unique.
 local heard = require "archard.warnings"
 heard.keep()
 local uneven = wear{ model = { mesh = { size = 0.04, height = 0.05 }, plate = { E = 2e3, nu = 0.1 } }, friction = 1.2,
@@ -235,7 +238,7 @@ heard.take()
 uneven:step()
 tap.holds(heard.take() or "", { "wear: friction 1.2 times Dundurs' beta" }, "a warning on uniqueness")
 
--- slip annuli narrower than two elements
+-- Tests slip annuli narrower than two elements, which give a warning.
 run{ stroke = false, cycles = 100 }:run{ progress = false }
 tap.holds(heard.take() or "", { "the surfaces slip over", "elements of 0.02 mm", "mesh.size = " }, "a warning on rims too narrow for the mesh")
 run{ stroke = false, cycles = 100, jump = 100, model = { mesh = { fineness = 4 } } }:run{ progress = false }
@@ -243,7 +246,8 @@ is((heard.take() or ""):find "the surfaces slip over", nil, "none where they hav
 run{ stroke = 0.1, cycles = 100 }:run{ progress = false }
 is((heard.take() or ""):find "the surfaces slip over", nil, "none in gross slip")
 
--- default elements are sized by the slip annuli, under a force and under a stroke; given elements are not changed
+-- Tests that the slip annuli determine the size of default elements, under a force and under a stroke, and
+-- that given elements are not changed.
 local function automatic(fields, mesh)
   local all = { friction = 0.6, load = 100, k = 1e-7, cycles = 100, increments = 24, model = { mesh = mesh } }
   for name, value in pairs(fields) do all[name] = value end
@@ -265,7 +269,7 @@ local unresolved = automatic({ tangential = 6, jump = "auto", cycles = 2000 }, {
 ok(unresolved.update < 400, ("rims of a quarter of an element: %d updates"):format(unresolved.update))
 fails(function() automatic{ tangential = 61 } end, { "expected less than friction times the load" }, "more force than friction carries")
 
--- pictures
+-- Tests pictures.
 local function picture(draw)
   local stem = os.tmpname()
   draw(stem .. ".gp")
@@ -288,7 +292,7 @@ fails(function() plot.loop(plain) end, "without friction", "no loop to draw")
 fails(function() plot.loop() end, "expected wear runs with friction", "nothing to draw")
 fails(function() plot.loop(m) end, "expected wear runs with friction", "a model has no loop")
 
--- the fretting map; verify/fretting_map.lua checks its borders
+-- Tests the fretting map (verify/fretting_map.lua checks its borders).
 local map = study.fretting_map{ load = { 50, 100 }, motion = { 1e-4, 1e-3, 4e-3 }, model = m }
 is(table.concat(map.regime[1], " "), "stick partial gross", "from stick to gross slip")
 ok(map.gross_from[1] < map.gross_from[2] and map.partial_from[2] < map.gross_from[2], "borders are in order")
@@ -314,7 +318,7 @@ for label, case in pairs{ ["no motions"] = { {}, { "field 'motion'", "increasing
   fails(function() study.fretting_map(case[1]) end, case[2], "map: " .. label)
 end
 
--- friction that falls below the force during the run
+-- Tests a friction force that falls below the tangential force during the run.
 for _, thickness in ipairs{ 1, 5 } do
   local w = wear{ model = { thickness = thickness, mesh = { size = 0.04, height = 0.05, far = 2 } }, load = 100 * thickness,
     tangential = 30 * thickness, friction = { distance = { 0, 0.1 }, value = { 0.6, 0.1 } }, k = 1e-7, cycles = 1e5, jump = 100,
@@ -330,7 +334,7 @@ later:run{ progress = false }
 is(later.gross, 0, "no gross slip is reported when friction has vanished")
 is(later.cycle_energy, 0, "no energy is dissipated when friction has vanished")
 
--- the slip annulus is narrower than an element: no node slips, but the slip between the nodes causes wear
+-- Tests a slip annulus narrower than an element: no node slips, but the slip between the nodes causes wear.
 for _, law in ipairs{ "archard", "energy" } do -- against Cattaneo and Mindlin's energy of a cycle
   local w = run{ tangential = 12, law = law }:run{ progress = false }
   near(w.energy, 400 * 6.1948e-5, 0.1, law .. ": the energy of partial slip narrower than an element")
@@ -338,7 +342,7 @@ for _, law in ipairs{ "archard", "energy" } do -- against Cattaneo and Mindlin's
   near(w.volume_cylinder, w.volume_plate, 1e-9, "of both bodies")
 end
 
--- refused input
+-- Tests refused input.
 local function refused(fields, words, label) fails(function() run(fields) end, words, label) end
 refused({ friction = -0.1 }, { "field 'friction'", ">= 0", "-0.1" }, "friction below 0")
 refused({ friction = 0, tangential = 10 }, { "field 'tangential'", "friction" }, "a force without friction")
@@ -361,7 +365,7 @@ refused({ stroke = 0.1, friction = 0, law = "energy" }, { "field 'law'", "fricti
 
 
 -- --- cycles of the load alone ----------------------------------------------------------------------
--- Dissimilar bodies slip under a changing load alone; equal ones do not.
+-- Tests that dissimilar bodies slip under a changing load alone and that equal bodies do not.
 local unlike = { cylinder = { E = 4e5, nu = 0.22 }, plate = { E = 7e4, nu = 0.33 }, mesh = { size = 0.02, height = 0.025 } }
 local function breathing(bodies, strength)
   local w = run{ model = model(bodies), loading = { tangential = function() return 0 end,

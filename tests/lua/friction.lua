@@ -1,11 +1,11 @@
--- Tests of contact with friction: pressing, moving, results, refused input.
+-- Tests contact with friction: pressing, moving, results, refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
 local m = model{ mesh = { size = 0.04, height = 0.05, far = 2, zone = { plate = 1 } } }
 
--- without friction a motion gives a new independent solution
+-- Tests that a motion without friction gives a new independent solution.
 local smooth = contact{ model = m }
 is(smooth.friction, 0, "no friction by default")
 is(#smooth.stick, 0, "nothing sticks")
@@ -18,14 +18,14 @@ for _, q in ipairs(smooth:shear().q) do if q ~= 0 then ok(false, "no shear witho
 fails(function() smooth:slip() end, "expected a contact with friction", "no slip without friction")
 fails(function() smooth:move{ tangential = 1 } end, { "field 'tangential'", "no friction" }, "a force without friction")
 
--- pressed
+-- Tests a contact that is only pressed.
 local c = contact{ model = m, friction = 0.6, load = 100 }
 near(c.p_center, smooth.p_center, 1e-3, "similar bodies press as without friction")
 near(c.tangential, 0, 1e-6, "no force along x")
 is(#c.stick, 1, "all of it sticks")
 near(c.stick[1].right, c.edges.right, 1e-12, "to the edges")
 is(c.energy, 0, "nothing is dissipated")
--- different materials: the remaining shear does not depend on the increments, for any element size
+-- Tests different materials: the remaining shear does not depend on the increments, for any element size.
 local fine = model{ plate = { E = 420e3 }, mesh = { size = 0.005, zone = { cylinder = 0.3, plate = 0.3 } } }
 local function shear_left(increments)
   return contact{ model = fine, friction = 0.6, increments = increments }:shear().q
@@ -42,7 +42,7 @@ local loose = contact{ model = m, friction = 0.6, press = "frictionless" }
 is(loose.p_center, smooth.p_center, "press = frictionless: the same bits")
 for _, q in ipairs(loose:shear().q) do if q ~= 0 then ok(false, "and no shear") end end
 
--- moved
+-- Tests a contact that is moved.
 local d = c:move{ tangential = 45 }
 near(d.tangential, 45, 1e-9, "the force")
 ok(d.x > 1e-3 and d.x < 3e-3, "displacement of the plate")
@@ -79,7 +79,7 @@ holds(tostring(d), { "friction  0.6", "tangential force 45 N" }, "print(contact)
 is(d:move{}.tangential, d:move{}.tangential, "the same motion gives the same bits")
 near(d:move{}.tangential, 45, 1e-9, "an empty motion changes nothing")
 
--- refused
+-- Tests refused motions.
 local err = fails(function() c:move{ tangential = 60 } end, { "field 'tangential'", "less than", "60 N" }, "more than mu L")
 is(err.code, "ARGUMENT", "its code")
 is(err.where, "contact:move", "the function in the error")
@@ -99,7 +99,7 @@ fails(function() contact{ model = m, x = 15 } end, { "field 'x'", "got 15 mm" },
 fails(function() d:slip("plate") end, { "expected no argument", "cylinder's nodes", '"plate"' }, "slip of a body")
 is(c.load, 100, "refused calls leave the contact unchanged")
 
--- a contact, which no file stores, is reproduced with identical bits
+-- Tests that a contact, which no file stores, is reproduced with identical bits.
 do
   local again = contact{ model = m, friction = 0.6, load = 100 }:move{ tangential = 45 }
   is(again.x, d.x, "the same motions give the same position")
@@ -111,7 +111,7 @@ do
   end
 end
 
--- columns in a file
+-- Tests the columns of an exported file.
 do
   local file = os.tmpname() .. ".csv"
   export.csv(d, file)
@@ -125,7 +125,7 @@ do
   os.remove(file)
 end
 
--- pictures
+-- Tests pictures.
 local name = os.tmpname()
 local function picture(draw)
   draw(name .. ".gp")
@@ -144,7 +144,7 @@ fails(function() plot.shear(smooth) end, "expected a contact with friction", "no
 fails(function() plot.slip(d, "plate") end, "expected contacts", "a word")
 os.remove(name)
 
--- automatic meshes: finer with friction, but at most 320 elements in a zone set by the user
+-- Tests automatic meshes: they are finer with friction, but a zone set by the user has at most 320 elements.
 local plain, rubbed = contact{ load = 100 }.model.mesh, contact{ load = 100, friction = 0.3 }.model.mesh
 near(rubbed.size, plain.size / 5, 1e-12, "a fifth as wide with friction")
 is(rubbed.fineness, 1, "and still of fineness 1")

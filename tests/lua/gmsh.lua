@@ -1,4 +1,4 @@
--- Tests of meshes from Gmsh files: models, refused files, written files, Gmsh itself.
+-- Tests meshes from Gmsh files: models, refused files, written files, Gmsh itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -9,7 +9,7 @@ os.remove(folder)
 ok(os.execute("mkdir " .. folder), "a folder to write to")
 local function at(name) return folder .. "/" .. name end
 
--- The paper's pair, written and read, gives the same results.
+-- Tests that the pair of the reference paper, written and read, gives the same results.
 local own = model()
 is(export.msh(own, at("pair")), at("pair.msh"), "export.msh adds the ending and returns the file name")
 local read = model{ mesh = at("pair.msh"), radius = 10 }
@@ -21,17 +21,17 @@ near(c.approach, d.approach, 1e-9, "approach")
 local function largest_mises(solved) return math.max(table.unpack(solved:stress().plate.mises)) end
 near(largest_mises(c), largest_mises(d), 1e-6, "largest von Mises stress of the plate")
 
--- A radius not given is computed from the unworn gap.
+-- Tests that a radius not given is computed from the unworn gap.
 near(model{ mesh = at("pair.msh") }.radius, 10, 1e-3, "radius of the gap")
 is(model{ mesh = at("pair.msh"), plate = { E = 1e5 } }.plate.E, 1e5, "other fields as ever")
 
--- Only frozen geometry is allowed.
+-- Tests that only frozen geometry is allowed on an imported mesh.
 fails(function() wear{ model = read } end, 'expected "frozen" on an imported mesh', "moving is refused")
 local w = wear{ model = read, geometry = "frozen", stroke = 0.2, cycles = 100 }
 w:run()
 ok(w.depth_plate > 0, "a frozen run wears")
 
--- A run is stored with its mesh and continues without the mesh file, with identical bits.
+-- Tests that a run is stored with its mesh and continues without the mesh file, with identical bits.
 local half = wear{ model = read, geometry = "frozen", stroke = 0.2, cycles = 100, jump = 20 }
 half:step(2)
 half:save(at("w.wear"))
@@ -43,7 +43,7 @@ is(again.model.mesh.plate.rows, 0, "on its mesh")
 is(contact{ worn = w }.model.mesh.plate.nodes, own.mesh.plate.nodes, "contact{ worn = } stays on its mesh")
 fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
 
--- Wrong uses.
+-- Tests wrong uses of imported meshes.
 is(model{ mesh = at("pair.msh"), lower = body.block{ name = "plank", E = 1e5 } }.bodies.lower, "plank", "a body without a shape")
 local function told(upper, field)
   fails(function() model{ mesh = at("pair.msh"), upper = upper } end, "field 'upper." .. field .. "':", "a shape beside that of the mesh")
@@ -60,8 +60,8 @@ fails(function() export.msh(d, at("pair.msh")) end, "expected a model or a mesh"
 own.mesh.plate:write(at("plate.msh"))
 fails(function() model{ mesh = at("plate.msh") } end, "no physical group 'upper'", "half a pair")
 
--- Materials by the names in the mesh: a coating that wears through, compared with archard's own layer. With frozen
--- geometry the compliance of both remains that of the unworn coating.
+-- Tests materials by the names in the mesh: a coating that wears through, compared with archard's own layer.
+-- With frozen geometry both compliances remain those of the unworn coating.
 local coat = { E = 400e3, k = 5e-9 }
 local layered = model{ mesh = { size = 0.05 }, upper = body.cylinder{ radius = 10, E = 210e3, k = 2e-8,
   layers = { { thickness = 5e-4, E = coat.E, k = coat.k } } }, lower = body.block{ k = 1e-8 } }
@@ -77,8 +77,8 @@ local function wear_through(pair)
 end
 local own_coat, its_coat = wear_through(layered), wear_through(m)
 ok(its_coat.depth.roller > 7e-4, "the coat is worn through")
--- The layer has constant thickness along the normal; along y, the direction of frozen depths, that of the mesh is
--- slightly thicker.
+-- Archard's own layer has a constant thickness along the normal. Frozen depths are along y, and in this
+-- direction the layer of the mesh is slightly thicker.
 near(its_coat.depth.roller, own_coat.depth.upper, 1e-4, "depth equals that with archard's own layer")
 near(its_coat.p_center, own_coat.p_center, 1e-4, "under the same pressure")
 near(largest_mises(contact{ model = m, load = 100 }), largest_mises(contact{ model = layered, load = 100 }), 1e-6,
@@ -102,7 +102,7 @@ fails(function() body.gmsh{ materials = { a = {}, b = {}, c = {}, d = {}, e = {}
 fails(function() body.gmsh{ materials = {}, layers = { { thickness = 1, E = 1e5 } } } end, "expected one of them, got both", "both")
 fails(function() body.gmsh{ radius = 10 } end, "unknown field 'radius' of a gmsh", "a shape")
 
--- The axes of a hole's map follow from the radii of the bodies.
+-- Tests that the axes of a hole's map follow from the radii of the bodies.
 local bush = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20 } }
 local hole = model(bush)
 export.msh(hole, at("bush"))
@@ -116,13 +116,13 @@ fails(function() model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.
 fails(function() model{ mesh = here .. "/../../examples/gmsh_pair.msh", geometry = "axisymmetric" } end,
   "expected mesh lines along the axis x = 0, got an element from x = -", "elements across an axis of revolution")
 
--- A model table as the field of another object, and a mesh as text.
+-- Tests a model table as the field of another object, and a mesh given as text.
 local text = io.open(at("pair.msh")):read("a")
 is(contact{ model = { mesh = at("pair.msh"), radius = 10 }, load = 100 }.p_center, c.p_center, "a file in contact{ model = }")
 is(contact{ model = { mesh = text, radius = 10 }, load = 100 }.p_center, c.p_center, "the text of a mesh instead of its file name")
 fails(function() wear{ model = { mesh = text:sub(1, 300) } } end, "model.mesh, line", "half a text")
 
--- Studies, sessions and settings contain the mesh itself instead of the name of its file.
+-- Tests that studies, sessions and settings contain the mesh itself instead of the name of its file.
 os.execute(("cp %s %s"):format(at("coated.msh"), at("gone.msh")))
 local base = { geometry = "frozen", stroke = 0.1, cycles = 40, jump = 20, increments = 20 }
 local function coated_study(given)
@@ -155,7 +155,7 @@ is(the_model.upper.materials.layer1.E, 400e3, "a session stores models with thei
 is(contact{ model = the_model, load = 100 }.p_center, contact{ model = roller, load = 100 }.p_center, "the same ones")
 is(export.msh(the_model), export.msh(roller), "on the same mesh; without a path export.msh gives the text")
 
--- A mesh of the same shapes made by Gmsh.
+-- Tests a mesh of the same shapes made by Gmsh.
 local outside = model{ mesh = here .. "/../../examples/gmsh_pair.msh", radius = 10 }
 local e = contact{ model = outside, load = 100 }
 near(e.p_center, d.p_center, 0.01, "Gmsh's mesh: pressure within 1 %")
@@ -166,7 +166,7 @@ local a, b = run(outside), run(own)
 near(a.depth_cylinder, b.depth_cylinder, 0.01, "depth of the cylinder within 1 %")
 near(a.depth_plate, b.depth_plate, 0.01, "depth of the plate within 1 %")
 
--- Gmsh reads the written files, and its output can be read, in both versions.
+-- Tests that Gmsh reads the written files and that archard reads Gmsh's output, in both versions.
 if os.execute("command -v gmsh > /dev/null") then
   for _, version in ipairs{ "msh41", "msh22" } do
     local copy = at(version .. ".msh")

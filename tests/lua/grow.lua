@@ -1,4 +1,4 @@
--- Tests of runs that need a larger mesh: a wider or deeper mesh is built and the worn surfaces are transferred.
+-- Tests runs that need a larger mesh: a wider or deeper mesh is built, and the worn surfaces are transferred.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, ok = tap.is, tap.ok
@@ -6,7 +6,7 @@ local warnings = require "archard.warnings"
 
 local function off(a, b) return math.abs(a / b - 1) end
 
--- A small mesh for a growing contact, and one large enough from the start.
+-- A growing contact is computed on a small mesh and on a mesh that is large enough from the start.
 local fields = { alpha = 1, k = 3e-8, load = 100, jump = 40 }
 local function mesh(cylinder, plate, rows)
   return model{ mesh = { size = 0.04, height = rows and 0.02, zone = { cylinder = cylinder, plate = plate }, rows = rows } }
@@ -37,7 +37,7 @@ local elements = w.history.elements
 ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history contains the number of elements")
 is(before.mesh.zone.cylinder, 0.8, "the given model is unchanged")
 
--- The wear box.
+-- Tests a wear box with too few rows of elements: the run adds rows.
 local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })
 local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })
 flat:run()
@@ -48,7 +48,7 @@ is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the h
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
 
--- Saving before or after the change of the mesh gives identical bits.
+-- Tests that saving before or after the change of the mesh gives identical bits.
 local path = os.tmpname()
 os.remove(path)
 local a = run_on(small)
@@ -67,7 +67,7 @@ is(c.p_center, a.p_center, "stored after it grew: the same bits")
 is(c.model.mesh.zone.cylinder, a.model.mesh.zone.cylinder, "on the mesh it had grown")
 os.remove(path)
 
--- w:set
+-- Tests w:set with values that need a larger mesh.
 local s = wear{}
 s:run{ distance = 100 }
 local volume = s.volume.total
@@ -106,18 +106,18 @@ for fields, said in pairs{ [{ mesh = 3 }] = "field 'mesh': expected a table",
 end
 is(tostring(light), stays, "a refused change leaves the run unchanged")
 
--- A contact as wide as the bodies.
+-- Tests a contact as wide as the bodies.
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
 ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
 local _, why = pcall(contact, { model = soft })
 ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
 
--- A model sized for another load.
+-- Tests a model sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }
 ok((warnings.take() or ""):find("chosen for another load: give the model's fields", 1, true), "the message states a remedy")
 
--- If no larger mesh is possible, the run is unchanged.
+-- Tests that the run is unchanged if no larger mesh is possible.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
   alpha = 1, k = 4e-6, jump = "auto" }
 local fine, message = pcall(full.run, full)
@@ -128,8 +128,8 @@ ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is unchanged")
 
--- As many layers as element rows, much thinner than the rows: each wears by its own k, and finally the contact rests on
--- the base.
+-- Tests as many layers as element rows, much thinner than the rows: each layer wears by its own k, and
+-- finally the base carries the contact.
 local function on_layers(rows)
   local layers = {}
   for i, k in ipairs{ 4e-9, 1e-9, 8e-9 } do layers[i] = { thickness = 1e-4 * i, material = { E = 200e3, nu = 0.3, k = k } } end
@@ -141,8 +141,9 @@ ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) 
   ("three thin layers in a box of three rows wear as in one of ten: %.2g, %.2g"):format(off(few.p_center,
   many.p_center), off(few.distance, many.distance)))
 
--- Automatic steps do not become short near the edge of a zone: the meshes are enlarged before.
-local function pin_in_hole() -- a given model was sized before the wear was known
+-- Tests that automatic steps do not become short near the edge of a zone, because the meshes are enlarged
+-- before.
+local function pin_in_hole() -- the given model is sized before the wear is known
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
     stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
 end
@@ -164,14 +165,14 @@ is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")
 is(halfway.update, pin.update, "a run stored at the edge: number of updates")
 os.remove(path)
 
--- Steps so short that the run would never end.
+-- Tests that steps so short that the run would never end are refused.
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
 tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: the run would not end", "use longer steps" }, "the error shows the last steps")
 
--- Uniform wear over the whole plate changes the contact only where layers become thinner; automatic steps take this
--- into account.
+-- Tests uniform wear over the whole plate. It changes the contact only where layers become thinner; automatic
+-- steps take this into account.
 local function over_plate(fields)
   fields.stroke, fields.distance = 20, 1e5
   return wear(fields):run()
@@ -190,7 +191,8 @@ for i = 2, #pressure do rise = math.max(rise, pressure[i] / pressure[i - 1]) end
 ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "its pressure rises in steps of less than 5 %")
 ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")
 
--- Worn surfaces may touch over a larger width than unworn ones: the mesh of such a run is large enough from the start.
+-- Tests worn surfaces that touch over a larger width than unworn surfaces: the mesh of the run is large
+-- enough from the start.
 local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
 local wide = wear(conformal)
 ok(wide.half_width > 0.8, ("a conformal start: half width %.2f mm"):format(wide.half_width))

@@ -1,4 +1,4 @@
--- Tests of functions in a definition, loading, w:set and ends of a run: accepted and refused input.
+-- Tests functions in a definition, loading, w:set and ends of a run: accepted and refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -12,7 +12,7 @@ local function run_of(fields)
   return wear(fields)
 end
 
--- A refused step leaves the run unchanged.
+-- Checks that a refused step leaves the run unchanged.
 local function untouched(w, parts, what)
   local before
   local err = fails(function()
@@ -92,7 +92,7 @@ fails(function() run_of{ k = "much" } end,
   "k a text")
 fails(function() run_of{ alpha = true } end, "a function of the state or a table", "alpha a boolean")
 
--- runs inside functions of runs
+-- Tests runs that are used inside functions of runs.
 local self
 self = run_of{ k = function() if self then self:step() end return 1e-8 end }
 untouched(self, { "k(state", "this wear object is already running" }, "stepped from its own function")
@@ -125,7 +125,7 @@ is(coroutine.wrap(function()
 end)(), plain.p_center, "a coroutine as a function, in a coroutine")
 fails(function() run_of{ k = function() coroutine.yield() end } end, "attempt to yield", "no yielding out of a step")
 
--- functions exist as long as they are used
+-- Tests that functions exist as long as they are used.
 do
   local kept = setmetatable({}, { __mode = "v" })
   local copy
@@ -217,7 +217,7 @@ is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
 local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
 near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
 
--- a load near zero gives an arbitrarily narrow contact without wear
+-- Tests a load near zero, which gives an arbitrarily narrow contact without wear.
 local function swing(t) return 0.1 * math.sin(2 * math.pi * t) end
 local function lifting(least)
   return run_of{ load = 100, distance = 2, jump = 5, loading = { x = swing,

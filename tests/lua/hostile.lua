@@ -1,6 +1,6 @@
--- Hostile scripts: every public function, method and field is called with arguments whose metamethods, callbacks and
--- finalizers close, change and use the objects of the call. Nothing may crash, messages must be texts without lines of
--- the program's own scripts, and objects must stay valid.
+-- Tests hostile scripts: every public function, method and field is called with arguments whose metamethods,
+-- callbacks and finalizers close, change and use the objects of the call. No call may crash, messages must be
+-- texts that name no line of the program's own scripts, and objects must stay valid.
 -- Long
 --   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
 --   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
@@ -56,7 +56,8 @@ local hostile = dofile(here .. "/lib/hostile.lua")(world)
 
 -- --- functions to call ---------------------------------------------------------------------------
 
--- Omitted functions: slow ones, and those that start other processes or change what this test needs.
+-- Omitted functions: slow functions, and functions that start other processes or change objects that this
+-- test needs.
 local left_out = { ["examples.run"] = true, ["study.submit"] = true, ["study.figures"] = true, ["session.open"] = true,
   ["study.close"] = true, ["plot.save"] = true }
 local long = { fit = true, ["fit.design"] = true, calibrate = true }
@@ -72,7 +73,7 @@ local function add(address, f) -- f() makes the call
   list[#list + 1] = { address = address, call = f }
 end
 
--- Returns the first argument, mostly a right one.
+-- Returns the first argument of a method, mostly an object of the right class.
 local function itself(class)
   world.target = random(8) == 1 and hostile.value() or objects[class]
   return world.target
@@ -118,7 +119,7 @@ local function add_metatable(class, value)
   end
 end
 
--- Limits the length of a run.
+-- Reduces the distance or cycles in the table of a run.
 local function limited(owner, given)
   if owner == "wear.run" or owner == "wear.set" or owner == "wear" then
     for _, name in ipairs{ "distance", "cycles" } do
@@ -131,7 +132,7 @@ local function limited(owner, given)
   return given
 end
 
--- Adds a call to a function with its table, in which one or two fields are hostile.
+-- Adds calls to a function with a table in which one or two fields are hostile.
 local function add_option(entry, rest)
   local owner = entry.owner
   local field = (entry.path ~= "" and entry.path .. "." or "") .. entry.name
@@ -168,7 +169,7 @@ local function add_entries()
   end
 end
 
--- The C modules below the scripts, which a script reaches by require.
+-- Adds calls to the C modules below the scripts, which a script can load by require.
 local function add_modules()
   local modules = {
     ["archard.files"] = { "csv", "vtk", "inp", "msh", "write", "read", "is_there", "number", "allowed" },
@@ -257,7 +258,7 @@ local function draw()
   return chosen.call
 end
 
--- Makes a hostile call inside another one.
+-- Makes a second call inside a hostile call.
 function hostile.call()
   local list = short_list
   list[random(#list)].call()
@@ -269,8 +270,8 @@ local collectors = {
   function() collectgarbage("incremental", 1, 1000) end,
 }
 
--- A step of the generational collector collects all young objects at little cost, so that finalizers run. The collector
--- that runs all the time is expensive.
+-- Chooses the mode of the garbage collector. A step of the generational mode collects all young objects at
+-- little cost, so finalizers run often. The mode that collects all the time is expensive.
 local collector
 local function choose_collector(number)
   local chance = number // 25 % 80
@@ -309,7 +310,8 @@ local function check_error(err, number)
   if text:find "scripts/[%w_/]+%.lua:%d" and not text:find "stack overflow" then note(wrong.words, number, text) end
 end
 
--- Checks a run after an update: complete rows, finite numbers, and the volume given by load and distance.
+-- Returns the defect of a run after an update, or nil: rows must be complete, numbers finite, and the volume
+-- must follow from load and distance.
 local function lack_of_run(w)
   local history = w.history
   local rows = #history.distance
@@ -340,7 +342,7 @@ local function check_run(number)
   if tostring(objects.wear) ~= untouched then world.again "wear" end
 end
 
--- All bits of a small run that no hostile code changes.
+-- Returns all bits of a small run that no hostile code changes.
 local function fingerprint()
   local w, parts = make.wear():run{ progress = false }, {}
   local function take(list)

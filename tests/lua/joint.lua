@@ -1,4 +1,4 @@
--- Tests of balls in sockets: defaults, gaits, contact, wear, messages.
+-- Tests balls in sockets: defaults, gaits, contact, wear, messages.
 -- Ordinary collector: long runs, which small steps of the collector slow down.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails

@@ -1,4 +1,4 @@
--- Tests of .vtu and .pvd files of joints, warnings and refusals of joints.
+-- Tests .vtu and .pvd files of joints, and warnings and refusals of joints.
 -- Ordinary collector: long runs, which small steps of the collector slow down.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
@@ -23,7 +23,7 @@ local function read(path)
     pressure = array "pressure", text = text }
 end
 local function cross(a, b) return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] } end
--- Returns the integral of a list of values over the cells, as a vector.
+-- Returns the vector integral of a list of values over the cells.
 local function integral(file, values)
   local sum = { 0, 0, 0 }
   local function point(c)
@@ -143,8 +143,8 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
--- The rim and the cells are checked in all instants, updates and blocks. Reading results changes no
--- bit.
+-- Tests that the rim and the cells are checked in all instants, updates and blocks, and that reading results
+-- changes no bit.
 local lining = joint{ foundation = "winkler", mesh = { size = 4 }, cup = { clearance = 0.1, inclination = 20, cover = 85,
   layers = { { thickness = 5, material = pe } } } }
 warnings.keep()
@@ -165,7 +165,7 @@ local function looked_at(look)
   return run_of
 end
 is(looked_at(true).volume.cup, looked_at(false).volume.cup, "a look at the pressure changes no bit")
--- Loads that fall to zero: continuous, and without work there.
+-- Tests loads that fall to zero: results are continuous, and no work is done at zero load.
 local function swing(least) return gait{ flexion = { 0, 20, 0, -20, 0 }, load = { least, 2000, 2000, least, least } } end
 local function worn_by(least)
   return wear{ model = joint{ mesh = { size = 4 } }, loading = swing(least), cycles = 1e5, updates = 3 }:run{ progress = false }

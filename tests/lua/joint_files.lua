@@ -1,4 +1,4 @@
--- Tests of joint runs in files: opened and continued runs have identical bits.
+-- Tests joint runs in files: opened and continued runs have identical bits.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, fails = tap.is, tap.ok, tap.fails
 

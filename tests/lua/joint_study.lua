@@ -1,4 +1,4 @@
--- Tests of studies, samples, sensitivities, fits and sessions with joints.
+-- Tests studies, samples, sensitivities, fits and sessions with joints.
 -- Ordinary collector: long runs, which small steps of the collector slow down.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails

@@ -1,16 +1,16 @@
--- Tests of the lifetime of objects: sharing, closing, garbage collection.
+-- Tests the lifetime of objects: sharing, closing, garbage collection.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
 
--- models with equal definitions are shared
+-- Tests that models with equal definitions are shared.
 local a, b = wear{}, wear{ alpha = 0.25 }
 is(a.model, b.model, "two runs share a model")
 is(model{ radius = 7 }, model{ radius = 7 }, "two equal definitions are one model")
 ok(model{ radius = 7 } ~= model{ radius = 7.5 }, "two others are not")
 is(wear{ model = { radius = 10 } }.model, a.model, "a table of defaults is the default")
 
--- objects keep the objects that they are part of
+-- Tests that an object keeps a reference to the objects that it is part of.
 local mesh = model{ radius = 6 }.mesh.plate
 local contact_alone = wear{ model = model{ radius = 6 } }:contact()
 collectgarbage() collectgarbage()
@@ -18,7 +18,7 @@ ok(mesh:node(1) ~= nil, "a mesh outlives its model's name")
 ok(contact_alone:stress().plate.x[1] ~= nil, "a contact outlives run and model")
 is(contact_alone.model.radius, 6, "a contact keeps its model")
 
--- close
+-- Tests close.
 local w = wear{}
 local m = w.model
 w:close()
@@ -41,7 +41,7 @@ fails(function() return reused.cycle end, "closed", "to-be-closed variables clos
 fails(function() w.close(3) end, "call this method with a colon: object:close()", "close of a number")
 fails(function() return material{}.close end, "no field 'close'", "values need no closing")
 
--- a user function that closes the object being used
+-- Tests a user function that closes the object being used.
 local doomed = model{ radius = 6.5 }
 local survived = pcall(contact, { model = doomed, worn = { plate = function(x)
   doomed:close()
@@ -50,7 +50,8 @@ local survived = pcall(contact, { model = doomed, worn = { plate = function(x)
 end } })
 ok(survived, "a model closed while a contact is being made on it")
 
--- metatables have the entries for completion and help (a model shows its bodies only if they are not the default pair)
+-- Tests that metatables have the entries for completion and help. (A model lists its bodies only if they are
+-- not the default pair.)
 local own = model{ upper = body.punch{ flat = 1, radius = 2 }, lower = body.block{}, mesh = { size = 0.08, height = 0.1 } }
 for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, material{ name = "steel" } } do
   local meta = debug.getmetatable(object)
@@ -63,7 +64,7 @@ for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, ma
   ok(pcall(meta.__gc or print), meta.__name .. ": __gc of nothing is harmless")
 end
 
--- printed objects fit a terminal
+-- Tests that printed objects fit a terminal.
 local run = wear{}:run{ progress = false }
 for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run.model,
   run.model.mesh.plate, hertz{}, material{}, run:step(), wear{}:step(70) } do
@@ -72,7 +73,8 @@ for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run
   ok(longest <= 80, tostring(object):match("^%s*%a+") .. ": print fits 80 columns")
 end
 
--- the collector knows the size of objects; not tested with a sanitizer, which delays freeing memory
+-- Tests that the garbage collector includes the memory of objects in its accounts. The test is skipped with a
+-- sanitizer, which delays freeing memory.
 local function memory() -- resident [MB]
   for line in io.lines("/proc/self/status") do
     local kilobytes = line:match("^VmRSS:%s*(%d+)")
@@ -115,7 +117,8 @@ for what, call in pairs{ x = function() profile{ x = endless, z = endless } end,
   fails(call, { "field '" .. (what == "x" and "" or what) }, "a list that says its own length is refused: " .. what)
 end
 
--- the object is closed by a metamethod of the table being read: it is kept as long as needed
+-- Tests an object that is closed by a metamethod of the table being read: its data exist as long as the call
+-- uses them.
 local shape = run_of{}
 shape:step()
 local made = contact{ model = small, worn = setmetatable({ plate = shape:profile "plate" }, { __index = function()
@@ -131,7 +134,7 @@ shape:step()
 local depth = setmetatable({}, { __index = function(_, name) shape:close() collectgarbage() return name == "h" and { 0, 0 } end })
 fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "a run closed while its shape is read")
 
--- finalizers that step and close a run while rows are returned
+-- Tests finalizers that step and close a run while rows are returned.
 local stepped = run_of{}
 stepped:step()
 collectgarbage("generational", 1)
@@ -148,7 +151,7 @@ collectgarbage "incremental"
 ok(refused > 0 and stepped.distance % 11 == 0, "a finalizer can step a run only between its calls")
 tap.note(("%d refused, at %g mm"):format(refused, stepped.distance))
 
--- metatables of other classes
+-- Tests metatables of other classes.
 local steel, other = material{}, run_of{}
 debug.setmetatable(steel, getmetatable(other))
 fails(function() return steel.distance end, "expected a wear object", "a material with the metatable of runs")
@@ -160,7 +163,7 @@ ok(not pcall(getmetatable(other).__methods.step, setmetatable({}, getmetatable(o
 debug.setmetatable(steel, getmetatable(material{}))
 is(steel.E, 200e3, "the metatable of a material restored")
 
--- errors without a printable text
+-- Tests errors without a printable text.
 fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = error })) end } end,
   "k(state at distance 0 mm, cycle 0) failed: (error value is a table)", "an error without a text")
 local files = os.tmpname()

@@ -1,4 +1,4 @@
--- Tests of maps: points and values, sections, levelling, cropping, resampling, differences, volumes.
+-- Tests maps: points and values, sections, levelling, cropping, resampling, differences, volumes.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -13,7 +13,7 @@ end
 
 local function sampled(f, nx, nz) return map{ x = even(-2, 4, nx or 61), z = even(1, 2, nz or 31), y = f } end
 
--- Returns the largest difference from f at the points.
+-- Returns the largest difference between the map and the function f at the points of the map.
 local function apart(t, f)
   local most = 0
   for i, x in ipairs(t.x) do

@@ -1,5 +1,6 @@
--- Tests of map files: each format is written here from its specification and read back; units, missing points,
--- outliers; broken files give errors with the name of the file, the expected and the found value.
+-- Tests map files: this test writes each format from its specification and reads it back. Also tests units,
+-- missing points, outliers, and broken files, which give errors with the name of the file, the expected and
+-- the found value.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -22,8 +23,8 @@ end
 local nx, nz, dx, dz = 7, 5, 0.01, 0.02 -- mm
 local function height(x, z) return 1e-3 * (0.3 * x / dx - 0.2 * z / dz + 0.05 * x * z / (dx * dz)) end
 
--- Returns rows of integers in steps of `step` mm, beginning at the smallest z, or with from_top at
--- the largest.
+-- Returns rows of integer heights in steps of `step` mm, beginning at the smallest z, or at the largest z
+-- with from_top.
 local function rows(step, from_top)
   local list = {}
   for j = 1, nz do
@@ -55,7 +56,7 @@ local function worded(list, format)
   return table.concat(lines, "\n")
 end
 
--- Checks that the map equals the surface, with x and z from the given corner.
+-- Checks that the map equals the surface; x0 and z0 are the coordinates of the map's corner.
 local function same(t, tolerance, what, x0, z0)
   local most = t.size[1] == nx and t.size[2] == nz and 0 or 1
   for i, x in ipairs(most == 0 and t.x or {}) do
@@ -201,7 +202,7 @@ local function al3d(changes, list)
     local value = changes and changes[tag[1]] or tag[2]
     if value ~= "none" then head = head .. pack("c20c30c2", tag[1], tostring(value), "\r\n") end
   end
-  -- with 7 columns a row has 32 bytes
+  -- a row of 7 columns has 32 bytes
   return head .. ("\0"):rep(254) .. "\r\n" .. packed(list or rows(1e3, true), "<f", "\0\0\0\0")
 end
 same(map.read(write("a.al3d", al3d())), 1e-6, ".al3d")
@@ -352,7 +353,8 @@ for i, case in ipairs(broken) do
   fails(function() map.read(name, { unit = "um" }) end, { "map.read: ", name .. ": ", case[2] }, ("broken %d: %s"):format(i, case[2]))
 end
 
--- A changed byte or a truncated file gives a map or an error with its name, never an internal error.
+-- Tests that a changed or truncated file gives a map or an error that names the file, never an internal
+-- error.
 math.randomseed(7)
 local strange = 0
 for name, text in pairs(whole) do

@@ -1,4 +1,4 @@
--- Tests of the C modules behind the classes, reached by require: refused arguments, worker processes.
+-- Tests the C modules below the classes, loaded by require: refused arguments, worker processes.
 -- Ordinary collector: mostly other programs, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -14,7 +14,7 @@ for _, count in ipairs{ 0, 257 } do
 end
 fails(function() process.pool(1, { {} }) end, "argument 1 is not a text", "an argument that is a table")
 
--- Returns all lines of a worker that runs `chunk`, and how it ended.
+-- Returns all lines that a worker running `chunk` has written, and how the worker ended.
 local function worker(chunk, line)
   local pool <close> = process.pool(1, { "-e", chunk })
   pool:send(1, line or "go")
@@ -116,7 +116,7 @@ for _, dimensions in ipairs{ 0, 41 } do
   fails(function() random.points("sobol", 1, dimensions, 1) end, "expected 1 to 40", dimensions .. " dimensions")
 end
 fails(function() random.points("grid", 1, 1, 1) end, [["sobol", "latin" or "random"]], "an unknown design")
--- one degree of freedom is Cauchy's distribution, two have a closed form
+-- one degree of freedom is Cauchy's distribution; two degrees have a closed form
 near(random.student_quantile(0.975, 1), math.tan(math.pi * 0.475), 1e-12, "Student's quantile, one degree of freedom")
 near(random.student_quantile(0.975, 2), 0.95 * math.sqrt(2 / (1 - 0.95 ^ 2)), 1e-12, "two")
 near(random.rank_correlation({ 1, 2, 2, 4 }, { 10, 30, 20, 40 }), math.sqrt(0.9), 1e-12, "ranks: equal values share theirs")

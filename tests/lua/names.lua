@@ -1,4 +1,4 @@
--- Tests of the names of numbers, which are the same for studies, samples, fits and sensitivities.
+-- Tests the names of numbers, which are the same for studies, samples, fits and sensitivities.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -6,7 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
 local mesh = { size = 0.03, height = 0.03, zone = { cylinder = 0.6, plate = 0.6 } }
 
--- Returns a pair with a layer, whose bodies have their own coefficients if `k` is given.
+-- Returns the definition of a pair with a layer. If `k` is given, the bodies have their own coefficients.
 local function pair(E, thickness, k)
   return { mesh = mesh, upper = body.cylinder{ name = "pin", k = k },
     lower = body.block{ E = E or 2e5, k = k and 2 * k, layers = { { thickness = thickness or 0.05,
@@ -14,7 +14,7 @@ local function pair(E, thickness, k)
 end
 local usual = { cylinder = { k = 1e-8 }, plate = { k = 2e-8 }, mesh = mesh }
 
--- Meaning of the names.
+-- Tests which field a name means.
 local function varied(given) return tostring(study(given)):match("varied: (.*)$") end
 for _, case in ipairs{
   { "lower.E", "model.lower.E" }, { "plate.E", "model.lower.E" }, { "block.nu", "model.lower.nu" },
@@ -68,7 +68,8 @@ fails(function() fit{ model = pair(), unknown = { ["lower.layer1.thicknes"] = 1 
   { "thicknes'", "did you mean 'thickness'" }, "a misspelt unknown of a layer")
 
 -- --- sensitivities -------------------------------------------------------------------------------
--- Bodies with their own coefficients: the plate's volume depends on its own coefficient and on the load.
+-- Tests bodies with their own coefficients: the plate's volume depends on the plate's coefficient and on the
+-- load.
 local function worn(given)
   given.distance, given.jump = 22, 50
   return wear(given):run{ progress = false }
@@ -92,7 +93,7 @@ s = w:sensitivity{ of = "volume_plate", to = { "k_cylinder", "k_plate", "k" } }.
 near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder does not affect the plate")
 near(s.k_plate.elasticity[1], 1, 1e-10, "k_plate does not")
 near(s.k.derivative[1], 2 / 3 * s.k_plate.derivative[1], 1e-10, "k changes both")
--- A refused name is not suggested.
+-- Tests that a message never suggests a name that is refused.
 for _, name in ipairs{ "cylinder.G", "upper.layer1.E", "increments", "model.lower.width" } do
   local refused = fails(function() w:sensitivity{ to = name } end, "'to'", name .. " is no number here")
   ok(not tostring(refused):find("mean '" .. name .. "'", 1, true), name .. " is not suggested")

@@ -1,9 +1,9 @@
--- Tests of material, hertz, model and mesh: values, fields, methods, text.
+-- Tests material, hertz, model and mesh: values, fields, methods, text.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
--- material
+-- Tests material{}.
 local steel = material{ name = "steel" }
 is(steel.E, 200e3, "default E")
 is(steel.nu, 0.3, "default nu")
@@ -12,7 +12,7 @@ fails(function() return steel.colour end, "material: no field 'colour'", "an unk
 fails(function() steel.E = 1 end, "field 'E' cannot be set", "materials are read-only")
 holds(tostring(material{ E = 1000, nu = 0.4 }), { "E 1000 MPa", "nu 0.4" }, "print(material)")
 
--- hertz
+-- Tests hertz{}.
 local h = hertz{}
 near(h.half_width, 0.107641, 1e-5, "Hertz half width of the reference case")
 near(h.p_max, 591.431, 1e-5, "Hertz pressure of the reference case")
@@ -26,7 +26,7 @@ is(soft.plate.nu, 0.3, "material as an object")
 ok(soft.half_width > h.half_width, "a soft cylinder makes a wider contact")
 holds(tostring(h), { "0.107641 mm", "591.431 MPa" }, "print(hertz)")
 
--- model
+-- Tests model{}.
 local m = model{ radius = 8, mesh = { size = 0.04, height = 0.05, zone = { plate = 1.6 } },
   cylinder = { E = 100e3, nu = 0.25 } }
 is(m.radius, 8, "model.radius")
@@ -45,7 +45,7 @@ holds(tostring(m), { "radius 8 mm", "cylinder", "plate", "nodes" }, "print(model
 is(model{ mesh = { element = "CPE4I", size = 0.04, height = 0.05 } }.mesh.element, "CPE4I",
   "the other element")
 
--- mesh
+-- Tests meshes.
 for body, mesh in pairs{ cylinder = m.mesh.cylinder, plate = m.mesh.plate } do
   is(mesh.body, body, body .. ": body")
   is(mesh.elements_count, mesh.quads + mesh.triangles, body .. ": elements add up")
@@ -85,7 +85,7 @@ for body, mesh in pairs{ cylinder = m.mesh.cylinder, plate = m.mesh.plate } do
   holds(tostring(mesh), { body, "nodes", "degrees" }, body .. ": print(mesh)")
 end
 
--- the worn mesh: nodes as displaced by wear at the moment of the call
+-- Tests the worn mesh, which has the nodes as displaced by wear at the moment of the call.
 do
   local w = wear{ k = 1e-7, jump = "auto", distance = 100 }
   w:run()

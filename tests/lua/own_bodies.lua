@@ -1,4 +1,4 @@
--- Tests of user-defined bodies: definitions, refusals, studies and run files.
+-- Tests user-defined bodies: definitions, refusals, studies and run files.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -6,7 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 local coarse = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 4, plate = 5 } }
 local pin = { upper = body.disc{ radius = 9.5, k = 1e-8 }, lower = body.ring{ inner = 10, outer = 15, E = 20e3, nu = 0.4 }, mesh = coarse }
 
--- Kinds of bodies.
+-- Tests the kinds of bodies.
 local m = model(pin)
 is(m.upper.kind, "disc", "the upper body as it was given")
 is(m.lower.outer, 15.0, "outer radius of the lower body")
@@ -25,7 +25,7 @@ local traced = body.profile(profile(trace))
 ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "points of a measured trace")
 is(model{ geometry = "plane", mesh = { size = 0.2, height = 0.2 } }.geometry, "plane strain", "plane is plane strain")
 
--- Names of bodies: by name, role or kind.
+-- Tests that bodies are addressed by their name, role or kind.
 local called = model{ upper = body.disc{ radius = 9.5, k = 1e-8, name = "pin" },
   lower = body.ring{ inner = 10, outer = 15, name = "bush" }, mesh = coarse }
 local run_of = wear{ model = called, load = 20, stroke = 0.5, distance = 40, jump = 10 }
@@ -57,14 +57,14 @@ fails(function() contact{ model = turned }:pressure("cylinder") end, { "'body'",
 fails(function() return run_of.depth.bash end, "did you mean 'bush'", "an unknown name")
 fails(function() run_of:profile("hip") end, { '"pin" or "bush"', "hip" }, "no body of that name")
 
--- Stresses, forces.
+-- Tests stresses and forces.
 local c = contact{ model = m, load = 50 }
 local worst = 0
 local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
 
--- Runs in two parts, stored between them.
+-- Tests runs in two parts that are stored between the parts.
 local file = os.tmpname()
 os.remove(file)
 local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end
@@ -88,14 +88,14 @@ run_of:save(file)
 is(wear.open(file).depth.pin, run_of.depth.pin, "names are stored")
 os.remove(file)
 
--- A study that varies a body of an existing model.
+-- Tests a study that varies a body of an existing model.
 local varied = study{ base = { model = layered, load = 1000, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
 local of_both = varied:run{ file = file, workers = 1, progress = false }:cases()
 ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies E of a body")
 varied:close()
 os.remove(file)
 
--- Rotations, and loads at an angle.
+-- Tests rotations, and loads at an angle.
 local function swinging(distance)
   return wear{ model = m, load = 20, distance = distance, jump = 10, load_angle = 2, loading = {
     rotation = function(t) return 2 * math.sin(2 * math.pi * t) end, load_angle = function(t) return 1 + t - t * t end } }
@@ -131,7 +131,7 @@ end
 near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane by the layer's own nu")
 near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "szz uses the nu of the material below")
 
--- Decks: layers with their own materials, bodies at their positions.
+-- Tests decks: layers have their own materials, and bodies are at their positions.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
   lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }
 export.inp(lined, file .. ".inp")
@@ -145,14 +145,14 @@ os.remove(file .. ".inp")
 fails(function() export.inp(contact{ model = m, load = 50, load_angle = 3 }, file .. ".inp") end, { "'load_angle'", "deck" },
   "a deck of a load from an angle")
 
--- Pictures unrolled along the hole.
+-- Tests pictures unrolled along the hole.
 local unrolled = file .. ".txt"
 plot.mesh(called, { unrolled = true, file = unrolled })
 plot.stress(lined, { unrolled = true, body = "bush", file = unrolled })
 os.remove(unrolled)
 fails(function() plot.mesh(listed, { unrolled = true }) end, { "'unrolled'", "hole" }, "unrolled without a hole")
 
--- Refusals.
+-- Tests refused definitions.
 local function refused(parts, what, f) fails(f, parts, what) end
 refused({ "body.cylinder", "'width'", "radius" }, "a field of another body", function() body.cylinder{ width = 3 } end)
 refused({ "'radius'", "> 0 mm", "-1" }, "a negative radius", function() body.cylinder{ radius = -1 } end)
@@ -245,7 +245,8 @@ refused({ "zone.", "given twice" }, "a zone given twice", function() model{ mesh
 refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 
--- Names of bodies are also used in functions of the state, in studies and in pictures of the history.
+-- Tests that names of bodies are also used in functions of the state, in studies and in pictures of the
+-- history.
 local hip = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20, name = "bush" },
   mesh = { size = 0.5, height = 0.3, zone = { cylinder = 20, plate = 20 } } }
 local of_hip = { model = hip, load = 1000, stroke = 1, cycles = 2, jump = 1, increments = 10 }
@@ -276,7 +277,7 @@ os.remove(picture)
 hips:close()
 os.remove(file)
 
--- help of a body names the fields of its constructor
+-- Tests that the help of a body names the fields of its constructor.
 local describe = require "archard.help"
 for _, kind in ipairs{ "cylinder", "ball", "block", "punch", "profile", "disc", "ring" } do
   local _, problem = pcall(body[kind], { zork = 1 })

@@ -1,5 +1,5 @@
--- Tests of plot{...}: curves, panels, axes, keys, refused input. Pictures are written to .txt or .gp files and read
--- back.
+-- Tests plot{...}: curves, panels, axes, keys, refused input. Pictures are written to .txt or .gp files and
+-- read back.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -197,7 +197,7 @@ end
 
 pictures.remove()
 
--- a key of three lines below a picture of dots
+-- Tests a key of three lines below a picture of dots.
 do
   local titles, given = { "a", "a long title that takes half of it", "c", "d", "e" }, { term = "dots", size = { 90, 22 } }
   for i, title in ipairs(titles) do

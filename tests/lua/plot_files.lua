@@ -1,5 +1,5 @@
--- Tests of files of plot{...}: formats, sizes for print, file names that contain commands, and a missing, old or slow
--- gnuplot.
+-- Tests the files of plot{...}: formats, sizes for print, file names that contain commands, and a missing,
+-- old or slow gnuplot.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -55,7 +55,7 @@ end
 
 -- --- for print -----------------------------------------------------------------------------------
 
--- Returns the width and height of a png, and its pixels per metre, if the file has them.
+-- Returns the width and height of a PNG file [pixels], and its pixels per metre if the file states them.
 local function png_size(name)
   local png = read(name) or ""
   if #png < 24 then return 0, 0 end

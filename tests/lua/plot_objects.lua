@@ -1,5 +1,5 @@
--- Tests of plot.pressure, plot.profile, plot.history, plot.mesh, plot.stress, plot.animate with tables that replace the
--- engine's objects.
+-- Tests plot.pressure, plot.profile, plot.history, plot.mesh, plot.stress and plot.animate with tables that
+-- replace the engine's objects.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -100,7 +100,7 @@ do
   has(text, "20 cycles", "unless nothing else differs")
 end
 
--- Titles of a run whose load changed.
+-- Tests the titles of a run whose load has changed.
 do
   local changed = stand_in { alpha = 0.5, stroke = 0.11, load = 150 }
   changed.history.load = { 0, 100, 150 }
@@ -134,7 +134,8 @@ refused(function() plot.profile(one, { titles = setmetatable({}, { __len = funct
 
 -- --- meshes and fields --------------------------------------------------------------------------
 
--- Two squares, the second divided into triangles; `side` 1: above, -1: below.
+-- Returns a mesh of two squares, of which the second is divided into triangles. The squares are above (side
+-- 1) or below (side -1) y = 0.
 local function stand_in_mesh(side)
   local x, y = { 0, 1, 1, 0, 2, 2 }, { 0, 0, side, side, 0, side }
   return { nodes = 6, rows = 1, node = function(_, i) return x[i], y[i] end,

@@ -1,4 +1,4 @@
--- Tests of measured points over curves, and of plot.response.
+-- Tests measured points over curves, and plot.response.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -33,7 +33,7 @@ do
   refused(function() plot.points(measured) end, "one of the 1 panels", "no such panel")
 end
 
--- Four cases with two strokes and two alphas; depth = stroke * alpha in mm.
+-- Returns a study of four cases with two strokes and two alphas, whose depth is stroke * alpha [mm].
 local function sweep(extra)
   local study_, list = { varied = { "alpha", "stroke", extra }, flat = {} }, {}
   for _, stroke in ipairs { 1, 2 } do

@@ -1,5 +1,5 @@
--- Tests of figures for print: journal style, greys, titles, panels side by side, and typographic details in gnuplot's
--- commands.
+-- Tests figures for print: journal style, greys, titles, panels side by side, and typographic details in
+-- gnuplot's commands.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -48,7 +48,7 @@ end
 
 -- --- greys ---------------------------------------------------------------------------------------
 
--- Returns true if all colours of a script are greys.
+-- Returns true if all colours in a script are greys.
 local function is_grey(script)
   for r, g, b in script:gmatch "#%x?%x?(%x%x)(%x%x)(%x%x)'" do
     if r ~= g or g ~= b then return false end
@@ -168,7 +168,7 @@ end
 
 -- --- stresses, depths, bars ----------------------------------------------------------------------
 
--- Returns a square of one element with stresses up to `most`.
+-- Returns a field of one square element from the height `low` on, with von Mises stresses up to `most`.
 local function square(low, most)
   return { x = { 0, 1, 1, 0 }, y = { low, low, low + 1, low + 1 }, mises = { 0, most, most, 0 }, elements = { 1, 2, 3, 4 } }
 end

@@ -1,4 +1,4 @@
--- Tests of the printed text of pairs with layers, and of warnings for values in a wrong unit.
+-- Tests the printed text of pairs with layers, and warnings for values in a wrong unit.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
 local ok = tap.ok

@@ -1,5 +1,5 @@
--- Tests of measured profiles against closed forms: filter, levelling, noise, areas and their uncertainty, roughness,
--- files.
+-- Tests measured profiles against closed forms: filter, levelling, noise, areas and their uncertainty,
+-- roughness, files.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -7,10 +7,10 @@ local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.hold
 local pi, sin, sqrt, abs, max = math.pi, math.sin, math.sqrt, math.abs, math.max
 
 math.randomseed(20)
-local pause = collectgarbage("setpause", 200) -- long lists of numbers: small steps would take minutes
+local pause = collectgarbage("setpause", 200) -- small steps would take minutes with these long lists
 local function normal() return sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * pi * math.random()) end
 
--- Returns a trace of f with noise.
+-- Returns a profile of the function f with noise of the standard deviation `noise`.
 local function trace(from, to, count, f, noise)
   local x, z = {}, {}
   for i = 1, count do
@@ -39,7 +39,7 @@ for _, length in ipairs{ 0.4, 0.8, 1.6, 2.4 } do
   local off = apart(p.x, p.z, function(x) return share * wave(length)(x) end, 1.6, 6.4)
   ok(off < 1e-9 * 1e-3, ("a wave of %g mm keeps %.4f of its amplitude behind a cut-off of 0.8 mm"):format(length, share))
 end
-for _, cutoff in ipairs{ 0.01, 0.07, 2 } do -- two steps and more
+for _, cutoff in ipairs{ 0.01, 0.07, 2 } do -- cutoffs of at least two steps
   local direct, p = {}, trace(0, 2, 401, function(x) return math.abs(sin(9 * x)) end)
   local filtered, a = p:filter(cutoff), sqrt(math.log(2) / pi) * cutoff
   for _, i in ipairs{ 1, 7, 200, 401 } do
@@ -129,7 +129,7 @@ fails(function() profile.mean(setmetatable({}, { __len = function() return 2 end
 
 -- --- scars --------------------------------------------------------------------------------------------------
 
--- A parabolic scar from -0.5 to 0.5, 2 um deep, with piled-up material beside it.
+-- Returns the height of a parabolic scar from -0.5 to 0.5 mm, 2 um deep, with material piled up beside it.
 local function groove(x)
   if abs(x) < 0.5 then return -2e-3 * (1 - 4 * x * x) end
   return abs(x) < 0.55 and 2e-4 * sin(pi * (abs(x) - 0.5) / 0.05) or 0
@@ -159,7 +159,7 @@ fails(function() trace(0, 1, 500, function() return 0 end, 1e-5):volume() end, "
 near(trace(-2, 2, 4001, groove, 1e-6):volume{ scar = { -0.5, 0.5 } }.area, area, 1e-3, "a scar that is given")
 fails(function() p:depth{ scars = 1 } end, "unknown field 'scars' (did you mean 'scar'?)", "a misspelt field")
 
--- the uncertainty equals the scatter of 100 traces, with white and with correlated noise
+-- Tests that the stated uncertainty equals the scatter of 100 traces, with white and with correlated noise.
 for _, case in ipairs{ { "white", false }, { "correlated", 0.03 } } do
   local given = { scar = { -0.5, 0.5 } }
   local sum, square, told, count = 0, 0, 0, 100

@@ -1,4 +1,4 @@
--- Tests of the prompt: complete chunks, display of values, completion.
+-- Tests the prompt: complete chunks, display of values, completion.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
 local pretty = require "archard.lib.pretty"

@@ -1,4 +1,4 @@
--- Tests of bodies of revolution and thin plates: refused input, printed text, files.
+-- Tests bodies of revolution and thin plates: refused input, printed text, files.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, fails = tap.is, tap.ok, tap.fails
 
@@ -79,7 +79,7 @@ local function deck_of(mesh)
   file:close()
   return text
 end
--- Returns the elements of a deck, and the smallest radius of their nodes.
+-- Returns the number of elements in a deck, and the smallest radius of their nodes.
 local function rings_of(text)
   local x, count, least = {}, 0, math.huge
   for number, at in text:match("%*NODE[^\n]*\n([^*]*)"):gmatch("(%d+), ([^,]+),[^\n]*\n") do x[number] = tonumber(at) end

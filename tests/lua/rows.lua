@@ -1,7 +1,7 @@
 -- Ordinary collector.
--- Tests every row of every list of settings: each setting is changed from its default in all objects that have it, and
--- read back from the object, a copy, a run file, a session and export.json. A new row is tested without a change here,
--- unless it depends on another one.
+-- Tests every row of every list of settings: each setting is changed from its default in all objects that
+-- have it, and read back from the object, a copy, a run file, a session and export.json. A new row is tested
+-- without a change of this file, unless the row depends on another row.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
@@ -26,7 +26,7 @@ local function text_of(name)
   return file:read "a"
 end
 
--- Returns values of a row other than its default, the most likely valid ones first.
+-- Returns valid values of a row other than the default, the most likely values first.
 local function others(row)
   local list, usual = {}, tonumber(row.default)
   for _, value in ipairs(row.choice and row.values or {}) do
@@ -70,7 +70,7 @@ local function saved(w)
   return path "run.archard"
 end
 
--- Reads a value back from all forms of a run or a model. `places`: its paths.
+-- Checks a value in all forms of a run or a model. `places` lists the paths of the value.
 local function reads_back_run(w, places, value, what, held_as)
   local function look(run, where)
     for _, place in ipairs(places) do same(at(run, held_as or place), value, what .. ", " .. where .. " as " .. place) end
@@ -160,7 +160,7 @@ end
 
 -- --- bodies --------------------------------------------------------------------------------------
 
--- Fields to make each kind of body.
+-- Fields that define each kind of body.
 local kinds = {
   cylinder = { radius = 8, hold = "free" }, block = { width = 18, height = 9 }, disc = { radius = 8 },
   ring = { inner = 8, outer = 12, fixed = "inner" }, ball = { radius = 8, radius_z = 12 }, punch = { flat = 2, radius = 6, height = 9 },

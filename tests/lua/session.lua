@@ -1,5 +1,5 @@
--- Tests of session.save and session.open: objects are restored by name, runs with identical bits; also who(), time(),
--- examples().
+-- Tests session.save and session.open: objects are restored by name, runs with identical bits. Also tests
+-- who(), time() and examples().
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- Returns the printed text of a function.
+-- Returns the text that a function prints.
 local function printed(f, ...)
   local lines, kept = {}, print
   print = function(...)
@@ -26,7 +26,7 @@ local function printed(f, ...)
   return table.concat(lines, "\n"), table.unpack(results, 2, results.n)
 end
 
--- Removes all globals except those of Lua and archard.
+-- Removes all globals except the globals of Lua and archard.
 local function forget()
   for _, each in ipairs(own.list()) do rawset(_G, each.name, nil) end
 end
@@ -173,7 +173,7 @@ is(w.saved, true, "indeed")
 
 -- --- untrusted sessions ----------------------------------------------------------------------------
 
--- Writes a session file with one value made of these settings.
+-- Writes a session file with one value that consists of these settings.
 local function stranger(settings)
   local file <close> = require "archard.store".replace(path "stranger", "session")
   file:begin()

@@ -1,4 +1,5 @@
--- Tests of three dimensions: balls and rollers on flats as half-spaces, from the definition to the file.
+-- Tests contact and wear in three dimensions: balls and rollers on flats as half-spaces, from the definition
+-- to the file.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 

@@ -1,4 +1,4 @@
--- Tests of fits, designs, sensitivities and samples of runs in three dimensions.
+-- Tests fits, designs, sensitivities and samples of runs in three dimensions.
 -- Ordinary collector: only Lua code, which small steps of the collector slow down.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")

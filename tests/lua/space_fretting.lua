@@ -1,4 +1,5 @@
--- Tests of fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross slip.
+-- Tests fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross
+-- slip.
 -- Ordinary collector: long runs, which small steps of the collector slow down.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
@@ -27,7 +28,7 @@ near(w.volume.cylinder / w.volume.total, 0.3, 1e-9, "alpha divides the wear")
 ok(w.volume.total > 0 and w.cycle_energy > 0, "it wears and dissipates")
 near(2e-6 * w.energy, w.volume.total, 1e-9, "Archard's law takes k E / mu")
 
--- mirror images: the map of depths in x and z
+-- Tests the mirror symmetry of the map of depths in x and z.
 local map = w:map("ball", "depth")
 for _, at in ipairs{ { 0.07, 0.02 }, { 0.075, -0.011 }, { 0.03, 0.077 } } do
   local x, z = at[1], at[2]
@@ -36,20 +37,20 @@ for _, at in ipairs{ { 0.07, 0.02 }, { 0.075, -0.011 }, { 0.03, 0.077 } } do
 end
 ok(map:at(0, 0) == 0, "no wear where it sticks")
 
--- exchange of bodies: the ball below, alpha the share of the upper body
+-- Tests the exchange of bodies: with the ball as the lower body, alpha is the share of the flat.
 local other = fret{ model = pair(steel, steel, nil, true), alpha = 0.7 }:run{ progress = false }
 near(other.volume.plate, w.volume.cylinder, 1e-6, "exchanged bodies: the ball's wear")
 near(other.volume.cylinder, w.volume.plate, 1e-6, "and the block's")
 near(other:map("block", "depth"):at(0.07, 0), w:map("block", "depth"):at(0.07, 0), 1e-6, "and their maps")
 
--- a short stroke that sticks in the middle, and along z
+-- Tests a short stroke, which sticks in the middle, along x and along z.
 local stroke = fret{ stroke = 6e-4, tangential = false, cycles = 200 }:run{ progress = false }
 is(stroke.gross, 0, "a short stroke is partial slip")
 ok(stroke.largest_shear > 2 and stroke.largest_shear < 5, "below full friction: " .. stroke.largest_shear)
 local across = fret{ stroke = 6e-4, tangential = false, cycles = 200, slide = "z" }:run{ progress = false }
 near(across.volume.total, stroke.volume.total, 1e-9, "along z as along x")
 
--- the number of increments changes only the drawn loop
+-- Tests that the number of increments changes only the drawn loop.
 near(fret{ increments = 8 }:run{ progress = false }.volume.total, w.volume.total, 2e-3, "eight increments a cycle")
 
 -- --- laws ------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
--- Tests of contact with friction in three dimensions: pressing, moving, results, refused input.
+-- Tests contact with friction in three dimensions: pressing, moving, results, refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -8,7 +8,7 @@ local function ball_on(lower, mesh)
 end
 local m = ball_on(nil, { size = 0.0044 })
 
--- pressed
+-- Tests a contact that is only pressed.
 local c = contact{ model = m, load = 10, friction = 0.5 }
 is(c.stick, 1, "all of it sticks")
 is(c.energy, 0, "nothing is dissipated")
@@ -16,7 +16,7 @@ near(c.p_center, contact{ model = m, load = 10 }.p_center, 1e-3, "like bodies pr
 near(contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[2] - contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[1],
   0.0880442 / 28, 1e-4, "28 cells over the half width where nobody chose")
 
--- moved: Mindlin
+-- Tests a moved contact against Mindlin's closed form.
 local d = c:move{ tangential = 3, increments = 2 }
 near(d.tangential, 3, 1e-4, "the force")
 near(d.x, 2.1504e-4, 1e-3, "the displacement under it")
@@ -29,7 +29,7 @@ near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, 
 is(d:move{}.x, d.x, "an empty motion changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
 
--- motion along z, and changes of direction
+-- Tests motion along z, and changes of direction.
 local z = c:move{ tangential_z = 3, increments = 2 }
 near(z.z, d.x, 2e-6, "along z as along x in a round contact")
 near(z.energy, d.energy, 5e-6, "with the same energy")
@@ -41,13 +41,13 @@ near(slid.tangential, 5, 1e-4, "gross slip")
 is(slid.stick, 0, "nothing sticks")
 ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
 
--- loads
+-- Tests changes of the load.
 local more = d:move{ load = 15, increments = 2 }
 near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")
 near(more.tangential_z, 0, 1e-6, "nothing across")
 near(d:move{ tangential = 3, load = 8 }.tangential, 3, 1e-4, "a smaller load under the force")
 
--- maps and sections
+-- Tests maps and sections.
 local q, s = d:shear{ z = 0 }, d:slip()
 local p = d:pressure{ z = 0 }
 for i = 1, #q.x do if math.abs(q.q[i]) > 0.5 * p.p[i] * (1 + 1e-12) then ok(false, "|q| is friction times p at most") end end
@@ -56,12 +56,12 @@ ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "not across")
 ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the middle sticks, the rim slips")
 is(s.unit, "mm", "slip is a length")
 
--- unlike bodies
+-- Tests unlike bodies.
 local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
 ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
 is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "frictionless pressing dissipates nothing")
 
--- plots
+-- Tests plots.
 local function picture(draw)
   local name = os.tmpname()
   draw(name .. ".gp")
@@ -75,7 +75,7 @@ end
 holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa", "plot.shear")
 holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
 
--- refused
+-- Tests refused motions.
 local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
 is(err.where, "contact:move", "the function in the error")
 fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than", "both together")

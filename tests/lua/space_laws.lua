@@ -1,4 +1,5 @@
--- Tests of wear laws in three dimensions: powers of pressure, local factors, coefficients that change during the run.
+-- Tests wear laws in three dimensions: powers of pressure, local factors, coefficients that change during the
+-- run.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, near = tap.ok, tap.near

@@ -1,5 +1,5 @@
--- Tests of bodies from height maps in three dimensions: as upper and lower body, with and without a ball's radius;
--- edges of maps; invalid maps.
+-- Tests bodies from height maps in three dimensions: as upper and lower body, with and without a ball's
+-- radius; edges of maps; invalid maps.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 

@@ -1,5 +1,6 @@
--- Tests of unknown names: misspelt globals, fields and methods of the program's objects and tables give errors with the
--- nearest name; names that Lua programs usually test for still give nil.
+-- Tests unknown names: misspelt globals, fields and methods of the program's objects and tables give errors
+-- with
+-- the nearest name. Names that Lua programs usually test for still give nil.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -52,7 +53,7 @@ for _, each in ipairs{
   { function() return c:stress().plate.mise end, "stress: no field 'mise'; did you mean 'mises'?" },
   { function() return s:caes() end, "study: no field 'caes'; did you mean 'cases'?" },
   { function() return s:cases()[1].p_centre end, "case: no field 'p_centre'; did you mean 'p_center'?" },
-  -- tables returned by objects
+  -- fields of tables that objects return
   { function() return w.depth.cilinder end, "wear.depth: no field 'cilinder'" },
   { function() return w.volume.sum end, "wear.volume: no field 'sum' (known: cylinder, plate, total)" },
   { function() return w.history.p_centre end, "history: no field 'p_centre'; did you mean 'p_center'?" },
@@ -67,7 +68,7 @@ for _, each in ipairs{
   { function() return m.mesh.zone.plat end, "zone: no field 'plat'; did you mean 'plate'?" },
   { function() return plot.style().widht end, "plot.style: no field 'widht'; did you mean 'width'?" },
   { function() return columns.distanc end, "csv.read: no field 'distanc'; did you mean 'distance'?" },
-  -- Lua's own libraries
+  -- fields of Lua's own libraries
   { function() return math.sqr(2) end, "math: no field 'sqr'; did you mean 'sqrt'?" },
   { function() return string.fromat("%d", 1) end, "string: no field 'fromat'; did you mean 'format'?" },
   { function() return ("a"):uper() end, "string: no field 'uper'; did you mean 'upper'?" },

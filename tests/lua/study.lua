@@ -1,4 +1,4 @@
--- Tests of studies: settings, running, resuming, shares, tables, results of cases; wear:save and wear.open.
+-- Tests studies: settings, running, resuming, shares, tables, results of cases; wear:save and wear.open.
 -- Ordinary collector: long, and small steps make it 40 times slower under a sanitizer.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -37,7 +37,7 @@ is(#grid, 4, "a grid has all combinations")
 is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
   "the last name changes fastest")
 
--- Settings of a case have priority over those of base, whatever the form of both.
+-- Tests that settings of a case override settings of base, whatever the form of both.
 local function joined(base, over) return settings.nest(settings.join("test", base, over)) end
 is(joined({ k = { distance = { 0, 1 }, value = { 1, 2 } } }, { k = 3 }).k, 3, "a number for a series")
 is(joined({ k = 3 }, { k = { distance = { 0, 1 }, value = { 1, 2 } } }).k.value[2], 2,
@@ -153,7 +153,7 @@ do
   is(#assert(io.open(path "letter")):read("a"), 200, "a refused file is unchanged")
 end
 
--- A failed case does not affect other cases and is tried again.
+-- Tests that a failed case does not affect other cases and is computed again.
 local bad = small{ cases = { { alpha = 0.5 }, { alpha = 2 }, { alpha = 0.25 } } }
 local quiet = io.stderr
 local errors = {}
@@ -171,7 +171,7 @@ is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
 holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in CSV")
 
--- A study reports the warnings of its runs.
+-- Tests that a study reports the warnings of its runs.
 errors = {}
 io.stderr = { write = function(_, ...) errors[#errors + 1] = table.concat{ ... } end }
 local ripples = small{ vary = { jump = { 50, 530 } } }:run{ file = path "ripples", progress = false }
@@ -191,7 +191,7 @@ holds(tostring(ripples[2]), "ripples will grow", "print(case) shows the warning"
 holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past", "the table too")
 holds(study.open(path "ripples"):table(), "half_w", "the table keeps its columns")
 
--- Loadings and series are stored like other settings.
+-- Tests that loadings and series are stored like other settings.
 local blocks = study{ snapshots = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
   loading = { { x = { -0.05, 0.05, -0.05 }, load = { 80, 100, 80 }, cycles = 200 },
     { x = { -0.1, 0, 0.1, 0, -0.1 }, load = { 90, 90, 90, 90, 90 }, cycles = 100 } } },

@@ -1,5 +1,5 @@
--- Tests of untrusted study files: any content is either opened completely or gives one error that names the damage;
--- texts are shown without control codes for terminals.
+-- Tests untrusted study files: any content is either opened completely or gives one error that names the
+-- damage; texts are shown without control codes for terminals.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -8,7 +8,7 @@ local merged = require "archard.lib.merged"
 local path = os.tmpname()
 os.remove(path)
 
--- Writes a study file with valid checksums: info by name, settings by the number of their case.
+-- Writes a study file with valid checksums. `info` contains texts by name, `cases` the settings of each case.
 local function stranger(given)
   local file <close> = require "archard.store".replace(path, "study")
   file:begin()
@@ -73,7 +73,7 @@ end
 damaged(sampled(head .. line, { two[1], { k = 1 } }), { "case 2 has no number" }, "no value")
 damaged(sampled(head .. "\nbeta" .. line:sub(7)), { "case 1 has no number for the sampled field 'beta'" }, "another field")
 
--- Every text written by studies can be read again.
+-- Tests that every text written by studies can be read again.
 for _, given in ipairs{ { sample = { alpha = uniform{ 0.1, 0.4 }, model = { plate = { E = normal{ 2e5, 1e4, low = 1e5 } } } }, n = 5 },
   { sample = { k = lognormal{ mean = 1e-8, variation = 0.3 } }, n = 16, indices = true, design = "latin", seed = 2 ^ 31 - 1 } } do
   given.base = { model = { mesh = { size = 0.04, height = 0.05 } } }
@@ -88,7 +88,7 @@ for name, ask in pairs{ uncertainty = function() s:uncertainty() end, failure = 
   fails(ask, { "study:" .. name, "the file is damaged: case 1 is done and has no history" }, name .. " of cases without a history")
 end
 
--- Values that are not numbers are omitted from titles.
+-- Tests that values that are not numbers are omitted from titles.
 s = study.open(stranger{ cases = { { alpha = "x", stroke = "y", load = "z" } } })
 fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end, "has no stored surface: it is waiting", "plots of words")
 

@@ -1,5 +1,5 @@
--- Tests of user functions that fail: the error is reported at the first failing call, with the arguments and the
--- function's message, and the run stays at its last complete step, from which it can be continued.
+-- Tests user functions that fail: the error is reported at the first failing call, with the arguments and the
+-- function's message. The run stays at its last complete step, from which it can be continued.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
@@ -7,7 +7,7 @@ local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
 local m = model{ mesh = { size = 0.1, height = 0.1 } }
 require "archard.warnings".keep() -- suppresses the warning of the coarse mesh
 
--- Returns a function that fails after five updates and counts its later calls.
+-- Returns a function that fails in each call after five updates. `asked` counts these calls.
 local asked
 local function failing(value, words)
   asked = 0
@@ -20,7 +20,8 @@ local function failing(value, words)
   end
 end
 
--- `good` then replaces the function. The run has made five updates, or `stands`.
+-- Checks that a run stops at the error of its function after `stands` updates (default five) and continues
+-- after `good` has replaced the function.
 local function try(name, fields, parts, good, stands)
   fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)
@@ -45,7 +46,7 @@ try("a text of k", { k = failing(1e-8, "x") }, { "k(state at distance 110 mm, cy
   { k = 1e-8 })
 try("a NaN of k", { k = failing(1e-8, 0 / 0) }, { "field 'k': expected a number >= 0 mm2/N, got nan" }, { k = 1e-8 })
 try("friction", { friction = failing(0.2) }, { "friction(state at distance 110 mm", "boom" }, { friction = 0.2 },
-  4) -- called with the state at the end of an update
+  4) -- the function is called with the state at the end of an update
 
 -- --- functions called once for each step ---------------------------------------------------------
 for _, name in ipairs{ "progress", "stop_when" } do
@@ -72,7 +73,7 @@ end }
 holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "an error in local_factor contains the point")
 is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
 
--- The function may fail at any call, also at one made only for an estimate.
+-- Tests that the function may fail at any call, even at a call for an estimate only.
 for nth = 2, 12 do
   asked = 0
   local w = wear{ model = m, distance = 440, jump = 100, alpha = function()

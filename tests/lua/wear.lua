@@ -1,9 +1,9 @@
--- Tests of wear: definition, stepping, running, records, measures, clones, failures during a run.
+-- Tests wear{}: definition, stepping, running, records, measures, clones, failures during a run.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
--- the definition can be read back
+-- Tests that the definition can be read back.
 local automatic = wear{}
 for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
   jump = "auto", increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
@@ -29,7 +29,7 @@ near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "cycles instead of distanc
 near(wear{ cycles = 10, stroke = 20 }.total_distance, 200, 1e-12, "one stroke a cycle at 2R")
 is(wear{ stroke = 20 }.procedure, "NSP", "2R: the plate stays flat")
 
--- one step
+-- Tests one step.
 local record = w:step()
 is(w.update, 1, "a step is one update")
 is(w.cycle, 100, "of jump cycles")
@@ -53,7 +53,7 @@ fails(function() w:step("x") end, [[got "x"]], "steps by name")
 fails(function() w.step() end, { "wear:step", "called with a colon" }, "w.step()")
 fails(function() w.step(material{}) end, { "expected a wear object", "material" }, "another object")
 
--- history
+-- Tests the history.
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
 for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "load", "travel", "p_center", "p_max",
@@ -64,8 +64,8 @@ end
 is(history.p_center[13], w.p_center, "its end is the state")
 is(history.distance[1], 0, "its beginning the start")
 
--- Eq. (15): the volume of each body is its k times the integral of p ds dA, the load integrated over the sliding path,
--- for every motion, step and procedure
+-- Tests Eq. (15) of the reference paper: the volume of each body is the body's k times the integral of p ds
+-- dA, the load integrated over the sliding path, for every motion, step and procedure.
 for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   implicit = { scheme = "implicit", tolerance = 1e-3 }, over_the_plate = { stroke = 20, increments = 10 },
   increments = { update = "increment", geometry = "frozen" },
@@ -87,7 +87,8 @@ for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   is(run.history.load_distance[#run.history.load_distance], sum, name .. ": in the history")
 end
 
--- the largest pressure during the cycle equals that of contacts along the path on the surfaces of the same row
+-- Tests that the largest pressure during the cycle equals the largest pressure of contacts along the path on
+-- the surfaces of the same row.
 do
   local run = wear{ increments = 8, jump = 50 }
   is(run.p_peak, run.p_max, "p_peak before any update")
@@ -121,7 +122,7 @@ do
   is(still.p_peak, still.p_max, "nothing but Hertz' contact")
 end
 
--- profiles, pressures
+-- Tests profiles and pressures.
 local profile = w:profile("plate")
 is(#profile.x, #profile.h, "profile: depths")
 is(#profile.x, #profile.y, "profile: heights")
@@ -142,7 +143,7 @@ local stability = w:stability()
 near(stability.jump_limit, 2 / stability.eigenvalue, 1e-12, "stability limit")
 ok(stability.jump_limit > 100, "jump = 100 is below the stability limit")
 
--- running
+-- Tests running to an end.
 local bits = w:clone()
 is(bits.p_center, w.p_center, "a clone is the same state")
 bits:step()
@@ -166,7 +167,7 @@ fails(function() w:run{ cycles = 1, distance = 1 } end, "got both", "run by both
 fails(function() w:run{ progres = print } end, "did you mean 'progress'?", "misspelt option")
 fails(function() w:run{ progress = 3 } end, "expected a function", "progress is a function")
 
--- progress
+-- Tests the progress function.
 local seen = {}
 local p = wear{ increments = 10 }
 p:run{ progress = function(run) seen[#seen + 1] = run.update return run.update == 3 end }
@@ -187,7 +188,7 @@ ok(pcall(p.step, p), "afterwards it runs on")
 is(coroutine.wrap(function() return wear{ increments = 4 }:run{ distance = 100 }.distance end)(), 100,
   "a run within a coroutine")
 
--- a failure leaves the run unchanged
+-- Tests that a failure leaves the run unchanged.
 local deep = wear{ k = 1e-6, jump = 1000, increments = 4, distance = 1e6,
   model = model{ mesh = { zone = { cylinder = 1, plate = 1.2 } } } }
 local before, state
@@ -206,7 +207,7 @@ if ok(err ~= nil, "a run that must fail fails") then
   ok(same, "to the same bits")
 end
 
--- schemes, steps, laws and series reach the engine
+-- Tests that schemes, steps, laws and series are passed to the engine.
 local implicit = wear{ scheme = "implicit", tolerance = 1e-3 }
 is(implicit.tolerance, 1e-3, "tolerance can be read back")
 holds(tostring(implicit), { "implicit", "tolerance 0.001" }, "print of an implicit run")
@@ -229,7 +230,7 @@ is(law.law, "threshold", "law can be read back")
 is(wear{ update = "increment", jump = 1, increments = 4, distance = 0.22 }.update_at, "increment",
   "quasi-continuous can be read back")
 
--- worn shapes as start
+-- Tests worn shapes as the start of a run.
 local start = wear{}:run{ distance = 220 }
 local onward = wear{ worn = start }
 is(onward.model, start.model, "worn: the same model")
@@ -245,7 +246,7 @@ ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zon
 near(wider.p_center, start.p_center, 5e-3, "a worn start on another mesh")
 near(wear{ model = model{}, stroke = 3 }.model.mesh.zone.plate, wear{ stroke = 3 }.model.mesh.zone.plate, 1e-12, "a model object gets wider zones")
 
--- a step of a finished run warns that it has no effect
+-- Tests that a step of a finished run gives a warning that the step has no effect.
 do
   local warnings = require "archard.warnings"
   local run = wear{ increments = 8, jump = 10, distance = 2.2 }

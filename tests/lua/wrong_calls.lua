@@ -1,5 +1,6 @@
--- Tests of wrong calls of every public function, made from the help entries. Each wrong value gives an error with the
--- function, the argument, the expected and the given value, and with the position of the user's call.
+-- Tests wrong calls of every public function, made from the help entries. Each wrong value gives an error
+-- with the function, the argument, the expected and the given value, and with the position of the user's
+-- call.
 -- Ordinary collector: only messages are tested.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -21,7 +22,7 @@ local wrong = { true, -1, 0 / 0, math.huge, path "nonsense", path "a\0b", "", {}
 
 -- --- messages ------------------------------------------------------------------------------------
 
--- Words of messages: the expected value, or the reason to refuse a value of the right kind.
+-- Words in messages that state the expected value, or the reason to refuse a value of the right kind.
 local reasons = { "expected", "unknown field", "by name", "must be", "needs", "no column", "known:", "did you mean",
   "No such file", "nothing to draw", "no points", "not varied", "of its wear box", "contains another", "holds another", "holds a ",
   "not a run file", "belongs to", "only allowed for", "is almost 0", "has no stored", "no scar is", "do not overlap" }
@@ -33,14 +34,15 @@ local function has_one(text, list)
   return false
 end
 
--- Returns the texts of which a message must contain one: the parts of the field's path, or texts that replace it.
+-- Returns texts of which a message must contain one: the parts of the field's path, or texts that replace the
+-- path.
 local function names_of(field)
   local list = { "unknown field", "panel ", "curve ", "cannot read", "holds a " }
   for part in field:gmatch "[^.]+" do list[#list + 1] = part end
   return list
 end
 
--- Returns the part missing in the message of a failed call, or nil.
+-- Returns the part that is missing in the message of a failed call, or nil.
 local function lack(err, address, field)
   if type(err) ~= "table" or not err.message then return "an error object" end
   local text = tostring(err)
@@ -65,7 +67,7 @@ local function try(f, address, field, value, ...)
   end
 end
 
--- Returns true for valid calls that need much time.
+-- Returns true for calls that are valid but need much time.
 local function would_work(address, value)
   if type(value) ~= "table" or getmetatable(value) then return false end
   return address == "study.figures" or address == "study.converge" and next(value) == nil

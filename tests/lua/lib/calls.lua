@@ -1,5 +1,5 @@
--- Helpers to make calls from the help entries: small objects of every class, valid arguments beside the one tested, and
--- the function of an entry.
+-- Functions that make calls from the help entries: small objects of every class, valid arguments besides the
+-- tested argument, and the function of an entry.
 local help = require "archard.help"
 
 return function(folder)
@@ -50,8 +50,8 @@ return function(folder)
 
   -- --- calls ---------------------------------------------------------------------------------------
 
-  -- Returns valid arguments of a call with one wrong field: the arguments before the table, and the
-  -- other fields of the table.
+  -- Valid arguments of a call with one wrong field: the arguments before the table, and the other fields of
+  -- the table.
   local before = {
     ["plot.pressure"] = { w }, ["plot.profile"] = { w }, ["plot.history"] = { w }, ["plot.mesh"] = { m },
     ["plot.stress"] = { objects.contact }, ["plot.shear"] = { objects.contact }, ["plot.slip"] = { objects.contact },
@@ -88,7 +88,7 @@ return function(folder)
     return type(module) == "table" and rawget(module, name) or nil
   end
 
-  -- Returns the function of an entry, and the object of its method, if any.
+  -- Returns the function of a help entry, and for a method also its object.
   local function callee(entry)
     local owner, name = entry.address:match("^(.*)%.(.*)$")
     if entry.kind == "method" and objects[owner] then
@@ -106,7 +106,7 @@ return function(folder)
     return new
   end
 
-  -- Sets a field by its path; in a list, the field of the first item.
+  -- Sets a field by its path; in a list, sets the field of the first item.
   local function put(given, field, value)
     local at = given
     for part in field:gmatch("([^.]+)%.") do

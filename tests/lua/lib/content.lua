@@ -1,4 +1,4 @@
--- Prints a run file of a study as text, without times: equal texts mean identical bits.
+-- Prints a run file of a study as text, without times; equal texts mean identical bits.
 --   archard tests/lua/lib/content.lua FILE
 
 local function add(lines, name, value)
@@ -18,7 +18,8 @@ local function add(lines, name, value)
   end
 end
 
--- every: n checks the continuation state only in every n-th case; nil: in all cases
+-- Returns the content of a study as text. `every` = n checks the continuation state only in every n-th case;
+-- nil: in all cases.
 local function content(s, every)
   local lines = {}
   for _, case in ipairs(s:cases()) do

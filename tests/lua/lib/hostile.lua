@@ -1,15 +1,16 @@
--- Hostile values and actions: metamethods, callbacks and finalizers that act during a call. Everything is drawn from
--- math.random, so that a seed reproduces it.
+-- Hostile values and actions: metamethods, callbacks and finalizers that act during a call. All values and
+-- actions are drawn by math.random, so a seed reproduces them.
 
--- make(world): world.objects: objects to attack, by class; world.target: the object of the call; world.again(class):
--- makes a new one; world.closed: list of closed objects; world.path(name): a file name.
+-- Returns the hostile values and actions for a world. world.objects: objects to attack, by class;
+-- world.target: the object of the call; world.again(class): creates a new object; world.closed: list of
+-- closed objects; world.path(name): returns a file name.
 return function(world)
   local hostile = {}
   local random, objects = math.random, world.objects
 
   local function one_of(list) return list[random(#list)] end
 
-  -- Errors raised by hostile code, which a call may pass on.
+  -- Errors raised by hostile code, which a call may return to its caller.
   local raised = setmetatable({}, { __mode = "k" })
   local spoken = "hostile words"
 
@@ -33,7 +34,7 @@ return function(world)
   for class in pairs(objects) do classes[#classes + 1] = class end
   table.sort(classes)
 
-  -- Returns an object, mostly the one of the call.
+  -- Returns an object, mostly the object of the call.
   local function victim()
     if random(2) == 1 then return world.target end
     return objects[one_of(classes)]
@@ -99,10 +100,11 @@ return function(world)
   -- --- values -------------------------------------------------------------------------------------
 
   local numbers = { 0, -1, 1, 2, 0.5, 3, 7, 12, 0 / 0, -(0 / 0), math.huge, -math.huge, 2^53, -2^61,
-    math.maxinteger, math.mininteger, 1e300, -1e-300 } -- no small steps or fine meshes, which only take long
+    -- without small steps or fine meshes, which would only need time
+    math.maxinteger, math.mininteger, 1e300, -1e-300 }
   local texts = { "", "cylinder", "plate", "auto", "a\0b", ("x"):rep(300), "\27[31m", "%s%n", "100", "implicit" }
 
-  -- Returns return values for a callback.
+  -- Returns values that a callback returns.
   local function answer(...)
     local choice = random(10)
     if choice <= 3 then return 1e-8 end
@@ -113,7 +115,7 @@ return function(world)
     return random()
   end
 
-  -- Returns a function that sometimes first performs an action.
+  -- Returns a function that sometimes performs an action before it returns.
   local function callback()
     local often = random(3)
     return function(...)
@@ -153,7 +155,7 @@ return function(world)
   for name in pairs(metamethods) do events[#events + 1] = name end
   table.sort(events)
 
-  -- Adds some metamethods to a table.
+  -- Returns the table with some hostile metamethods added.
   local function armed(value)
     local metatable = {}
     for _ = 1, random(3) do
@@ -211,7 +213,7 @@ return function(world)
     return value
   end
 
-  -- Stores a table passed to a call, for actions that change it.
+  -- Stores a table that is passed to a call, so actions can change it.
   function hostile.hand_over(value)
     if type(value) == "table" and debug.getmetatable(value) == nil then given[#given + 1] = value end
     return value

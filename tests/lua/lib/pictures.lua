@@ -1,11 +1,11 @@
--- Common parts of the picture tests: a temporary folder, reading of pictures in characters, replacements for the
--- engine's objects.
+-- Common parts of the picture tests: a temporary folder, reading of pictures in characters, and replacements
+-- for the engine's objects.
 
 local pictures = { folder = os.tmpname() }
 os.remove(pictures.folder)
 os.execute("mkdir " .. pictures.folder)
 
--- Returns the content of a file in the folder; nil if it does not exist.
+-- Returns the content of a file in the folder, or nil if the file does not exist.
 function pictures.read(name)
   local file = io.open(pictures.folder .. "/" .. name, "rb")
   if not file then return nil end
@@ -14,14 +14,14 @@ function pictures.read(name)
   return text
 end
 
--- Returns the picture that the function draws as characters; the function must pass `file` on.
+-- Returns the picture, in characters, that the function `draw` writes to the given file.
 function pictures.picture_of(draw)
   os.remove(pictures.folder .. "/p.txt")
   draw(pictures.folder .. "/p.txt")
   return pictures.read("p.txt") or ""
 end
 
--- Returns the picture as a script for gnuplot.
+-- Returns the gnuplot script that the function `draw` writes to the given file.
 function pictures.script_of(draw)
   draw(pictures.folder .. "/s.gp")
   return pictures.read("s.gp") or ""
@@ -29,7 +29,7 @@ end
 
 pictures.line = { x = { 0, 1, 2, 3 }, y = { 0, 1, 4, 9 }, title = "squares" }
 
--- Makes a replacement for a wear object, which refuses unknown names like the real one.
+-- Returns a replacement for a wear object, which refuses unknown names like a wear object.
 function pictures.stand_in(fields)
   fields.pressure = function(_, body)
     return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, p = { 0, 300, body == "plate" and 500 or 400, 300, 0 } }

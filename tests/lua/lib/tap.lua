@@ -1,4 +1,4 @@
--- Checks that print TAP lines. Each returns true if it passed, so that a test can stop.
+-- Checks that print TAP lines. Each check returns true if it has passed, so a test can stop after a failure.
 
 local tap = {}
 local number = 0
@@ -19,7 +19,7 @@ function tap.is(got, expected, what)
   return false
 end
 
--- Checks |got - expected| <= share |expected|, or <= share if `expected` is zero.
+-- Checks |got - expected| <= share |expected|, or |got| <= share if `expected` is zero.
 function tap.near(got, expected, share, what)
   local tolerance = share * (expected == 0 and 1 or math.abs(expected))
   if tap.ok(type(got) == "number" and math.abs(got - expected) <= tolerance, what) then return true end
