@@ -1,6 +1,5 @@
--- Tests unknown names: misspelt globals, fields and methods of the program's objects and tables give errors
--- with
--- the nearest name. Names that Lua programs usually test for still give nil.
+-- Tests unknown names: misspelt globals, fields and methods of objects and of tables give errors with the
+-- nearest name. Names that Lua programs usually test for still give nil.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds

@@ -4,6 +4,7 @@
 -- BEFORE: a copy of the folder at the start. Each TARGET must have its initial content or the content after one of the
 -- program's own commits. Prints the errors found and the number of states checked.
 --
+--
 -- Model of the disk: a sector of 512 bytes is written completely or not at all; data written since the last fsync of a
 -- file may be on the disk in any part and order; the length of a file is one of its lengths since then; names change in
 -- the order of the operations and are certain after the fsync of their folder.
