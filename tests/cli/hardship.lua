@@ -1,5 +1,6 @@
--- Writes all kinds of files to the folder arg[1], for tests in which writing fails; prints a line for each with the
--- error or "fine". arg[2]: share of the study to compute; default: all of it.
+-- Writes files of all kinds to the folder arg[1], for tests in which writing fails. Prints a line for each
+-- file with the error or "fine". arg[2] is the share of the study to compute; by default the whole study is
+-- computed.
 warn "@off"
 local folder, share = arg[1], arg[2]
 local small = { radius = 10, mesh = { size = 0.08, height = 0.06 } }

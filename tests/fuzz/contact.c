@@ -1,5 +1,5 @@
-/* Fuzz target for contact problems: any load and friction on any worn shape gives a solution or an
- * error; a solution balances its load and has no tensile pressures. */
+/* Fuzz target for contact problems: any load and friction on any worn shape must give a solution
+ * or an error. A solution must balance its load and have no tensile pressures. */
 #include "fuzz.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static arc_model *shared_model(void) {
   return model;
 }
 
-/* Wears a surface by a few measured points, as a user might, or by arbitrary numbers. */
+/* Wears a surface by a few points that resemble a measured profile, or by arbitrary numbers. */
 static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
   enum { MOST = 12 };
   double x[MOST], h[MOST], depth[2000];
@@ -59,8 +59,8 @@ static void solve(const arc_shape *shape, source *s) {
   arc_contact *contact = NULL;
   const int wild = take_byte(s) % 8 == 0;
   def.load = wild ? take_any(s) : take_in(s, 0.1, 200);
-  /* heights of 1e-3 mm have rounding errors of 1e-19, equivalent to 1e-14 N at a node, which is
-   * more than 1e-9 of smaller loads */
+  /* heights of 1e-3 mm have rounding errors of 1e-19 mm, equivalent to 1e-14 N at a node, which
+   * is more than 1e-9 of smaller loads */
   if (fabs(def.load) < 1e-5) return;
   def.x = wild ? take_any(s) : take_in(s, -0.2, 0.2);
   def.friction = take_byte(s) % 2 ? take_in(s, 0, 1.5) : 0;

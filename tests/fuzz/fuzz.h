@@ -1,6 +1,6 @@
-/* Common parts of the fuzz targets. A target is one file with LLVMFuzzerTestOneInput, built with
- * clang's libFuzzer by `make fuzz`, and with replay.c by `make check`, which runs the files in
- * corpus/. */
+/* Common parts of the fuzz targets. A target is one file with LLVMFuzzerTestOneInput. `make
+ * fuzz` builds the targets with clang's libFuzzer; `make check` builds them with replay.c, which
+ * runs them on the files in corpus/. */
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
@@ -14,10 +14,10 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* Reports a finding and aborts. */
+/* Prints a finding and aborts the program. */
 #define FOUND(...) (fprintf(stderr, "found: " __VA_ARGS__), fputc('\n', stderr), abort())
 
-/* Returns the path of a file of this process, in a folder in memory if the system has one. */
+/* Returns the path of a file for this process only, in a folder in memory if the system has one. */
 __attribute__((unused)) static const char *own_file(const char *ending) {
   static char path[4][80];
   static int turn;
@@ -35,7 +35,8 @@ __attribute__((unused)) static const char *as_file(const uint8_t *data, size_t s
   return path;
 }
 
-/* Reads values from the bytes of an input; after its end they are zero. */
+/* The bytes of an input, from which values are read. After the end of the input all values are
+ * zero. */
 typedef struct source {
   const uint8_t *data;
   size_t left;
@@ -54,7 +55,7 @@ __attribute__((unused)) static unsigned take_byte(source *s) {
   return byte;
 }
 
-/* Returns a number in [low, high] made from 16 bits. */
+/* Returns a number in [low, high], computed from the next two bytes. */
 __attribute__((unused)) static double take_in(source *s, double low, double high) {
   uint16_t bits;
   take_bytes(s, &bits, sizeof bits);

@@ -1,4 +1,4 @@
-/* Fuzz target for untrusted Gmsh files. */
+/* Fuzz target for untrusted Gmsh files: every file must give meshes or an error with a message. */
 #include "fuzz.h"
 
 #include "archard/model.h"

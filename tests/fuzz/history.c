@@ -1,5 +1,5 @@
-/* Fuzz target for history files of the prompt: after any content, later entries can still be
- * read. */
+/* Fuzz target for history files of the prompt: whatever a file contains, later entries must be
+ * readable. */
 #include "fuzz.h"
 
 #include "cli/history_file.h"

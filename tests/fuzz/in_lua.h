@@ -1,4 +1,5 @@
-/* Calls of Lua functions by fuzz targets: failures must be reported by archard's errors. */
+/* Functions with which fuzz targets call Lua functions. Every failure must be reported by an
+ * error of archard. */
 #ifndef TESTS_FUZZ_IN_LUA_H
 #define TESTS_FUZZ_IN_LUA_H
 
@@ -9,15 +10,15 @@
 
 #include "lua/base/archard.h"
 
-/* Defines `read(with)`: a function of a path and its text that calls `with` on the path and raises
- * errors again unless they are errors of archard. */
+/* Lua text that defines `read(with)`. This returns a function of a path and its text, which
+ * calls `with` on the path and raises every error again that is not an error of archard. */
 #define IN_LUA_READ                                                                                \
   "local function read(with) return function(path, text)\n"                                        \
   "  local fine, why = pcall(with, path)\n"                                                        \
   "  if not fine and not (type(why) == 'table' and why.code) then error(why, 0) end\n"             \
   "end end\n"
 
-/* Returns a Lua state with the list of functions that the script returns on its stack. */
+/* Returns a Lua state whose stack contains the list of functions that the script returns. */
 static lua_State *in_lua_state(const char *script) {
   static lua_State *L;
   if (L) return L;
@@ -28,8 +29,8 @@ static lua_State *in_lua_state(const char *script) {
   return L;
 }
 
-/* Calls one of `count` functions, selected by the first byte, with the path of a file that contains
- * the other bytes, and with these bytes. */
+/* Calls one of `count` functions, selected by the first byte of the input. The arguments are the
+ * path of a file that contains the other bytes, and these bytes. */
 static void in_lua_call(lua_State *L, int count, const uint8_t *data, size_t size,
                         const char *ending) {
   if (size == 0 || size > 20000) return;

@@ -1,5 +1,5 @@
-/* Fuzz target for maps of all formats that map.read recognizes, repaired and levelled, and for
- * gaits. */
+/* Fuzz target for maps of all formats that map.read recognizes, which are repaired and levelled,
+ * and for gaits. */
 #include "in_lua.h"
 
 static const char script[] =

@@ -1,5 +1,6 @@
-/* Runs a target on the files of a folder, earlier findings and files that cover the code: replay
- * FOLDER prints a TAP line for each. Linked with a target instead of libFuzzer. */
+/* Runs a target on the files of a folder, which are earlier findings and files that cover the
+ * code. Usage: replay FOLDER; prints a TAP line for each file. The program is linked with a
+ * target instead of libFuzzer. */
 #include <dirent.h>
 
 #include "fuzz.h"

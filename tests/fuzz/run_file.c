@@ -1,6 +1,6 @@
-/* Fuzz target for untrusted run files: arbitrary bytes; a valid file with changed bytes; a file
- * whose tables were changed by SQL with valid checksums. Each file is read as by `wear.open`; if it
- * opens, the run computes one step. */
+/* Fuzz target for untrusted run files: arbitrary bytes, a valid file with changed bytes, or a
+ * file whose tables were changed by SQL and have valid checksums. The target reads each file
+ * like `wear.open`; if the file opens, the run computes one step. */
 #include "fuzz.h"
 
 #include <sqlite3.h>
@@ -79,7 +79,7 @@ static const char *with_bytes_changed(source *s) {
   return path;
 }
 
-/* Binds a value of any type to a parameter. */
+/* Binds a value of a random type to a parameter of the statement. */
 static void bind_any(sqlite3_stmt *q, int index, source *s) {
   uint8_t text[40];
   const unsigned length = take_byte(s) % sizeof text;
@@ -154,7 +154,7 @@ static void change(sqlite3 *db, source *s) {
     bind_any(q, 2, s);
   else
     sqlite3_bind_int(q, 2, (int)(take_byte(s) % 64));
-  sqlite3_step(q); /* changes refused by the tables have no effect */
+  sqlite3_step(q); /* changes that constraints of the tables refuse have no effect */
   sqlite3_finalize(q);
 }
 
@@ -186,7 +186,8 @@ static int see(void *context, const arc_value *value) {
   return 0;
 }
 
-/* Builds the model of the valid file once. */
+/* Builds the model of the valid file once and returns it for later runs with the same
+ * definition. */
 static arc_status model_of(arc_stored_run *run, arc_model **model) {
   static arc_model *kept;
   static arc_model_def of_kept;

@@ -1,5 +1,5 @@
-/* Fuzz target for texts: tables and profiles in CSV files, chunks at the prompt and their
- * completion, which never fail. */
+/* Fuzz target for texts: tables and profiles in CSV files, and chunks at the prompt and their
+ * completion, which must never fail. */
 #include "in_lua.h"
 
 static const char script[] =

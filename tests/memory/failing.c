@@ -1,10 +1,12 @@
 /* Simulates exhausted memory and failing system calls in a program that loads this library
- * (LD_PRELOAD). The program sends commands by allocations of special sizes, which fail: 2^30 + 64 n
- * bytes make the allocations after the next n fail, a few in a row, as Lua retries after a garbage
- * collection; 2^30 + 2^29 + 64 n bytes make one system call after the next n fail; 2^30 - 4096
- * bytes end both. The program itself never needs such sizes. With n = 2^22 nothing fails, and the
- * file ARCHARD_COUNT receives the number of possible failures and for each call site the numbers of
- * its first and last call. A call site is a chain of callers. */
+ * (LD_PRELOAD). The program sends commands by allocations of special sizes, which fail; it never
+ * needs such sizes itself.
+ * 2^30 + 64 n bytes: the allocations after the next n fail, several in a row, because Lua tries
+ * again after a garbage collection. 2^30 + 2^29 + 64 n bytes: one system call after the next n
+ * fails. 2^30 - 4096 bytes: ends both.
+ * With n = 2^22 nothing fails, and the file ARCHARD_COUNT receives the number of possible
+ * failures and for each call site the numbers of its first and last call. A call site is a chain
+ * of callers. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>

@@ -10,10 +10,10 @@ local counted = folder .. "/count"
 local pieces = assert(loadfile "tests/memory/pieces.lua")(folder)
 
 
--- Sends commands to tests/memory/failing.c.
+-- Send commands to tests/memory/failing.c by allocations of special sizes.
 local function order(size) pcall(string.rep, "x", size) end
 local function arm(n) order((what == "memory" and 1 << 30 or 3 << 29) + n * 64) end
-local function disarm() -- repeated, as the command itself may fail
+local function disarm() -- repeated because the command itself may fail
   for _ = 1, 10 do order((1 << 30) - 4096) end
 end
 
@@ -23,8 +23,8 @@ local function ok(fine, says)
   print(("%s %d - %s"):format(fine and "ok" or "not ok", number, says))
 end
 
--- Returns true if the failure is reported: Lua's own errors are strings, archard's are tables with
--- a code.
+-- Functions that return true if an error reports the failure. Lua's own errors are strings; archard's errors
+-- are tables with a code.
 local told = {}
 
 function told.memory(why)
@@ -33,7 +33,8 @@ end
 
 function told.system(why) return type(why) == "table" and why.code == "IO" end
 
--- Returns the number of possible failures, and those that are the first or last of a call site.
+-- Returns the number of possible failures, and a list of the failures that are the first or last of a call
+-- site.
 local function points_of(work)
   arm(1 << 22)
   pcall(work)
@@ -48,7 +49,7 @@ local function points_of(work)
   return count, list
 end
 
--- Runs a use with failures; returns the first error found, or nothing.
+-- Runs a use with failures at `tried` points of the list; returns the first problem found, or nothing.
 local function try(piece, list, tried)
   for k = 0, tried - 1 do
     local n = list[1 + k * #list // tried]

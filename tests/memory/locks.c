@@ -1,6 +1,6 @@
-/* Simulates a disk without locks for a program that loads this library (LD_PRELOAD): every lock
- * request fails with the error number ARCHARD_LOCKS, or never returns if it is "hang", as if the
- * lock daemon of a server were gone. */
+/* Simulates a disk without locks for a program that loads this library (LD_PRELOAD). Every lock
+ * request fails with the error number ARCHARD_LOCKS. If this variable is "hang", the request
+ * never returns, as without the lock daemon of a server. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,9 +1,10 @@
--- Typical uses, each with a name and a function. files: the use writes files in the given folder;
--- whole: the test fails if existing data are lost.
+-- Typical uses, each with a name and a function. The field `files` marks a use that writes files in the given
+-- folder; the function `whole` fails if existing data are lost.
 
 local folder = ...
 local small = { radius = 10, mesh = { size = 0.08 } }
-local function new() return model{ radius = 10 + math.random() / 1000, mesh = small.mesh } end -- not a shared model
+-- a new model each time, which is not shared
+local function new() return model{ radius = 10 + math.random() / 1000, mesh = small.mesh } end
 local function run_of(distance)
   local w = wear{ model = model(small), distance = 400, increments = 20, jump = 20 }
   for _ = 1, distance do w:step() end

@@ -1,9 +1,10 @@
 /* Records the file operations of a program in a folder for tests/trust/power.lua, which simulates
- * power cuts. Loaded with LD_PRELOAD; POWER_FOLDER is the folder, POWER_LOG the file for the
- * record. A record: a letter and six numbers of 8 bytes (device, inode, offset, length of the
- * bytes, lengths of the first and the second path), then the bytes and paths. Writes are recorded
- * before they are done, synchronizations after. Writes inside stdio are not visible: when a file is
- * synchronized or renamed, its whole content is recorded. */
+ * power cuts. The library is loaded with LD_PRELOAD; POWER_FOLDER is the folder, POWER_LOG the file
+ * for the record.
+ * An entry of the record consists of a letter and six numbers of 8 bytes (device, inode, offset,
+ * length of the bytes, lengths of the first and the second path), then the bytes and paths.
+ * Writes are recorded before they are done, synchronizations after. Writes inside stdio are not
+ * visible, so the whole content of a file is recorded when the file is synchronized or renamed. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -47,7 +48,7 @@ static void tell(char what, const struct stat *facts, long long offset, const vo
   free(record);
 }
 
-/* Returns the path relative to the folder, or NULL if it is outside. */
+/* Returns the path relative to the folder, or NULL if the path is outside the folder. */
 static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   const char *base = getenv("POWER_FOLDER");
   char stands[PATH_MAX] = "";
@@ -65,7 +66,7 @@ static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   return strncmp(whole, base, length) == 0 && whole[length] == '/' ? whole + length + 1 : NULL;
 }
 
-/* Returns the path of an open file relative to the folder; "." for the folder itself. */
+/* Returns the path of an open file relative to the folder, or "." for the folder itself. */
 static const char *opened(int file, char whole[PATH_MAX]) {
   char link[40], target[PATH_MAX];
   const char *base = getenv("POWER_FOLDER");

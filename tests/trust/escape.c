@@ -1,6 +1,7 @@
-/* A program that tries to leave the sandbox; it is run there instead of gnuplot. The environment
- * has its targets: OUTSIDE, a folder with a file "secret" and a folder "empty"; VICTIM, a process.
- * It writes a line for each attempt to the file "tried": the attempt, and "held" or "OUT". */
+/* A program that tries to leave the sandbox; the sandbox runs it instead of gnuplot. The
+ * environment names its targets: OUTSIDE, a folder with a file "secret" and a folder "empty";
+ * VICTIM, a process. It writes a line for each attempt to the file "tried": the attempt, and
+ * "held" if it failed or "OUT" if it succeeded. */
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <dirent.h>
@@ -155,8 +156,9 @@ static void try_files(void) {
 
 /* --- programs --------------------------------------------------------------------------------- */
 
-/* Replaces this process by another program, or returns, since the sandbox allows no further
- * process. The line "OUT" stays if the program runs, and is overwritten here otherwise. */
+/* Replaces this process by another program. If that fails, returns, because the sandbox allows
+ * no further process. The line "OUT" is written first; it is overwritten if the other program
+ * does not start. */
 static void try_program(const char *what, const char *path, char *const argv[]) {
   const long line = ftell(tried);
   tell(what, 1);

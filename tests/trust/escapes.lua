@@ -1,6 +1,7 @@
--- A script that tries to leave the sandbox; arg[1] is a folder outside with a file "secret" (with the text "the
--- secret"), a run file "run.archard" and a Lua file "code.lua". Prints a line for each attempt: the attempt, and "held"
--- or "OUT". The calling test checks afterwards for effects outside.
+-- A script that tries to leave the sandbox. arg[1] is a folder outside the sandbox with a file "secret"
+-- (which contains "the secret"), a run file "run.archard" and a Lua file "code.lua". Prints a line for each
+-- attempt: the attempt, and "held" if it failed or "OUT" if it succeeded. The calling test then checks for
+-- effects outside the sandbox.
 local outside = arg[1]
 local secret = outside .. "/secret"
 warn "@off"
@@ -11,7 +12,7 @@ w:step()
 local height = map{ x = { 0, 1, 2 }, z = { 0, 1 }, y = { 0, 1, 2, 3, 4, 5 } }
 local worn = wear{ model = joint{ mesh = { size = 8 } }, k = 1e-9, cycles = 1e3, updates = 2 }
 
--- Reports an attempt whose result contains the content of the secret file.
+-- Returns true if one of the values contains the content of the secret file.
 local function shows(...)
   for _, value in ipairs{ ... } do
     if tostring(value):find("the secret", 1, true) then return true end
@@ -23,7 +24,7 @@ local function try(what, call)
   print(("%s: %s"):format(what:gsub("%c", "?"), shows(pcall(call)) and "OUT" or "held"))
 end
 
--- Reports an attempt that must fail or return nothing.
+-- Prints the result of an attempt that must fail or return nothing.
 local function absent(what, call)
   local fine, value = pcall(call)
   print(("%s: %s"):format(what, fine and value and "OUT" or "held"))
@@ -90,7 +91,7 @@ for _, name in ipairs(names) do
     overwrite = function() export.csv({ x = { 1 } }, name) end,
   } do
     pcall(write)
-    print(("%s into %s: held"):format(what, into:gsub("%c", "?"))) -- the calling test checks
+    print(("%s into %s: held"):format(what, into:gsub("%c", "?"))) -- the calling test checks the result
   end
 end
 
@@ -112,7 +113,7 @@ for _, text in ipairs(words) do
     study = function(t) study{ snapshots = t, base = { model = t } } end,
   } do
     pcall(call, text)
-    print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- the calling test checks
+    print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- the calling test checks the result
   end
 end
 pcall(plot.style, "screen")

@@ -1,13 +1,13 @@
--- Simulates power cuts: replays the operations of a program on a folder, recorded by tests/memory/power.c, into states
--- that a disk may have after a power cut, and checks each state.
+-- Simulates power cuts: replays the operations of a program on a folder, recorded by tests/memory/power.c,
+-- computes states that a disk may have after a power cut, and checks each state.
 --   archard tests/trust/power.lua BEFORE LOG WORK COUNT SEED TARGET...
--- BEFORE: a copy of the folder at the start. Each TARGET must have its initial content or the content after one of the
--- program's own commits. Prints the errors found and the number of states checked.
+-- BEFORE is a copy of the folder at the start. Each TARGET must have its initial content or the content after
+-- one of the program's own commits. Prints the errors found and the number of states checked.
 --
---
--- Model of the disk: a sector of 512 bytes is written completely or not at all; data written since the last fsync of a
--- file may be on the disk in any part and order; the length of a file is one of its lengths since then; names change in
--- the order of the operations and are certain after the fsync of their folder.
+-- Model of the disk: a sector of 512 bytes is written completely or not at all. Data written since the last
+-- fsync of a file may be on the disk in any part and order. The length of a file is one of the lengths since
+-- the last fsync. Names change in the order of the operations and are certain after the fsync of their
+-- folder.
 
 local stores = require "archard.store"
 
@@ -38,8 +38,8 @@ end
 
 -- --- files ---------------------------------------------------------------------------------------
 
--- A file: the synchronized sectors and length, and the later writes in order. A write is { sector =, bytes = } with all
--- bytes of the sector, or { length = }.
+-- Returns the state of a file: the synchronized sectors and length, and the later writes in order. A write is
+-- { sector =, bytes = } with all bytes of the sector, or { length = }.
 local function new_file(content)
   local file = { sure = {}, length = #content, now = {}, now_length = #content, pending = {} }
   for s = 0, (#content - 1) // SECTOR do
@@ -85,7 +85,7 @@ local function now(file)
   return table.concat(list):sub(1, file.now_length)
 end
 
--- Adds the writes of stdio, which the recorder does not see.
+-- Adds the writes of stdio, which the recorder cannot record.
 local function compare(file, content)
   if now(file) == content then return end
   if #content ~= file.now_length then truncate(file, #content) end
@@ -100,8 +100,8 @@ local function bring(file)
   for s, bytes in pairs(file.now) do file.sure[s] = bytes end
 end
 
--- Returns a possible content of the file after a power cut: each later write is kept with
--- probability `chance`, and the length is one of the later lengths. chance = 1: everything is kept.
+-- Returns a possible content of the file after a power cut: each later write is on the disk with the
+-- probability `chance`, and the length is one of the later lengths. chance = 1: all writes are on the disk.
 local function left_of(file, chance)
   local sectors, length, lengths = {}, file.length, { file.length }
   for s, bytes in pairs(file.sure) do sectors[s] = bytes end
@@ -145,7 +145,7 @@ local apply = {
   end,
 }
 
--- Ignores fsync: the test must then find wrong states.
+-- ignores fsync on request: the test must then find wrong states
 if os.getenv "POWER_BLIND" then apply.S = function() end end
 
 -- --- checks --------------------------------------------------------------------------------------
@@ -175,8 +175,8 @@ local function said_by(path)
   return table.concat(lines, "\n")
 end
 
--- Returns the state of a target: "absent", the bytes of a file that is not an SQLite file, or the
--- text of a run file.
+-- Returns the state of a target: "absent", the bytes of a file that is not an SQLite file, or the text of a
+-- run file.
 local function look(content)
   if not content then return "absent" end
   if content:sub(1, 15) ~= "SQLite format 3" then return content end
@@ -191,8 +191,8 @@ local function put(name, content)
   file:write(content)
 end
 
--- Returns a possible state of a target after a power cut. chance: probability of a write; cut:
--- number of changed names.
+-- Returns a possible state of a target after a power cut. chance: probability that a write is on the disk;
+-- cut: number of changes of names before the power cut.
 local function state_of(target, chance, cut)
   local list = {}
   for name, file in pairs(sure_names) do list[name] = file end
@@ -208,7 +208,8 @@ end
 
 local allowed, tried, wrong, seen = {}, 0, 0, 0
 
--- A file that existed before appears for the first time in its first record.
+-- Reads the recorded operations. A file that existed at the start is created when its first operation is
+-- replayed.
 local ops = parse(bytes_of(log))
 assert(#ops > 0, "nothing was written")
 local function known(op)
@@ -234,7 +235,8 @@ end
 
 for _, target in ipairs(targets) do allowed[target] = {} end
 
--- Visits the states without a power cut after each change of names: the removal of a journal is a commit.
+-- Replays all operations and calls visit(at) at the start and after each operation. The first pass collects
+-- the states without a power cut after each change of names, because the removal of a journal is a commit.
 local function pass(visit)
   files, changes = {}, {}
   names, sure_names = {}, {}
