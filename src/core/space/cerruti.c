@@ -1,7 +1,7 @@
-/* Influence of shear on rectangular cells, and its convolutions. Shear q along x at a point of a
- * body with shear modulus G displaces the surface at distance r along x by ((1 - nu) / r + nu x^2 /
- * r^3) / (2 pi G), along z by nu x z / r^3 / (2 pi G), and inwards by (1 - 2 nu) x / r^2 / (4 pi
- * G). */
+/* Displacements due to shear on rectangular cells, and their convolutions. Shear q along x at a
+ * point of a body with shear modulus G displaces the surface at distance r along x by ((1 - nu)
+ * / r + nu x^2 / r^3) / (2 pi G), along z by nu x z / r^3 / (2 pi G), and inwards by (1 - 2 nu)
+ * x / r^2 / (4 pi G). */
 #include "core/space/cerruti.h"
 
 #include <math.h>
@@ -86,7 +86,8 @@ static double lag_along(const void *context, int row, int column) {
   return compliance(c->def, c->which, row * c->def->size_x, column * c->def->size_z);
 }
 
-/* Returns the gap at a lag due to unit shear on a cell, along x (which = 0) or along z. */
+/* Returns the gap at a lag (row, column) [mm/MPa] due to unit shear on a cell, along x (which =
+ * 0) or along z. */
 static double lag_couple(const void *context, int row, int column) {
   const lag_context *c = context;
   const arc_halfspace_def *d = c->def;

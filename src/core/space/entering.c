@@ -1,13 +1,14 @@
 /* Sites that enter or leave a contact within an increment, and the share of the motion for which
- * each was open. */
+ * each site was open. */
 #include "core/space/entering.h"
 
 #include "core/space/cerruti.h"
 
 #include <math.h>
 
-/* Returns the approach for known pressures and gaps (without approach): the mean gap over the
- * contact, weighted by pressure. For separated bodies it is the approach of first contact. */
+/* Returns the approach for known pressures and for gaps without the approach [mm]: the mean gap
+ * over the contact, weighted by pressure. For separated bodies it is the approach of first
+ * contact. */
 static double approach_of(int n, const double *pressure, const double *gap) {
   double sum = 0, product = 0, least = INFINITY;
   for (int k = 0; k < n; k++) {

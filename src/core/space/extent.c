@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Values by cell. Positions where they cross the level are interpolated linearly in value^power. */
+/* Values by cell. The position where the values cross the level is interpolated linearly in
+ * value^power. */
 typedef struct field {
   const double *value;
   int rows, columns, power;
@@ -17,7 +18,7 @@ static double at(const field *f, int i, int j) {
   return f->power == 2 ? v * v : v;
 }
 
-/* Returns the largest value in row i (along = 0) or in column i. */
+/* Returns the largest value in row i (along = 0) or in column i (along = 1). */
 static double largest_of(const field *f, int along, int i) {
   double most = 0;
   for (int j = 0, n = along ? f->rows : f->columns; j < n; j++)
@@ -25,9 +26,9 @@ static double largest_of(const field *f, int along, int i) {
   return most;
 }
 
-/* Returns the position, in lines (rows or columns), at which the largest value of a line falls
- * below the level. It is interpolated if the next line is not 0, otherwise extrapolated with the
- * slope inside. */
+/* Returns the position, in rows or columns, at which the largest value of a row or column falls
+ * below the level. The position is interpolated if the next line has values above 0, otherwise
+ * extrapolated with the slope inside. */
 static double edge(const field *f, int along, int from, int step) {
   const double inside = largest_of(f, along, from), before = largest_of(f, along, from - step),
                outside = largest_of(f, along, from + step);
@@ -59,7 +60,7 @@ static double middle(const field *f) {
   return (v[i * n + j] + v[k * n + j] + v[i * n + l] + v[k * n + l]) / 4;
 }
 
-/* size_x is the cell size along the motion. */
+/* Computes extent, area and values of a field. size_x is the cell size along the motion [mm]. */
 static arc_halfspace_extent extent_of(const arc_halfspace_def *d, const field *f, double size_x) {
   arc_halfspace_extent e = {0};
   int inside = 0;

@@ -1,4 +1,4 @@
-/* A pair of half-spaces: data derived from its definition. */
+/* Creates a pair of half-spaces and computes the data that follow from its definition. */
 #include "core/space/cerruti.h"
 
 #include <math.h>
@@ -99,8 +99,8 @@ static double lag(const void *context, int row, int column) {
   return h->kernel[(size_t)row * (size_t)h->def.nz + (size_t)column];
 }
 
-/* On a periodic window the symbol itself is the kernel. The mean displacement of half-spaces is
- * infinite; here it is set to 0. */
+/* Creates the convolution of a periodic window, whose kernel is the symbol itself. The mean
+ * displacement of half-spaces is infinite and is set to 0. */
 static arc_status make_periodic(arc_halfspace *h, arc_error *error) {
   const arc_halfspace_def *d = &h->def;
   const int half_x = d->nx / 2 + 1, half_z = d->nz / 2 + 1;
@@ -132,8 +132,9 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
   return status;
 }
 
-/* Inverts the symbol on a box that is a quarter larger. Values below the least positive value are
- * replaced by it, so that the inverse is positive definite. */
+/* Creates the preconditioner by inverting the symbol on a box that is a quarter larger. Values
+ * below the smallest positive value are replaced by this value, so the inverse is positive
+ * definite. */
 static arc_status make_inverse(arc_halfspace *h, int rows, int columns, convolution **made,
                                arc_error *error) {
   const int box_x = arc_transform_length(rows + rows / 4),
@@ -164,8 +165,8 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
 
 /* --- creation --------------------------------------------------------------------------------- */
 
-/* Chooses box sizes for shorter transforms. Each is even or odd as the window's size, so that the
- * box can lie symmetrically in the window. */
+/* Chooses box sizes for short transforms. Each size is even or odd like the window's size, so
+ * the box can lie symmetrically in the window. */
 static void find_levels(int n, int periodic, int level[SPACE_LEVELS]) {
   static const double share[SPACE_LEVELS] = {1, 0.75, 0.5, 0.375, 0.25};
   level[0] = n;
@@ -313,8 +314,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Returns the half extent of the scar along an axis of radius r, from the elastic contact and from
- * a spherical cap of the worn volume. */
+/* Returns the half extent of the scar along an axis of radius r [mm], from the elastic contact
+ * and a spherical cap of the worn volume. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

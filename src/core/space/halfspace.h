@@ -10,13 +10,14 @@
 
 enum { SPACE_LEVELS = 5 };
 
-/* Kernels on the whole window for the tangential displacement of the pair due to shear, and for the
- * coupling between shear and pressure where the materials of the bodies differ. */
+/* Convolution kernels on the whole window for friction: the tangential displacement of the pair
+ * due to shear, and the coupling between shear and pressure if the bodies have different
+ * materials. */
 typedef struct space_shear_kernels {
   double self[2];         /* displacement of a loaded cell along x and z [mm/MPa] */
   convolution *along[3];  /* x due to qx, x due to qz (and z due to qx), z due to qz */
-  convolution *couple[2]; /* gap due to qx and qz; NULL: equal materials */
-  convolution_work *work; /* second workspace, for pairs of fields */
+  convolution *couple[2]; /* gap due to qx and due to qz; NULL if the materials are equal */
+  convolution_work *work; /* second workspace, for convolutions of two fields at once */
 } space_shear_kernels;
 
 struct arc_halfspace {
@@ -30,28 +31,28 @@ struct arc_halfspace {
   space_shear_kernels *shear; /* NULL until the first contact with friction */
   pthread_mutex_t lock;       /* protects convolutions, created on first use */
   convolution_work **work;    /* one workspace per worker */
-  double *scratch;            /* [workers][2][window] */
+  double *scratch;            /* [workers][2][window] temporary values */
   work_team *team;
 };
 
-/* A part of the window that contains the contact: rows x to x + nx - 1 and columns z to z + nz -
- * 1. */
+/* The part of the window that contains the contact: rows x to x + nx - 1 and columns z to z + nz
+ * - 1. level_x and level_z are the indices of its sizes in the lists of box sizes. */
 typedef struct space_box {
   int x, z, nx, nz, level_x, level_z;
 } space_box;
 
-/* Return the convolution for boxes of one size, and its inverse symbol for preconditioning. Both
- * are created on first use. */
+/* Return in *found the convolution for boxes of one size, and the convolution with the inverse
+ * symbol for preconditioning. Both are created at the first call. */
 arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
 
 /* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b
- * whose centre is at (x, z), multiplied by the pair's E* (Love's solution). */
+ * whose centre is at (x, z), multiplied by the pair's E* (Love's solution) [mm]. */
 double arc_space_love(double x, double z, double a, double b);
-/* u ln(v + r) with r^2 = u^2 + v^2, the term from which the integrals over rectangles are
- * composed. */
+/* Returns u ln(v + r) with r^2 = u^2 + v^2. The integrals over rectangles are sums of such
+ * terms. */
 double arc_space_term(double u, double v);
 
 /* Returns the compliance of the pair to a pressure wave of wave number q [1/mm]: displacement per
@@ -59,15 +60,16 @@ double arc_space_term(double u, double v);
 double arc_space_symbol(const arc_halfspace_def *def, double q);
 /* Returns 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
-/* Adds to the kernel [nx][nz] the contribution of layers and bases, that is the difference from
+/* Adds to the kernel [nx][nz] the contribution of layers and bases, which is the difference from
  * half-spaces of the topmost materials. */
 arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, arc_error *error);
-/* Returns the thickness of the thinnest top layer, or the depth of a body without layers; 0 for
- * homogeneous half-spaces. */
+/* Returns the smallest thickness of a top layer, or depth of a body without layers [mm]; 0 if
+ * both bodies are homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
-/* Hertz' contact for relative radii along and across the motion [mm] and a load [N]. The modulus is
- * that for waves of about the contact's length. Errors: as for arc_hertz_ellipse_of. */
+/* Computes Hertz' contact for relative radii along and across the motion [mm] and a load [N].
+ * The modulus is the compliance of the pair to waves of about the contact's length. Errors: as
+ * for arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 

@@ -1,5 +1,5 @@
-/* Influence of pressure on rectangles: Love's solution for half-spaces, and the contribution of
- * layers. */
+/* Displacements due to pressure on rectangles: Love's solution for half-spaces, and the
+ * contribution of layers. */
 #include "core/elastic/layered.h"
 #include "core/space/halfspace.h"
 
@@ -11,7 +11,7 @@ static const double pi = 3.14159265358979323846;
 
 /* --- half-space ------------------------------------------------------------------------------- */
 
-/* For v < 0 the formula u ln(v + r) would lose digits by cancellation. */
+/* For v < 0 an equivalent formula is used, because ln(v + r) would lose digits by cancellation. */
 double arc_space_term(double u, double v) {
   const double r = hypot(u, v);
   if (u == 0) return 0;
@@ -71,7 +71,7 @@ double arc_space_thinnest(const arc_halfspace_def *def) {
   return thinnest;
 }
 
-/* A function sampled at equal steps, with cubic interpolation. */
+/* A function sampled at equal steps, with cubic interpolation between the samples. */
 typedef struct spline {
   int count;
   double from, step;
@@ -85,7 +85,7 @@ static int spline_create(spline *s, int count, double from, double to) {
   return s->value != NULL;
 }
 
-/* Computes slopes for continuous second derivatives, with slope 0 at both ends. */
+/* Computes slopes for which the second derivatives are continuous; the slope is 0 at both ends. */
 static void spline_finish(spline *s) {
   const int n = s->count;
   double *d = s->slope, *upper = s->slope + n;
@@ -99,7 +99,7 @@ static void spline_finish(spline *s) {
   for (int i = n - 2; i > 0; i--) d[i] -= upper[i] * d[i + 1];
 }
 
-/* The value is constant outside the range of samples. */
+/* Returns the interpolated value; outside the range of samples the value is constant. */
 static double spline_at(const spline *s, double x) {
   const double place = fmin(fmax((x - s->from) / s->step, 0), s->count - 1);
   const int i = (int)fmin(place, s->count - 2);
@@ -109,8 +109,8 @@ static double spline_at(const spline *s, double x) {
 }
 
 /* Difference between the compliance of the layered bodies and that of half-spaces of the topmost
- * materials. `symbol` is q times the difference over ln q, and `radial` its Hankel transform over
- * asinh(r / t). */
+ * materials. `symbol` contains q times the difference over ln q, and `radial` its Hankel
+ * transform over asinh(r / t). */
 typedef struct rest {
   double t;       /* thickness of the thinnest top layer [mm] */
   double lowest;  /* wave number below which the symbol is constant [1/mm] */
@@ -120,7 +120,7 @@ typedef struct rest {
 
 enum { SYMBOL_POINTS = 1500, RADII = 400, GAUSS = 8 };
 
-/* Depth [1/q] from which exp(-2 depth) is negligible. */
+/* depth [1/q] from which exp(-2 depth) is negligible */
 static const double deep = 18;
 
 static int sample_symbol(const arc_halfspace_def *def, rest *r) {
@@ -134,7 +134,7 @@ static int sample_symbol(const arc_halfspace_def *def, rest *r) {
   return 1;
 }
 
-/* Positive points of Gauss' rule on [-1, 1], and their weights. */
+/* Positive points of Gauss' rule on [-1, 1], and the weights of these points. */
 static const double gauss_at[GAUSS / 2] = {0.1834346424956498, 0.5255324099163290,
                                            0.7966664774136267, 0.9602898564975363};
 static const double gauss_weight[GAUSS / 2] = {0.3626837833783620, 0.3137066458778873,
@@ -152,8 +152,8 @@ static double panel(const rest *r, double radius, double a, double b) {
   return half * sum;
 }
 
-/* Computes the Hankel transform. The integration panels grow with q, and each contains at most
- * about one wave of J0. */
+/* Returns the Hankel transform at a radius [mm]. The integration panels grow with q, and each
+ * panel contains at most about one wave of J0. */
 static double transform(const rest *r, double radius) {
   const double ratio = 1.3, longest = radius > 0 ? 2 * pi / radius : INFINITY;
   double sum = 0, a = 0;
@@ -178,8 +178,9 @@ static double rest_at(const rest *r, double x, double z) {
   return spline_at(&r->radial, asinh(hypot(x, z) / r->t));
 }
 
-/* Returns the integral over a cell at (x, z): by Gauss' rule near the origin (within six cells or
- * six thicknesses of the layer), elsewhere by the value at the middle. */
+/* Returns the integral of the difference over a cell at (x, z): by Gauss' rule near the origin
+ * (within six cells or six thicknesses of the layer), elsewhere by the value at the middle of
+ * the cell. */
 static double rest_of_cell(const arc_halfspace_def *d, const rest *r, double x, double z) {
   const double area = d->size_x * d->size_z, size = fmax(d->size_x, d->size_z);
   double sum = 0;

@@ -1,5 +1,5 @@
-/* Legs of a loading history. In a leg, load and motion (or force) change in proportion. Its
- * increments are halved until halving changes neither motion nor shear nor work. */
+/* Legs of a loading history. In a leg, load and motion (or force) change in proportion. The
+ * increments of a leg are halved until halving changes neither motion nor shear nor work. */
 #include "archard/space.h"
 
 #include <math.h>
@@ -11,7 +11,8 @@ typedef struct leg {
   const arc_halfspace_options *options;
   double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
   double carried, yielding, work;  /* scales of force [N], motion [mm], work [N mm] */
-  arc_halfspace_friction *coarser; /* NULL: none */
+  arc_halfspace_friction *coarser; /* state computed with half as many increments; NULL: not
+                                    * wanted */
   arc_halfspace_effort *effort;
 } leg;
 
@@ -36,10 +37,10 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- what halving changes --------------------------------------------------------------------- */
 
-/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are relative
- * to full slip. A change of work is relative to the work of the leg or of the part. The work of the
- * leg counts at least as `little` of friction times load times displacement at full slip. Errors of
- * motion and work add up over a leg; errors of shear decay. */
+/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are
+ * relative to full slip. A change of work is relative to the work of the leg or of the part; the
+ * work of the leg counts at least as `little` of friction times load times displacement at full
+ * slip. Errors of motion and work add up over a leg, whereas errors of shear decay. */
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 1e-2,
                     little = 1e-3;
 
@@ -52,7 +53,8 @@ static double shear_change(const leg *g, const arc_halfspace_friction *once,
   return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
-/* Computes the scales of a leg from its solutions in one increment and in two. */
+/* Computes the scales of force, motion and work of a leg from its solutions in one increment and
+ * in two. */
 static void find_scales(leg *g, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double mu = g->def->to.friction;
@@ -61,8 +63,8 @@ static void find_scales(leg *g, const arc_halfspace_friction *begin,
   g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
 }
 
-/* Returns true if the solution of a part in two halves differs little from the solution in one
- * increment. */
+/* Returns true if the solution of a part in two increments differs little from the solution in
+ * one increment. */
 static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double own = twice->energy - begin->energy;
@@ -74,7 +76,7 @@ static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
 
 /* --- halving ---------------------------------------------------------------------------------- */
 
-/* A part of a leg, between two shares of its length. */
+/* A part of a leg between two shares (0 to 1) of its length. */
 typedef struct part {
   double from, to;
   int halvings;
@@ -83,7 +85,8 @@ typedef struct part {
 static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
                          arc_halfspace_friction *state, arc_error *error);
 
-/* Accepts the solution of a part in two increments; the coarser state advances in one increment. */
+/* Accepts the solution of a part in two increments as the new state. The coarser state, if any,
+ * advances in one increment. */
 static arc_status accept(const leg *g, part p, arc_halfspace_friction *end,
                          arc_halfspace_friction *state, arc_error *error) {
   const arc_halfspace_friction once = *state;
@@ -108,8 +111,8 @@ static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *be
   return status;
 }
 
-/* Solves a part in two increments, with the states *middle and *end. The caller frees both, also
- * after an error. */
+/* Solves a part in two increments. Returns the state after the first in *middle and after the
+ * second in *end. The caller frees both states, also after an error. */
 static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, arc_halfspace_friction *middle,
                         arc_halfspace_friction *end, arc_error *error) {
@@ -120,8 +123,8 @@ static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begi
   return status == ARC_OK ? advance(g, p.to, once, end, error) : status;
 }
 
-/* On input *state is the solution of the part in one increment. It is replaced by the solution in
- * as many increments as necessary. */
+/* Refines a part of a leg. On input *state is the solution of the part in one increment. It is
+ * replaced by the solution in as many increments as necessary. */
 static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
                          arc_halfspace_friction *state, arc_error *error) {
   enum { most_halvings = 9 };
@@ -141,8 +144,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 
 /* --- legs ------------------------------------------------------------------------------------- */
 
-/* If the user chose the increments, the coarser state copies the finer one, and its error of the
- * work so far remains unchanged. */
+/* Updates the coarser state if the user chose the increments: it becomes a copy of the finer
+ * state, except for its error of the work so far. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;
@@ -165,7 +168,7 @@ static arc_status go(leg *g, const arc_halfspace_friction *begin, arc_halfspace_
   return status == ARC_OK && g->coarser ? follow_finer(g, begin->energy, state, error) : status;
 }
 
-/* Moves a changed copy into the state, or frees the copy after an error. */
+/* Replaces the state by its changed copy, or frees the copy after an error. */
 static void commit(arc_status status, arc_halfspace_friction *copy, arc_halfspace_friction *state) {
   arc_halfspace_friction_end(status == ARC_OK ? state : copy);
   if (status == ARC_OK) *state = *copy;

@@ -1,4 +1,5 @@
-/* Sets up the active-set problem of positions on a box, and copies its solution to the window. */
+/* Sets up the active-set problem of several positions on a box, and copies its solution to the
+ * window. */
 #include "core/space/positions.h"
 
 #include "core/base/memory.h"
@@ -94,7 +95,7 @@ static arc_status fill_position(positions *p, const arc_halfspace_position *posi
   return status == ARC_OK ? arc_stroke_place(p->s.h, position->x, &p->s.place[j], error) : status;
 }
 
-/* ARC_MEMORY if the arrays for all positions exceed the free memory. */
+/* Returns ARC_MEMORY if the arrays for all positions exceed the free memory. */
 static arc_status check_memory(const arc_halfspace *h, int count, arc_error *error) {
   static const double much = 256e6, mega = 1e6;
   const double bytes = arc_halfspace_bytes(&h->def, count);
@@ -147,9 +148,9 @@ space_box arc_space_window(const arc_halfspace *h) {
   return (space_box){.nx = h->def.nx, .nz = h->def.nz};
 }
 
-/* Range of rows or columns. */
+/* A range of row or column indices. */
 typedef struct range {
-  int low, high; /* high < low: empty */
+  int low, high; /* empty if high < low */
 } range;
 
 static void hold(range *r, int k) {
@@ -158,8 +159,8 @@ static void hold(range *r, int k) {
   if (k > r->high) r->high = k;
 }
 
-/* Returns the level of the smallest box size that contains a range and its margin; *from is the
- * start of the box. */
+/* Returns the level of the smallest box size that contains the range and its margin. *from
+ * receives the first row or column of the box. */
 static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
   const int n = level[0];
   if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
@@ -185,7 +186,7 @@ static space_box box_of(const positions *p, range x, range z) {
   return box;
 }
 
-/* Computes the ranges of cells that are in contact at any position. */
+/* Computes the ranges of rows and columns that are in contact at any position. */
 static void find_ranges(const positions *p, range *x, range *z) {
   const arc_halfspace_def *d = &p->s.h->def;
   *x = *z = (range){0, -1};
@@ -198,8 +199,8 @@ static void find_ranges(const positions *p, range *x, range *z) {
         }
 }
 
-/* Copies rows between window and box: from box to window if `into` is 1, otherwise from window to
- * box. */
+/* Copies rows between window and box: from the box to the window if `into` is 1, otherwise from
+ * the window to the box. */
 static void copy_box(const positions *p, const space_box *box, int position, double *window,
                      double *boxed, int into) {
   const arc_halfspace *h = p->s.h;
@@ -216,7 +217,7 @@ static void copy_box(const positions *p, const space_box *box, int position, dou
 
 /* --- solution --------------------------------------------------------------------------------- */
 
-/* Computes the initial guess for a position without pressures. */
+/* Computes the initial guess for a position whose pressures are all zero. */
 static void start_one(void *context, int position, int worker) {
   positions *p = context;
   const arc_halfspace *h = p->s.h;
@@ -230,7 +231,7 @@ static void start_one(void *context, int position, int worker) {
   arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
 }
 
-/* Ranges of cells outside the box where the surfaces overlap, by position. */
+/* For each position, the ranges of cells outside the box where the surfaces overlap. */
 typedef struct outside {
   positions *p;
   space_box box;
@@ -262,8 +263,8 @@ static void look_outside(void *context, int position, int worker) {
     }
 }
 
-/* Extends the ranges to the cells outside the box where the surfaces overlap. *wider is 1 if there
- * are any. */
+/* Extends the ranges to the cells outside the box where the surfaces overlap. *wider receives 1
+ * if such cells exist. */
 static arc_status check_outside(positions *p, const space_box *box, range *x, range *z, int *wider,
                                 arc_error *error) {
   const int n = p->s.count;
@@ -358,7 +359,8 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
-/* Makes two halves that are mirror images within rounding errors exactly equal. */
+/* Averages two halves that are mirror images within rounding errors, so both become exactly
+ * equal. */
 static void make_even(void *context, int position, int worker) {
   const positions *p = context;
   const int nz = p->s.h->def.nz;
@@ -369,7 +371,7 @@ static void make_even(void *context, int position, int worker) {
   }
 }
 
-/* ARC_ZONE if the contact reaches the edge of the window. */
+/* Returns ARC_ZONE if the contact reaches the edge of the window. */
 static arc_status check_edge(const positions *p, arc_error *error) {
   const arc_halfspace_def *d = &p->s.h->def;
   range x, z;
@@ -404,9 +406,9 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
 typedef struct singles {
   positions *all;
   arc_status *status; /* [count] */
-  arc_error *error;   /* [workers] error of the worker's first failed position */
+  arc_error *error;   /* [workers] error of the first position that failed on each worker */
   active_count *used; /* [count] */
-  int *failed;        /* [workers] index of the failed position + 1 */
+  int *failed;        /* [workers] 1 + index of the failed position; 0: none */
 } singles;
 
 static void solve_single(void *context, int position, int worker) {
@@ -433,7 +435,7 @@ static void solve_single(void *context, int position, int worker) {
   if (g->status[position] != ARC_OK) g->failed[worker] = position + 1;
 }
 
-/* Returns the status of the first failed position, and sums the solver's work over all
+/* Returns the status of the first failed position, and sums the counts of the solver over all
  * positions. */
 static arc_status settle(const singles *g, int workers, arc_error *error) {
   const int n = g->all->s.count;
@@ -470,7 +472,8 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* Sums weight times pressure by site of both bodies, or only of bodies with c > 0. */
+/* Computes for each site the sum of weight times pressure, for both bodies or only for bodies
+ * with c > 0. */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

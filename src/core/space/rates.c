@@ -1,4 +1,4 @@
-/* Contact and wear on given depths, and the implicit stage. */
+/* Contact pressures and wear rates on given depths, and the implicit stage of a step. */
 #include "core/space/positions.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ static void store_pressures(const positions *p, int count, double *pressure) {
              nz * sizeof *pressure);
 }
 
-/* Allocates one array per body, by site, in one block. */
+/* Allocates one array of sites per body, both in one block. */
 static int take_sites(const arc_halfspace *h, double *sites[ARC_BODIES]) {
   const size_t upper = (size_t)arc_halfspace_sites(h, ARC_UPPER),
                lower = (size_t)arc_halfspace_sites(h, ARC_LOWER);
@@ -115,7 +115,7 @@ arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *pos
   return ARC_OK;
 }
 
-/* depth := known + c factor rate */
+/* Computes depth = known + c factor rate at each site of both bodies. */
 static void wear(const arc_halfspace *h, const arc_halfspace_wear *w,
                  const double *const known[ARC_BODIES], double *const rate[ARC_BODIES],
                  double *const depth[ARC_BODIES]) {
@@ -199,7 +199,7 @@ static double length_of(const tangent *t, double *const value[ARC_BODIES]) {
   return sqrt(sum);
 }
 
-/* depth := a chessboard pattern, for which the elastic resistance is smallest. */
+/* Sets the depths to a chessboard pattern, whose elastic resistance is smallest. */
 static void start(const tangent *t) {
   const arc_halfspace *h = t->p->s.h;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -207,8 +207,8 @@ static void start(const tangent *t) {
       t->depth[b][k] = (k / h->def.nz + k % h->def.nz) % 2 ? 1 : -1;
 }
 
-/* rate := change of c factor (sum of weight p) due to the change `depth`, with opposite sign, over
- * the length of `depth`. */
+/* Computes the rate for the power iteration: the change of c factor sum(weight p) due to the
+ * change `depth`, with opposite sign, divided by the length of `depth`. */
 static arc_status multiply(tangent *t, arc_error *error) {
   stroke *s = &t->p->s;
   active_count used = {0};

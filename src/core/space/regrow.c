@@ -1,10 +1,10 @@
-/* Transfers depths to another grid: a larger window, a longer track, finer cells. */
+/* Transfers depths to another grid, which has a larger window, a longer track or finer cells. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Cells of one body along one axis, symmetric about 0. */
+/* The cells of one body along one axis, symmetric about 0. */
 typedef struct axis {
   int count;
   double size;
@@ -19,7 +19,7 @@ static axis along_z(const arc_halfspace *h) {
   return (axis){h->def.nz, h->def.size_z};
 }
 
-/* Converts the position of cell i on one axis to cells of the other axis. */
+/* Returns the position of cell i of the axis `to`, in cells of the axis `from`. */
 static double place(const axis *to, int i, const axis *from) {
   const double x = (i - (to->count - 1) / 2.0) * to->size / from->size + (from->count - 1) / 2.0;
   return fabs(x - round(x)) < 1e-9 ? round(x) : x;
@@ -30,7 +30,7 @@ static double at(const double *value, const axis *x, const axis *z, int i, int j
   return value[(size_t)i * (size_t)z->count + (size_t)j];
 }
 
-/* Interpolates linearly along both axes between four cells. */
+/* Returns the value at (u, v) [cells], interpolated linearly along both axes between four cells. */
 static double between(const double *value, const axis *x, const axis *z, double u, double v) {
   const int i = (int)floor(u), j = (int)floor(v);
   const double s = u - i, t = v - j;
@@ -47,7 +47,7 @@ static double total(const double *value, const axis *x, const axis *z) {
   return sum * x->size * z->size;
 }
 
-/* Returns true if a worn cell lies outside the new axes. */
+/* Returns true if a worn cell of the present axes lies outside the new axes. */
 static int loses(const double *value, const axis *x, const axis *z, const axis *to_x,
                  const axis *to_z) {
   const double half_x = to_x->count * to_x->size / 2, half_z = to_z->count * to_z->size / 2;

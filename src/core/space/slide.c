@@ -1,5 +1,6 @@
-/* Increments of a contact with friction. Solves alternately for the pressures at fixed shear and
- * for the shear at fixed pressures until both converge; for equal materials one pass suffices. */
+/* Increments of a contact with friction. The solution alternates between the pressures at fixed
+ * shear and the shear at fixed pressures until both converge. For equal materials one pass
+ * suffices. */
 #include "core/space/entering.h"
 #include "core/space/stick_slip.h"
 
@@ -94,7 +95,7 @@ typedef struct increment {
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
   double *share;          /* [window] share of the motion for which a site was open */
   double motion[2];       /* xi of the increment to which `share` refers [mm] */
-  double last[2], was[2]; /* the motion one solution earlier, and its result */
+  double last[2], was[2]; /* the motion assumed one solution earlier, and its result [mm] */
   double approach, tolerance;
   stick_slip_work w;
 } increment;
@@ -126,8 +127,8 @@ static double largest(const double *value, int n) {
   return most;
 }
 
-/* Solves for the pressures at fixed shear. *change is their largest change over the largest
- * pressure. */
+/* Solves for the pressures at fixed shear. *change receives the largest change of a pressure
+ * over the largest pressure. */
 static arc_status press(increment *s, double *change, arc_error *error) {
   const size_t n = (size_t)s->h->cells;
   double p = 0;
@@ -147,7 +148,7 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   return status;
 }
 
-/* Returns the motion along axis i before a site entered the contact [mm]; 0 for a site without
+/* Returns the motion along axis i before site k entered the contact [mm]; 0 for a site without
  * pressure. */
 static double motion_before(const increment *s, int i, int k) {
   return s->pressure[k] > 0 ? s->share[k] * s->motion[i] : 0;
@@ -178,8 +179,8 @@ static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *e
   return status;
 }
 
-/* Updates the shear for the next pressure solution. After many sweeps the update is relaxed, to
- * avoid oscillation. */
+/* Updates the shear that the next pressure solution uses. After many sweeps the update is
+ * relaxed, which avoids oscillation. */
 static void hold(increment *s, double share) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);
@@ -197,16 +198,16 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
                             entering, error);
 }
 
-/* Returns a secant step towards a motion that equals its own result. The result grows more slowly
- * than the motion. */
+/* Returns the next estimate of a motion that equals its own result, by the secant method. The
+ * result increases more slowly than the assumed motion. */
 static double secant(double motion, double gives, double last, double gave) {
   static const double steepest = 0.9;
   const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
   return motion + (gives - motion) / (1 - fmax(0, fmin(slope, steepest)));
 }
 
-/* Under a force the motion of the increment is a result of the solution. Returns 1 if it agrees
- * with the assumed motion; otherwise stores an improved motion. */
+/* Under a force the motion of the increment is a result of the solution. Returns 1 if the result
+ * agrees with the assumed motion; otherwise stores a better estimate. */
 static int follow_motion(increment *s, int pass) {
   static const double settled = 1e-5;
   double off = 0, gave[2], size = 0;
@@ -227,7 +228,8 @@ static int follow_motion(increment *s, int pass) {
 
 /* --- alternation ------------------------------------------------------------------------------ */
 
-/* Solves for the shear at pressures that do not depend on it, such as those of like bodies. */
+/* Solves for the shear at pressures that do not depend on the shear, such as those of like
+ * bodies. */
 static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 30 };
   int entering;
@@ -240,7 +242,7 @@ static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_er
   return status;
 }
 
-/* Solves for the pressures, unless they are given, and then for the shear, once. */
+/* Solves once for the pressures, unless they are given, and then once for the shear. */
 static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   double change;
   arc_status status = ARC_OK;
@@ -271,7 +273,8 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
     arc_status status = press(s, &change, error);
     effort->sweeps++;
     if (status != ARC_OK) return status;
-    if (k > 0 && change <= settled * relaxation(k) && known) { /* pressures of the present shear */
+    if (k > 0 && change <= settled * relaxation(k) && known) { /* the pressures belong to the
+                                                                * present shear */
       memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
       return ARC_OK;
     }
@@ -293,8 +296,8 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
-/* Returns the share of the motion for which a site was in contact. (w.slip excludes the slip before
- * the site entered.) */
+/* Returns the share of the motion for which site k was in contact. (w.slip excludes the slip
+ * before the site entered.) */
 static double in_contact(const increment *s, int k) {
   return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
 }

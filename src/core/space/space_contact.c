@@ -104,8 +104,8 @@ arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
   return ARC_OK;
 }
 
-/* Solves the contact, in a larger window if necessary: the window of the shape may have been made
- * for another load. */
+/* Solves the contact, in larger windows if necessary, because the window of the shape may have
+ * been made for another load. */
 static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks *callbacks,
                                           arc_error *error) {
   enum { most_tries = 12 };
@@ -125,7 +125,7 @@ static int is_unworn(const space_shape *s) {
   return 1;
 }
 
-/* Returns the contact in *result, or frees it after an error. */
+/* Returns the finished contact in *result, or frees the contact after an error. */
 static arc_status finish(space_contact *c, arc_status status, const arc_callbacks *callbacks,
                          arc_contact **result) {
   if (status == ARC_OK) {
@@ -186,8 +186,8 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
   return finish(c, status, callbacks, result);
 }
 
-/* With friction the motion continues from the present position. Without friction the contact
- * depends only on the new position. */
+/* Moves the lower body. With friction the motion continues from the present position; without
+ * friction the contact depends only on the new position. */
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error) {
   const space_contact *before = (const space_contact *)(const void *)from;
@@ -240,8 +240,8 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};
 
-/* Computes the values of one body, [NAMES][sites]. The pressures on the lower body are those of the
- * window at the present position `at`. */
+/* Computes the values [NAMES][sites] of one body. The pressures on the lower body are the
+ * pressures of the window at the present position `at` [mm]. */
 static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
   const int n = space_sites(s, b), rows = n / d->nz;
@@ -263,7 +263,7 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
 enum { FRICTION_ARRAYS = 6 };
 
 /* Returns the arrays of a solved contact whose names are in `wanted`, and the arrays `more`
- * [FRICTION_ARRAYS] if it is not NULL. */
+ * [FRICTION_ARRAYS] unless `more` is NULL. */
 static arc_status show(const space_shape *s, const double *pressure, double at, double update,
                        double distance, const int *wanted, int count, const arc_array *more,
                        arc_array **result, size_t *arrays, arc_error *error) {

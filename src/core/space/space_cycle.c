@@ -1,4 +1,4 @@
-/* Wear of a window of a cycle on half-spaces: one contact solution for each position. */
+/* Wear in a window of a cycle on half-spaces, by one contact solution for each position. */
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
 
@@ -14,7 +14,8 @@ static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
 }
 
-/* Returns the sliding distance of a point of the cycle, the weight of its position [mm]. */
+/* Returns the weight of the position of a point of the cycle: the sliding distance that the
+ * point stands for [mm]. */
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;
@@ -22,7 +23,8 @@ static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   return v->block->repeat * sliding;
 }
 
-/* Adds a point of the cycle. Points at the same position under the same load share one contact. */
+/* Adds a point of the cycle to the path. Points at the same position under the same load share
+ * one contact solution. */
 static void add_position(space_path *path, double x, double load, double weight) {
   int at = 0;
   while (at < path->count && (path->position[at].x != x || path->position[at].load != load)) at++;
@@ -33,9 +35,9 @@ static void add_position(space_path *path, double x, double load, double weight)
   path->position[at].weight += weight;
 }
 
-/* Adds the points of a cycle with friction. Between unlike bodies shear, and with it pressure,
- * differs at each point. The cycle ends at its first position. All increments have equal weights,
- * since the solution includes their slip. */
+/* Adds the points of a cycle with friction. Between unlike bodies the shear and thus the
+ * pressure differ at each point. The cycle ends at its first position. All increments have equal
+ * weights, because the solution includes their slip. */
 static void add_rubbing(const wear_block *b, int unlike, space_path *path) {
   const double weight = b->sliding / (b->count - 1);
   for (int at = 0; at < b->count; at++) {
@@ -89,12 +91,13 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
 
 /* --- the wear --------------------------------------------------------------------------------- */
 
-/* Data of the wear's tangent: shape, positions and pressures. */
+/* Data of the tangent of the wear rate: shape, positions and pressures. */
 typedef struct space_tangent {
   space_grid *grid; /* NULL before the first use */
   space_path path;
   double *pressure;           /* [count][window] */
-  double *factor[ARC_BODIES]; /* [sites] growth of the wear with p; NULL: 1; in one block */
+  double *factor[ARC_BODIES]; /* [sites] growth of the wear with p, both bodies in one block;
+                               * NULL: 1 */
 } space_tangent;
 
 static void empty(space_tangent *t) {
@@ -105,8 +108,8 @@ static void empty(space_tangent *t) {
   *t = (space_tangent){.grid = NULL};
 }
 
-/* Returns the depths of a shape, plus the trial depths `more` unless NULL; the caller frees
- * *owned. */
+/* Returns the depths of a shape, plus the trial depths `more` unless `more` is NULL. The caller
+ * frees *owned. */
 static const double *depths_of(const space_shape *s, const double *more, double **owned) {
   const size_t n = (size_t)(space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER));
   *owned = NULL;
@@ -149,7 +152,7 @@ arc_status arc_space_solve_path(arc_wear *w, const wear_window *v,
                   most_passes);
 }
 
-/* Replaces the sums of pressure by sums that include laws and local factors. */
+/* Replaces the sums of pressure by sums of the wear work, which include laws and local factors. */
 static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, wear_rate *rate,
                           arc_error *error) {
   const space_shape *s = space_shape_of(v->shape);
@@ -211,7 +214,7 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
   return sizeof *t + (size_t)t->path.count * (size_t)w->nc * sizeof(double);
 }
 
-/* Returns a bound of the eigenvalue where no iteration is possible: the eigenvalue of a
+/* Returns an upper bound of the eigenvalue for cases without iteration: the eigenvalue of a
  * chessboard pattern of wear on an infinite surface, whose compliance is 0.584 cells over E*. */
 static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
   const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);

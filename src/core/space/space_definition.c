@@ -1,4 +1,4 @@
-/* Definitions of wear runs in 3-D: derived values and valid combinations. */
+/* Definitions of wear runs in 3-D: checks of combinations, and derived values. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
@@ -53,7 +53,7 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
 }
 
 /* Rejects friction with layers or a groove, whose compliance to shear is not available, and with
- * bodies that separate, which lose the shear from pressing. */
+ * bodies that separate, because separation loses the shear due to pressing. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -117,7 +117,7 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Returns the factor between a force and a distance, 2 a E* [N/mm]. */
+/* Returns the ratio of a force to the equivalent displacement, 2 a E* [N/mm]. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -140,9 +140,9 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* Returns the default number of increments: one per cell. With friction there are at least as many
- * as the slip solution needs, one per leg (two between unlike bodies, for doses within 0.4 %). A
- * cycle under a tangential force has exactly this number. */
+/* Returns the default number of increments of a cycle: one per cell. With friction the number is
+ * at least one per leg, or two per leg between unlike bodies, for an error of the slip solution
+ * below 0.4 %. A cycle under a tangential force has exactly this number. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
@@ -183,7 +183,7 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   return 2 * most;
 }
 
-/* Returns the estimated worn volume at the end; 0 if k is not constant [mm3]. */
+/* Returns the estimated worn volume at the end of the run [mm3]; 0 if k is not constant. */
 static double volume_of(const arc_wear_def *def) {
   const int known = !def->k_function && def->k_series.count == 0;
   return known ? def->k * def->load * def->distance : 0;
@@ -199,7 +199,7 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
   arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def, model),
                 increment, &cells);
-  const arc_halfspace_def bodies = arc_space_bodies(model); /* points to the maps of `model` */
+  const arc_halfspace_def bodies = arc_space_bodies(model); /* the maps remain in `model` */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (rests(def, model) && !arc_wear_alpha_stays_one(def)) {

@@ -1,4 +1,4 @@
-/* Contacts with friction: pressing and motions. */
+/* Contacts with friction: pressing the bodies together, and motions. */
 #include "core/base/callbacks.h"
 #include "core/elastic/pair.h"
 #include "core/space/cerruti.h"
@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Default number of cells in the half width. At small forces the slip annulus is only a few
- * hundredths of the contact wide. With 28 cells Mindlin's loops are accurate to 0.4 % from a fifth
- * of full slip on. */
+/* Default number of cells in the half width with friction, and without. At small forces the slip
+ * annulus is only a few hundredths of the contact wide. With 28 cells Mindlin's loops are
+ * accurate to 0.4 % from a fifth of full slip on. */
 static const double cells_of_friction = 28, usual_cells = 8;
 
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells) {
@@ -18,13 +18,14 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
   fine.mesh.fineness =
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
-  const arc_halfspace_def bodies = arc_space_bodies(def); /* points to the maps of `def` */
+  const arc_halfspace_def bodies = arc_space_bodies(def); /* the maps remain in `def` */
   for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
 }
 
 /* --- cells of runs ---------------------------------------------------------------------------- */
 
-/* Returns half of the largest change of a quantity in the cycles of a run. */
+/* Returns half of the largest range of the force (by_force = 1) or the motion in the cycles of a
+ * run. `plain` is the amplitude of a run without blocks. */
 static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   double most = d->blocks == 0 ? plain : 0;
   for (int b = 0; b < d->blocks; b++) {
@@ -40,7 +41,8 @@ static double amplitude(const arc_wear_def *d, int by_force, double plain) {
 }
 
 /* Returns the radius of the stick zone over the radius of the contact, by Mindlin: 1 for full
- * stick, 0 for gross slip. If the friction coefficient varies, the share at half of full slip. */
+ * stick, 0 for gross slip. If the friction coefficient varies, returns this ratio at half of
+ * full slip. */
 static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   if (!arc_wear_friction_is_known(d) || d->friction == 0) return cbrt(0.5);
   const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
@@ -55,8 +57,8 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   return sqrt(fmax(0, 1 - amplitude(d, 0, d->stroke / 2) / yielding));
 }
 
-/* Returns the number of cells whose centre lies within an ellipse of these half axes [cells], over
- * its area. */
+/* Returns the number of cells whose centre lies within an ellipse of the half axes x and z
+ * [cells], divided by the area of the ellipse. */
 static double filling(double x, double z) {
   const int rows = (int)ceil(x), columns = (int)ceil(z);
   int inside = 0;
@@ -65,9 +67,10 @@ static double filling(double x, double z) {
   return inside / (acos(-1) * x * z);
 }
 
-/* Returns the cell size, up to a sixth smaller than `size`, for which the area of the sticking
- * cells equals that of the stick zone: wear in partial slip ends when this zone carries the load.
- * The cells of a zone extend 0.1 of a cell beyond its edge. */
+/* Returns the cell size for which the area of the sticking cells equals the area of the stick
+ * zone, because wear in partial slip ends when this zone carries the load. The size is up to a
+ * sixth smaller than `size`. The sticking cells are those whose centre is at most 0.1 of a cell
+ * beyond the edge of the zone. */
 static double fill_zone(double size, double x, double z) {
   enum { tries = 60 };
   static const double beyond = 0.1, play = 0.05, range = 1.0 / 6;
@@ -105,7 +108,7 @@ void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* Computes a leg, on a larger window if necessary. */
+/* Computes a leg, in a larger window if necessary. */
 static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
                            const arc_callbacks *callbacks, arc_halfspace_effort *effort,
                            arc_error *error) {
@@ -127,7 +130,7 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
   return status;
 }
 
-/* Warns if the increments did not resolve the leg. */
+/* Gives a warning if the increments did not resolve the leg. */
 static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *effort,
                             const arc_callbacks *callbacks) {
   if (effort->unfinished > 0)
@@ -169,8 +172,8 @@ static arc_status read_state(space_contact *c, const arc_halfspace_effort *effor
 
 /* --- pressing --------------------------------------------------------------------------------- */
 
-/* Warns if the product of friction and Dundurs' beta is so large that more than one solution may
- * exist. */
+/* Gives a warning if the product of friction and Dundurs' beta is so large that more than one
+ * solution may exist. */
 static void warn_coupling(const space_contact *c, const arc_halfspace_def *d,
                           const arc_callbacks *callbacks) {
   static const double unique = 0.4;
@@ -229,8 +232,8 @@ static arc_status check(const space_contact *c, const arc_motion_def *motion, do
                   fabs(x) >= fabs(z) ? "tangential" : "tangential_z", carried, hypot(x, z));
 }
 
-/* Warns of a motion across x on shapes that vary with z: the lower body's shape is evaluated at
- * displacements along x only. */
+/* Gives a warning of a motion across x on shapes that vary with z, because the lower body's
+ * shape is evaluated at displacements along x only. */
 static void warn_across(const space_contact *c, double z, const arc_callbacks *callbacks) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_halfspace *h = s->grid->h;

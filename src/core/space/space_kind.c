@@ -1,4 +1,4 @@
-/* Half-spaces as a kind of pair: the table of functions, and short functions. */
+/* Half-spaces as a kind of pair: the table of its functions, and the short functions. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -23,8 +23,8 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
-/* Rejects a stroke along the other axis, for which the surfaces have the wrong cells, and a track
- * whose radius is at most the contact's width. */
+/* Rejects a stroke along the other axis, for which the surfaces have the wrong cells, and a
+ * track whose radius is at most the width of the contact. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;
@@ -44,7 +44,8 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
 }
 
-/* Warns if the stroke is shorter than three contact widths, since a groove has no ends. */
+/* Gives a warning if the stroke is shorter than three contact widths, because a groove is
+ * computed without ends. */
 static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 3;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
@@ -61,7 +62,8 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
-/* Creates unworn surfaces with cells for the default load; contacts choose other cells. */
+/* Creates unworn surfaces with cells for the default load. Contacts under other loads choose
+ * other cells. */
 static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                          arc_error *error) {
   arc_halfspace_def cells;
@@ -77,7 +79,8 @@ static wear_sites sites(const arc_shape *shape, arc_body body) {
                       s->grid->z[body]};
 }
 
-/* Returns the profile along the motion in the middle, in arrays of the shape. */
+/* Returns the profile along the motion in the middle of the body, in arrays that belong to the
+ * shape. */
 static arc_profile profile(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
@@ -199,7 +202,8 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
-/* Returns the sawtooth component of the middle profile along the motion, over the largest depth. */
+/* Returns the sawtooth component of the middle profile along the motion, divided by the largest
+ * depth. */
 static double roughness(const arc_wear *w, arc_body body) {
   const arc_profile line = profile(w->shape, body);
   const arc_wear_record *last = arc_wear_last(w);

@@ -1,4 +1,4 @@
-/* Half-spaces as a kind of pair: surfaces over x and z, with sliding along one axis. */
+/* Half-spaces as a kind of pair: surfaces that depend on x and z, with sliding along one axis. */
 #ifndef SPACE_KIND_H
 #define SPACE_KIND_H
 
@@ -6,7 +6,7 @@
 #include "core/pair/surfaces.h"
 #include "core/wear/run.h"
 
-/* Half-spaces on cells, shared by all surfaces that have the same cells. */
+/* Half-spaces on cells. All surfaces with the same cells share one object. */
 typedef struct space_grid {
   int references;
   arc_halfspace *h;
@@ -14,7 +14,7 @@ typedef struct space_grid {
       *z[ARC_BODIES]; /* [sites] coordinates of the sites [mm]; allocated as one block */
 } space_grid;
 
-/* The arc_shape of this kind of pair. */
+/* Shape (arc_shape) of this kind of pair. */
 typedef struct space_shape {
   shape_handle handle;
   space_grid *grid;
@@ -22,25 +22,29 @@ typedef struct space_shape {
   double *line[ARC_BODIES];  /* [3 rows] profile in the middle, created on first use */
 } space_shape;
 
-/* The arc_contact of this kind of pair. */
+/* Contact (arc_contact) of this kind of pair. */
 typedef struct space_contact {
   contact_handle handle;
   double *pressure;               /* [window] [MPa] */
-  arc_halfspace_friction rubbing; /* state with friction; all zero without friction */
-  arc_halfspace_friction coarser; /* state computed with half as many increments */
-  double origin;                  /* x at which xi was 0 [mm] */
+  arc_halfspace_friction rubbing; /* friction state; all members are zero without friction */
+  arc_halfspace_friction coarser; /* friction state computed with half as many increments */
+  double origin;                  /* plate position at which the motion xi was 0 [mm] */
 } space_contact;
 
-/* Positions at which the contact of a window is solved. With friction each site of the upper body
- * has its own slip at each position, and shear between unlike bodies adds to the gaps. */
+/* The positions of a window for which the contact is solved. With friction each site of the
+ * upper body has its own slip at each position, and shear between unlike bodies adds to the
+ * gaps. */
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
-  int *of;         /* [points] index of the position of each point of the block; with friction */
-  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, 1 */
-  double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
-  double unsteady; /* change of the gaps in the last slip solution, over the largest gap */
-  arc_halfspace_friction last; /* last slip solution, the start of the next one; zero: none */
+  int *of;         /* [points] index of the position of each point of the block; used with
+                    * friction */
+  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, the
+                    * ratio is 1 */
+  double *gap;     /* [count][window] gaps due to shear [mm]; NULL: no such gaps */
+  double unsteady; /* largest change of the gaps in the last slip solution, over the largest gap */
+  arc_halfspace_friction last; /* last slip solution, which is the start of the next one; all
+                                * zero: none yet */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {
@@ -67,20 +71,20 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
                            arc_model **model, arc_error *error);
 void arc_space_end_model(arc_model *model);
 size_t arc_space_model_bytes(const arc_model *model);
-/* Returns Hertz' contact of the pair under a load [N], or for periodic surfaces the scales of a
- * period. */
+/* Returns Hertz' contact of the pair under a load [N]. For periodic surfaces, returns the scales
+ * of one period instead. */
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
-/* Returns the half-spaces of a model, without cells. */
+/* Returns the definition of a model's half-spaces without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Chooses cells for a motion along x, or along z if `turned` is 1. They suit the load [N], the
- * volume worn at the end [mm3] and positions within stroke / 2 [mm]. An increment [mm] is a whole
- * number of cells; 0 allows any cell size. */
+/* Chooses cells for a motion along x, or along z if `turned` is 1. The cells suit the load [N],
+ * the volume worn at the end [mm3] and positions within stroke / 2 [mm]. The increment [mm]
+ * becomes a whole number of cells; 0 allows any cell size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
 /* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
-/* Enlarges the window on each side by about 1 / part of its cells, at most to the edge of the maps.
- * ARC_ZONE: the window already extends to the edge of the maps. */
+/* Enlarges the window on each side by about the 1 / part of its cells, at most to the edge of
+ * the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
 /* Returns the cell width requested by the model [mm]. */
@@ -90,15 +94,16 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
                     const arc_callbacks *callbacks);
 
 /* --- space_periodic.c ------------------------------------------------------------------------- */
-/* Check the bodies of a model with periodic = true, and a run with such a model. Error:
- * ARC_ARGUMENT. */
+/* Checks the bodies of a model with periodic = true. arc_space_check_periodic_run checks a run
+ * with such a model. Error: ARC_ARGUMENT. */
 arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error);
 arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_def *model,
                                         arc_error *error);
-/* An arc_recess_fn for a periodic map whose middle is x = z = 0; the context is the body's
- * definition. */
+/* Returns the recess of a periodic map at x and z, where the middle of the map is x = z = 0 (an
+ * arc_recess_fn). The context is the body's definition. */
 double arc_space_period_height(void *context, double x, double z);
-/* Returns the scales of one period: half widths, mean pressure, height of the map. */
+/* Returns the scales of one period: half widths [mm], mean pressure [MPa] and height of the map
+ * [mm]. */
 arc_hertz_ellipse arc_space_period(const arc_model_def *def, double load);
 double arc_space_period_step(const arc_model_def *def);
 void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_def *cells);
@@ -111,11 +116,11 @@ int arc_space_increments(const arc_wear_def *def, const arc_model_def *model);
 double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
                        const arc_loading *loading, double *parts);
 double arc_space_reach(const arc_model_def *model, double load);
-/* Returns the initial cells of a run. */
+/* Returns the definition of the half-spaces with the initial cells of a run. */
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
 
 /* --- space_shape.c ---------------------------------------------------------------------------- */
-/* Creates unworn surfaces on cells. */
+/* Creates unworn surfaces on the given cells. */
 arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
                             arc_error *error);
 arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const arc_shape *from,
@@ -132,13 +137,13 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
                           size_t count, arc_shape **shape, arc_error *error);
 
 /* --- space_cycle.c ---------------------------------------------------------------------------- */
-/* Computes the positions of a window; arc_space_end_path frees them. Error: ARC_MEMORY. */
+/* Computes the positions of a window. arc_space_end_path frees them. Error: ARC_MEMORY. */
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
 /* Computes the pressures [count][window] on given depths, the sums of weight times pressure by
- * site, and the peak pressure (in rate). With friction also the slip of the cycle with energy,
- * forces and stick zone. */
+ * site, and the peak pressure (in rate). With friction, also computes the slip of the cycle and
+ * writes energy, forces and stick zone to rate. */
 arc_status arc_space_solve_path(arc_wear *w, const wear_window *window,
                                 const double *const depth[ARC_BODIES], space_path *path,
                                 wear_progress *progress, double *pressure, wear_rate *rate,
@@ -153,9 +158,9 @@ double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_
 /* --- space_slip.c ----------------------------------------------------------------------------- */
 /* Computes slip and shear of the steady cycle of a window with friction on given depths. The
  * results are path->slip and path->gap, and energy, force and stick zone in rate. `pressure`
- * [count][window] contains the pressures of the positions. They are averaged over mirror images;
- * for unlike bodies, where shear changes pressure, they are replaced by the pressures of the
- * cycle. */
+ * [count][window] contains the pressures of the positions, which are averaged over mirror
+ * images. For unlike bodies, whose pressure depends on the shear, they are replaced by the
+ * pressures of the cycle. */
 arc_status arc_space_slip(arc_wear *w, const wear_window *window,
                           const double *const depth[ARC_BODIES], space_path *path, double *pressure,
                           wear_progress *progress, wear_rate *rate, arc_error *error);
@@ -164,28 +169,30 @@ arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress 
                           arc_loop **loop, arc_error *error);
 
 /* --- space_law.c ------------------------------------------------------------------------------ */
-/* Returns true if the wear of a window is k p ds with rigid slip: a linear law without local
- * factors. */
+/* Returns true if the wear of a window is k p ds with rigid slip, which requires a linear law
+ * and no local factors. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
-/* Computes the work of the pressures [count][window] at each site of a body: the sum over the
- * positions of weight, law, local factor and pressure [MPa mm]. Errors: ARC_MEMORY, errors of the
- * local factor. */
+/* Computes the wear work of the pressures [count][window] at each site of a body [MPa mm]: the
+ * sum over the positions of weight, law, local factor and pressure. Errors: ARC_MEMORY, errors
+ * of the local factor. */
 arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
                           const space_path *path, const double *pressure, double mu, arc_body body,
                           double *work, arc_error *error);
-/* Computes this work and its linearisation about these pressures at each site: for nearby pressures
- * p, work = factor sum(weight p) + (1 - growth) work, with growth from arc_space_law_growth. */
+/* Computes the wear work (see arc_space_work) and its linearisation about the given pressures at
+ * each site. For nearby pressures p, work = factor sum(weight p) + (1 - growth) work, with
+ * growth from arc_space_law_growth. */
 arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
                                double mu, arc_body body, double *work, double *factor,
                                arc_error *error);
-/* Returns d ln(law p) / d ln p in the linearisation, at least 1. */
+/* Returns the exponent d ln(law p) / d ln p that the linearisation uses; it is at least 1. */
 double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_layers.c --------------------------------------------------------------------------- */
-/* Converts `due`, the depth [mm] that site i of a body would have with the largest wear coefficient
- * of its layers, to the depth with the coefficients of the layers at this site. If `share` is not
- * NULL, *share is the coefficient of the exposed layer over the largest one. */
+/* Returns the worn depth of site i of a body with the coefficients of the layers at this site
+ * [mm]. `due` is the depth that the site would have with the largest wear coefficient of the
+ * layers. If `share` is not NULL, *share receives the coefficient of the exposed layer over the
+ * largest one. */
 double arc_space_worn(const arc_shape *shape, arc_body body, int i, double due, double *share);
 void arc_space_through_layers(const arc_shape *shape, double *depth);
 double arc_space_open_share(const arc_wear *w, arc_body body);
@@ -203,20 +210,21 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_space_end_contact(arc_contact *contact);
-/* Enlarges window and track after a solution that failed with ARC_ZONE. */
+/* Enlarges window and track after a contact solution that failed with ARC_ZONE. */
 arc_status arc_space_widen_contact(space_contact *c, arc_error *error);
-/* Computes the result of the contact from its present pressures. */
+/* Computes the result of the contact (widths, pressures, approach) from its present pressures. */
 void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
-/* Checks whether the contact under a load [N] lies within the window. ARC_ZONE: the contact reaches
- * the edge. Also errors of a contact solution. */
+/* Checks whether the contact under a load [N] lies within the window. Errors: ARC_ZONE if the
+ * contact reaches the edge; errors of a contact solution. */
 arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
 /* --- space_friction.c ------------------------------------------------------------------------- */
-/* Press the bodies together as the contact's definition describes, and move the pressed bodies. */
+/* Presses the bodies together as the contact's definition describes. arc_space_rub moves the
+ * pressed bodies. */
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);

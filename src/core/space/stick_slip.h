@@ -19,7 +19,7 @@ typedef enum stick_slip_state { SHEAR_NONE, SHEAR_STICK, SHEAR_SLIP } stick_slip
 typedef struct stick_slip_problem {
   arc_halfspace *h;
   const double *bound;    /* friction limit [window] [MPa]; 0: the cell carries no shear */
-  const double *known[2]; /* [window] [mm] */
+  const double *known[2]; /* [window] known part of the slip [mm] */
   int by_force[2];        /* for x and z: 1 if the force is given and xi is computed */
   double force[2];        /* [N] */
   double tolerance;       /* tolerance of slip, relative to the largest displacement C q */
@@ -28,15 +28,15 @@ typedef struct stick_slip_problem {
 
 typedef struct stick_slip_count {
   int sets, iterations, applications;
-  int flipping; /* increments at whose end some cells alternated between stick and slip */
+  int flipping; /* number of increments at whose end some cells alternated between stick and slip */
 } stick_slip_count;
 
-/* Initial values, results and workspace of a solution. */
+/* Initial values, results and workspace of a stick-slip solution. */
 typedef struct stick_slip_work {
-  double *q[2];            /* [window] input and output */
-  double *slip[2];         /* [window] output, also for cells without shear */
-  double xi[2];            /* input and output */
-  stick_slip_state *state; /* [window] input and output */
+  double *q[2];            /* [window] shear [MPa]; input and output */
+  double *slip[2];         /* [window] slip [mm]; output, also for cells without shear */
+  double xi[2];            /* motion [mm]; input and output */
+  stick_slip_state *state; /* [window] state of each cell; input and output */
   double *tangent[2];      /* [window] unit vectors at cells that slip */
   double *diagonal;        /* [window] slip over friction limit */
   double *r[2], *z[2], *d[2],
@@ -45,25 +45,24 @@ typedef struct stick_slip_work {
   double *block;
 } stick_slip_work;
 
-/* Allocates the workspace, all zero. On failure (ARC_MEMORY) its members are NULL. */
+/* Allocates the workspace and sets it to zero. On failure (ARC_MEMORY) its members are NULL. */
 arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error);
 void arc_stick_slip_end(stick_slip_work *w);
 
-/* Errors: ARC_ARGUMENT for a force above the friction limit, ARC_NOT_CONVERGED, ARC_STOPPED. After
- * an error the contents of q and xi are undefined. */
+/* Solves for shear, slip and motion. Errors: ARC_ARGUMENT for a force above the friction limit,
+ * ARC_NOT_CONVERGED, ARC_STOPPED. After an error the contents of q and xi are undefined. */
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
 
-/* Makes one Newton step: solves for the changes of q on the present sets from the slip of the
- * present q, and adds them to q (along the tangents where cells slip) and to xi. The iteration
- * stops at the residual `least` [mm] or at a tenth of the first residual.
- *
+/* Makes one Newton step. It solves for the changes of q on the present sets from the slip of the
+ * present q, and adds them to q (along the tangents where cells slip) and to xi. The linear
+ * iteration stops at the residual `least` [mm] or at a tenth of the first residual.
  * Returns 0 if the sets cannot carry the forces. */
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
                           stick_slip_count *count);
 
-/* Returns the largest error of slip [mm], over all components at sticking cells and the tangential
- * component at slipping cells. */
+/* Returns the largest error of slip [mm]: over both components at sticking cells, and the
+ * tangential component at slipping cells. */
 double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
 
 #endif

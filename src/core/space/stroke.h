@@ -5,8 +5,8 @@
 #include "core/numeric/active_set.h"
 #include "core/space/halfspace.h"
 
-/* Position on the lower body: window row i is interpolated between lower row + i, with weight 1 -
- * share, and the next row, with weight share. */
+/* Position of the window on the lower body: window row i is interpolated between lower row + i,
+ * with weight 1 - share, and the next row, with weight share. */
 typedef struct stroke_place {
   int row;
   double share;
@@ -16,41 +16,42 @@ typedef struct stroke {
   arc_halfspace *h;
   const arc_callbacks *callbacks;
   int count;    /* number of positions to solve */
-  int mirrored; /* 1: all other positions are mirror images in x */
-  int even;     /* 1: each position is symmetric in z */
+  int mirrored; /* 1 if all other positions are mirror images in x */
+  int even;     /* 1 if each position is symmetric in z */
   int worker;   /* index of the workspace for a single position */
   stroke_place *place;
   const double *extra;  /* [count][window] added to the gaps, or NULL */
-  double *weight;       /* [count] of the inner product; half in the middle of a mirrored stroke */
-  double c[ARC_BODIES]; /* wear per weighted pressure; 0: none */
-  const double *factor[ARC_BODIES]; /* factor of c by site; NULL: 1 */
+  double *weight;       /* [count] weights of the inner product; halved in the middle of a
+                         * mirrored stroke */
+  double c[ARC_BODIES]; /* wear depth per weighted pressure; 0 for a body without wear */
+  const double *factor[ARC_BODIES]; /* factor of c at each site; NULL: all are 1 */
   space_box box;
   const convolution *kernel, *inverse;
   double *upper;      /* [box] wear of the upper body */
   double *lower;      /* [rows][box.nz] wear of the lower body */
   const double *from; /* pressures [count][box] to sum */
   double *to;
-  int both; /* 1: sum both bodies, also a body without wear */
+  int both; /* 1 to sum for both bodies, including a body without wear */
 } stroke;
 
-/* Converts x to a position on the track. ARC_ZONE: the track is too short. */
+/* Converts x [mm] to a position on the track. Error: ARC_ZONE if the track is too short. */
 arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *place,
                             arc_error *error);
 
-/* An operator_fn: u = K p + wear. */
+/* Computes u = K p plus the wear due to p (an operator_fn). */
 arc_status arc_stroke_apply(void *context, const double *p, double *u);
-/* A preconditioner that neglects the wear. */
+/* Applies a preconditioner that neglects the wear. */
 arc_status arc_stroke_precondition(void *context, const double *r, double *z);
 
-/* Sums weight times pressure by site of the box into upper and lower, for the bodies that wear or,
- * if `both` is 1, for both. */
+/* Sums weight times pressure by site of the box into upper and lower, for the bodies that wear,
+ * or for both bodies if `both` is 1. */
 void arc_stroke_gather(stroke *s, const double *p, int both);
 
-/* Adds the values of both bodies at the cells of the box at one position. */
+/* Adds to sum the values of both bodies at the cells of the box at one position. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
-/* Computes the gaps of a position without pressure, on the box: unworn shapes plus depths (NULL:
- * unworn). */
+/* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the
+ * depths. depth = NULL stands for unworn bodies. */
 void arc_stroke_gap(const stroke *s, const double *const depth[ARC_BODIES], int position,
                     double *gap);
 
