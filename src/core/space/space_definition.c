@@ -140,9 +140,9 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* Returns the default number of increments of a cycle: one per cell. With friction the number is
- * at least one per leg, or two per leg between unlike bodies, for an error of the slip solution
- * below 0.4 %. A cycle under a tangential force has exactly this number. */
+/* Returns the default number of increments of a cycle: one per cell. With friction it is at least
+ * one per leg, or two per leg between unlike bodies, which gives the wear within 0.4 %. A cycle
+ * under a tangential force has exactly this number. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;

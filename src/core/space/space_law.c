@@ -1,5 +1,5 @@
-/* Wear other than k p ds with rigid slip: laws of pressure, local factors and slip with friction,
- * summed over positions, and their linearisation for implicit stages. */
+/* Wear other than k p ds with rigid slip: laws of pressure, local factors and slip with
+ * friction, summed over positions, and the linearisation of this wear for implicit stages. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
          !arc_wear_has_friction(&w->def);
 }
 
-/* Arrays by site of the window. */
+/* Workspace with values at the sites of the window. */
 typedef struct window_sites {
   double *value; /* [count][window] slip times law times local factor */
   double *at;    /* [window] coordinate along the motion on the body [mm] */
@@ -62,13 +62,14 @@ arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const
   return status;
 }
 
-/* Laws that grow faster than p are replaced by their tangent, so that long steps do not oscillate.
- * All other laws are replaced by the secant, since their tangent is unbounded at small p. */
+/* Returns the growth exponent of the linearisation. A law that grows faster than p is replaced
+ * by its tangent, so long steps do not oscillate. All other laws are replaced by the secant,
+ * because their tangent is unbounded at small p. */
 double arc_space_law_growth(const arc_wear *w) {
   return fmax(1, arc_wear_law_slope(w, 1, 1));
 }
 
-/* Computes the mean slip of the sites of a body over its weight, mean [sites]. */
+/* Computes the mean slip of the sites of a body divided by the total weight, mean [sites]. */
 static arc_status mean_slip(const space_shape *s, const space_path *path, arc_body body,
                             double *mean, arc_error *error) {
   double weight = 0;

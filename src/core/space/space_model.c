@@ -15,7 +15,7 @@ static const double widest_of_layer =
 
 typedef struct space_model {
   arc_model handle;
-  double *series[ARC_BODIES]; /* copied numbers of maps */
+  double *series[ARC_BODIES]; /* copies of the numbers of maps */
 } space_model;
 
 /* --- checks ----------------------------------------------------------------------------------- */
@@ -60,8 +60,8 @@ static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   return ARC_OK;
 }
 
-/* Computes the curvatures of a body along x and z [1/mm]; for a map, those of the best-fitting
- * parabola. */
+/* Computes the curvatures of a body along x and z [1/mm]. For a map they are the curvatures of
+ * the best-fitting parabola. */
 static void body_curvatures(const arc_model_def *def, arc_body body, double *x, double *z) {
   const arc_body_def solid = arc_model_solid(def, body);
   *x = *z = 0;
@@ -71,7 +71,7 @@ static void body_curvatures(const arc_model_def *def, arc_body body, double *x, 
   if (solid.radius_z > 0) *z += 1 / solid.radius_z;
 }
 
-/* Computes the relative curvatures of the pair [1/mm]. */
+/* Computes the relative curvatures of the pair along x and z [1/mm]. */
 static void find_curvatures(const arc_model_def *def, double *x, double *z) {
   *x = *z = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -83,7 +83,8 @@ static void find_curvatures(const arc_model_def *def, double *x, double *z) {
 }
 
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  static const double conformal = 0.1; /* relative curvature over the larger body curvature */
+  static const double conformal = 0.1; /* smallest relative curvature over the largest curvature
+                                        * of a body */
   double x, z, most = 0;
   find_curvatures(def, &x, &z);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -158,7 +159,8 @@ size_t arc_space_model_bytes(const arc_model *model) {
 
 /* --- bodies and cells ------------------------------------------------------------------------- */
 
-/* An arc_recess_fn of a map; the context is the body's definition. */
+/* Returns the recess of a map at x and z (an arc_recess_fn). The context is the body's
+ * definition. */
 static double recess_of(void *context, double x, double z) {
   return -arc_body_map_height(context, x, z);
 }
@@ -169,7 +171,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
     d.body[b].material = def->material[b];
     for (int l = 0; l < ARC_MOST_LAYERS; l++) d.body[b].layer[l] = solid.layer[l];
-    d.body[b].depth = def->body[b].height; /* distance to a rigid base */
+    d.body[b].depth = def->body[b].height; /* distance from the surface to a rigid base */
     if (!arc_body_is_spatial(&solid)) continue;
     d.body[b].radius_x = solid.radius;
     d.body[b].radius_z = solid.radius_z;
@@ -228,7 +230,7 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
   arc_space_limit(def, cells);
 }
 
-/* Returns the largest odd number of cells that lie within `half` of 0. */
+/* Returns the largest odd number of cells (at least 9) that lie within `half` [mm] of 0. */
 static int cells_within(double half, double size) {
   return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
 }

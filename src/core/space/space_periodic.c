@@ -1,4 +1,4 @@
-/* Periodic rough surfaces: a map is one period, and its points are the cells. */
+/* Periodic rough surfaces: each map is one period, and the points of the map are the cells. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static double step_of(const arc_series *axis) {
 
 static arc_status check_axis(const arc_series *axis, const arc_series *other, const char *name,
                              arc_error *error) {
-  static const double apart = 1e-6; /* accepted deviation of a step, over the step */
+  static const double apart = 1e-6; /* accepted relative deviation of a step */
   enum { fewest = 8 };
   if (axis->count < fewest || axis->count % 2 != 0)
     return arc_fail(error, ARC_ARGUMENT,
@@ -58,8 +58,9 @@ arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error) 
   return ARC_OK;
 }
 
-/* Checks the stroke if the lower body wears. After a whole number of periods all points of the
- * lower body have borne the same pressures, and after many periods nearly the same. */
+/* Checks the stroke if the lower body wears: it must be at least two periods long. After a whole
+ * number of periods all points of the lower body have carried the same pressures, and after many
+ * periods nearly the same. */
 static arc_status check_stroke(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
   static const double fewest = 2;

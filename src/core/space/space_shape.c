@@ -1,4 +1,5 @@
-/* Worn surfaces over x and z on shared cells, and their conversion to arrays for storage. */
+/* Worn surfaces that depend on x and z, on shared cells, and their conversion to arrays for
+ * storage. */
 #include "core/space/space_kind.h"
 
 #include "core/base/carve.h"
@@ -28,7 +29,8 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for surfaces");
 }
 
-/* Fails for windows that need more than the free memory, or with too many rows or columns. */
+/* Returns ARC_MEMORY for windows that need more than the free memory or have too many rows or
+ * columns. */
 static arc_status check_memory(const arc_halfspace_def *d, arc_error *error) {
   enum { most = 4096 };
   const int positions = d->track > d->nx ? d->track - d->nx + 1 : 1;
@@ -138,8 +140,8 @@ arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *ce
   return status;
 }
 
-/* Creates the initial surfaces of a run from worn surfaces. They keep their cells, and the track
- * becomes longer if necessary. */
+/* Creates the initial surfaces of a run from worn surfaces. The cells are unchanged, and the
+ * track becomes longer if necessary. */
 static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                             arc_shape **shape, arc_error *error) {
   const space_shape *worn = space_shape_of(from);
@@ -164,8 +166,8 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
   return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
 }
 
-/* Widens the window until it contains the contact. For layers and maps the estimated contact may be
- * too small. */
+/* Widens the window until it contains the contact, because for layers and maps the estimated
+ * contact may be too small. */
 static arc_status hold_contact(const arc_model_def *model, double load, arc_shape **shape,
                                arc_error *error) {
   enum { most_tries = 12 };

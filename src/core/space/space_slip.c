@@ -1,6 +1,6 @@
-/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an elastic
- * lag, and no solver is needed. In partial slip the increments of stick and slip are solved. Each
- * evaluation presses the bodies together anew, so that it does not depend on earlier
+/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an
+ * elastic lag, and no solver is needed. In partial slip the increments of stick and slip are
+ * solved. Each evaluation presses the bodies together anew, so it does not depend on earlier
  * evaluations. */
 #include "core/base/carve.h"
 #include "core/space/cerruti.h"
@@ -22,8 +22,10 @@ typedef struct cycle {
   wear_progress *progress;
   wear_rate *rate;
   int cells, unlike;
-  double *slid, *lag, *strain, *total; /* [window]; lag [count][window] */
-  int whole;                           /* 1: the whole contact slips in some increment */
+  double *slid, *lag, *strain, *total; /* [window] [mm] slip of an increment, elastic
+                                        * displacement at full friction [count][window], present
+                                        * elastic displacement, slip of the cycle */
+  int whole;                           /* 1 if the whole contact slips in some increment */
 } cycle;
 
 static size_t row_of(const cycle *c, int at) {
@@ -43,7 +45,8 @@ static void add_to(const cycle *c, int at, double share) {
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
-/* Adds `times` the slip of an increment, c->slid, to the positions at its two ends. */
+/* Adds `times` the slip of an increment, c->slid, to the positions at the two ends of the
+ * increment. */
 static void add_increment(cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;
@@ -63,7 +66,7 @@ static void add_increment(cycle *c, int at, double times) {
 
 /* --- gross slip ------------------------------------------------------------------------------- */
 
-/* Computes the elastic displacement of every position under full friction [mm]. */
+/* Computes for every position the elastic displacement under full friction [mm]. */
 static void find_lags(const cycle *c) {
   for (int j = 0; j < c->path->count; j++) {
     double *lag = c->lag + (size_t)j * (size_t)c->cells;
@@ -91,7 +94,7 @@ static int all_slip(const cycle *c) {
   return 1;
 }
 
-/* Computes the gaps due to the shear of gross slip. Shear is in proportion to the elastic
+/* Computes the gaps due to the shear of gross slip, which is proportional to the elastic
  * displacement. */
 static void add_gap(cycle *c, int at) {
   const size_t from = row_of(c, at);
@@ -162,7 +165,8 @@ static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error
   return status;
 }
 
-/* Returns load and motion at a share of the increment that ends at point `at`. */
+/* Returns load and motion (or force) at a share (0 to 1) of the increment that ends at point
+ * `at`. */
 static arc_halfspace_increment conditions(const cycle *c, int at, double share) {
   const wear_block *b = c->block;
   const int from = at > 0 ? at - 1 : 0;
@@ -182,7 +186,8 @@ static void take_slip(cycle *c, const arc_halfspace_friction *state) {
     c->slid[k] = state->stick[k] > 0 ? 0 : hypot(state->moved[0][k], state->moved[1][k]);
 }
 
-/* For unlike bodies copies the pressures and gaps of a state to those of point `at`. */
+/* Copies the pressures of a state, and the gaps due to its shear, to point `at`. Does nothing
+ * for like bodies, whose pressures do not depend on shear. */
 static void take_pressures(const cycle *c, int at, const arc_halfspace_friction *state) {
   if (!c->unlike) return;
   double *gap = c->path->gap + row_of(c, at);
@@ -191,7 +196,7 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
   arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
 }
 
-/* Advances to point `at` and adds `times` the slip of the increment. */
+/* Advances the state to point `at` and adds `times` the slip of this increment. */
 static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
   const arc_halfspace_increment to = conditions(c, at, 1);
@@ -218,7 +223,7 @@ static int returns(const cycle *c) {
   return drive[0] == drive[last];
 }
 
-/* Returns the change of shear between two cycles, over the friction limit. */
+/* Returns the change of shear between two cycles, divided by the friction limit. */
 static double change_of(const cycle *c, const double *before, const arc_halfspace_friction *state) {
   double change = 0, carried = 0;
   for (int k = 0; k < c->cells; k++) {
@@ -246,8 +251,8 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
                   "the cycle of stick and slip is not periodic after %d repetitions", most_cycles);
 }
 
-/* Computes a cycle with legs of one increment between like bodies. A leg doubles the shear and slip
- * of the first increment, to half of the motion or force, as both are proportional. */
+/* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
+ * the motion or force. A whole leg has twice its shear and slip, because both are proportional. */
 static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = conditions(c, 1, 1);
@@ -291,9 +296,9 @@ static arc_status stick(cycle *c, arc_error *error) {
 
 /* --- results ---------------------------------------------------------------------------------- */
 
-/* Averages the fields of the positions over mirror images, so that symmetric bodies remain
- * symmetric despite the solvers' tolerance. The average is always across the motion; for like
- * bodies in the middle position it is also along the motion. */
+/* Averages the fields of the positions over mirror images, so symmetric bodies remain symmetric
+ * despite the tolerance of the solvers. The average is across the motion, and for like bodies in
+ * the middle position also along the motion. */
 static void make_even(const cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
@@ -314,7 +319,8 @@ static void make_even(const cycle *c, double *value) {
     }
 }
 
-/* Returns the width of the stick zone [mm], if its shape is similar to that of the contact. */
+/* Returns the width of the stick zone [mm]. The shape of the zone is assumed to be similar to
+ * that of the contact. */
 static double stick_width(const cycle *c) {
   const double *p = c->pressure + row_of(c, c->block->count - 1);
   const arc_halfspace_extent e = arc_halfspace_contact_extent(c->h, p);
@@ -351,7 +357,8 @@ static int begin(cycle *c) {
   return ARC_CARVE(parts) != NULL;
 }
 
-/* Motions longer than a cell may be gross slip; for all other motions the slip is solved. */
+/* Computes slip and shear of the cycle. A motion longer than a cell may be gross slip; for all
+ * other motions the increments are solved. */
 static arc_status run(cycle *c, arc_error *error) {
   const wear_block *b = c->block;
   const double cell = arc_space_reach(arc_model_definition(c->w->model), b->load);
@@ -414,15 +421,16 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Returns load and motion at the end of a part of an increment. The pressures there are known
- * only under a constant load. */
+/* Returns load and motion at the end of one of `parts` parts of an increment. The pressures at
+ * this point are known only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
   arc_halfspace_increment to = conditions(c, at, (double)part / parts);
   if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
   return to;
 }
 
-/* Computes one cycle in parts of its increments, and stores the loop unless it is NULL. */
+/* Computes one cycle in parts of its increments, and stores the points of the loop unless `loop`
+ * is NULL. */
 static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state, arc_loop *loop,
                         arc_error *error) {
   double *x = loop ? (double *)(size_t)loop->x : NULL;

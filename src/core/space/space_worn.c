@@ -1,4 +1,4 @@
-/* Initial surfaces with depths that the user gave, for runs and contacts. */
+/* Initial surfaces with depths given by the user, for runs and contacts. */
 #include "core/space/space_kind.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* Stick and slip over a contact: the sets of cells, and the directions of slip. */
+/* Solves for stick and slip over a contact: chooses the sets of sticking and slipping cells and
+ * the directions of slip. */
 #include "core/space/stick_slip.h"
 
 #include "core/base/callbacks.h"
@@ -66,8 +67,9 @@ static void start(const stick_slip_problem *p, stick_slip_work *w) {
   }
 }
 
-/* Limit of |q| over bound above which a cell starts to slip. Under a given force some cells must
- * stick, so that only the cells farthest outside the circle start to slip if all are outside. */
+/* Returns the ratio |q| / bound above which a cell starts to slip. Under a given force some
+ * cells must stick, so only the cells farthest outside the circle start to slip if all cells are
+ * outside. */
 static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   double least = INFINITY, most = 0;
   for (int k = 0; k < p->h->cells; k++)
@@ -79,7 +81,7 @@ static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   return forced && least > 1 && most > 0 ? (least + most) / 2 : 1;
 }
 
-/* Sets sticking cells above the friction limit to slip. Returns their number. */
+/* Sets sticking cells above the friction limit to slip. Returns the number of these cells. */
 static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fresh) {
   const double limit = limit_of(p, w);
   int changes = 0;
@@ -111,8 +113,9 @@ static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_s
   return most;
 }
 
-/* Sets cells that would slip against their shear by more than `nothing` [mm] to stick. Computes
- * tangent and diagonal of the cells that continue to slip. */
+/* Sets cells to stick that would slip against their shear by more than `nothing` [mm], and
+ * computes tangent and diagonal of the cells that continue to slip. Returns the number of cells
+ * changed. */
 static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
                     const char *fresh) {
   int changes = 0;
@@ -134,7 +137,8 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Computes the errors of the given forces over the friction limit; returns the larger error. */
+/* Computes the errors `missed` of the given forces, divided by the friction limit; returns the
+ * larger error. */
 static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
   double sum[2] = {0, 0}, carried = 0;
@@ -198,7 +202,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- by the motion ---------------------------------------------------------------------------- */
 
-/* Returns the displacement along an axis under full friction. */
+/* Returns the displacement along an axis under full friction [mm]. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {
@@ -213,7 +217,8 @@ static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis
   return product / sum;
 }
 
-/* Updates the inverse by the BFGS formula, for a step and the change of the error. */
+/* Updates the inverse matrix by the BFGS formula for a step of the motion and the resulting
+ * change of the error. */
 static void update(double inverse[2][2], const double step[2], const double change[2]) {
   const double along = -(step[0] * change[0] + step[1] * change[1]);
   double y[2] = {-change[0], -change[1]}, left[2], curved;
@@ -225,9 +230,9 @@ static void update(double inverse[2][2], const double step[2], const double chan
       inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
 }
 
-/* Computes the motion for which friction gives the forces, which are the gradient of a convex
- * function of the motion. This slower method serves for forces near gross slip, where the sets may
- * not converge. */
+/* Computes the motion for which friction gives the forces; the forces are the gradient of a
+ * convex function of the motion. This slower method is used for forces near gross slip, where
+ * the sets may not converge. */
 static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
                               stick_slip_count *count, arc_error *error) {
   enum { most_motions = 100 };

@@ -1,4 +1,4 @@
-/* The linear problem of a Newton step for stick and slip. The method is conjugate gradients,
+/* Solves the linear problem of a Newton step for stick and slip by conjugate gradients,
  * preconditioned by the operator's diagonal. A projection keeps the resultant forces constant. */
 #include "core/space/stick_slip.h"
 
@@ -55,8 +55,8 @@ static double dot(const stick_slip_work *w, double *const a[2], double *const b[
   return sum;
 }
 
-/* Projection that keeps the given forces constant: the inverse of the sums of M^-1 times a unit
- * motion. */
+/* The projection that keeps the given forces constant: the inverse of the 2 x 2 matrix that
+ * gives the sums of M^-1 times a motion. */
 typedef struct holding {
   double inverse[2][2];
   int singular;
@@ -92,12 +92,13 @@ static holding find_holding(const stick_slip_problem *p, const stick_slip_work *
   return h;
 }
 
-/* Computes the motion for which M^-1 times the motion sums to `sum`. */
+/* Computes the motion for which the sums of M^-1 times the motion equal `sum`. */
 static void motion_of(const holding *h, const double sum[2], double motion[2]) {
   for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
 }
 
-/* z := M^-1 (r - motion), with the motion for which z sums to 0 along given forces. */
+/* Computes z = M^-1 (r - motion), with the motion for which z sums to 0 along axes with a given
+ * force. */
 static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
                          double motion[2]) {
   double sum[2] = {0, 0};
@@ -119,7 +120,7 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
   }
 }
 
-/* a := C d + D d, projected onto the free directions. */
+/* Computes a = C d + D d, projected onto the free directions. */
 static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   count->applications++;
@@ -141,7 +142,7 @@ static void step(stick_slip_work *w, double length) {
     }
 }
 
-/* Changes q so that its sums equal the given forces. */
+/* Changes q so that its sums over the cells equal the given forces. */
 static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const holding *h,
                         stick_slip_count *count) {
   const double area = p->h->def.size_x * p->h->def.size_z;

@@ -1,15 +1,19 @@
-/* Stresses in a half-space under normal pressure, from the solution for one pressure wave. */
+/* Stresses in a half-space under normal pressure, summed over pressure waves. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { widening = 4, components = 6 }; /* padding of the periodic box, against images */
+enum {
+  widening = 4,
+  components = 6
+}; /* `widening`: size of the periodic box over the window,
+    * which keeps periodic images away */
 
-/* The zero frequency stands for waves of about the length of the box, with this share of the first
- * frequency. The number is zeta of the square lattice, since the stresses have a kink in |q| at
- * 0. */
+/* The zero frequency stands for waves of about the length of the box. The wave number of these
+ * waves is this share of the first frequency. The share follows from the zeta function of the
+ * square lattice, because the stresses have a kink in |q| at 0. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {
@@ -17,8 +21,8 @@ typedef struct wave {
   int zero;
 } wave;
 
-/* Factors from a pressure wave to the stresses xx, yy, zz, xy, yz, xz at depth s >= 0, with tension
- * positive. If *odd is 1, the factor is imaginary. */
+/* Returns the factor from a pressure wave to a stress (0 to 5: xx, yy, zz, xy, yz, xz; tension
+ * is positive) at depth s >= 0. If *odd is 1, the factor is imaginary. */
 static double factor(const wave *w, int component, double nu, double s, int *odd) {
   const double qs = w->q * s, e = exp(-qs), xx = w->cx * w->cx, zz = w->cz * w->cz;
   *odd = component == 3 || component == 4;
@@ -48,7 +52,8 @@ static wave wave_of(int i, int j, int nx, int nz, double step_x, double step_z) 
 typedef struct plane {
   int nx, nz; /* size of the box */
   double step_x, step_z;
-  double *values, *pressure, *spectrum; /* [nx][nz]; spectra [nx][nz / 2 + 1] of pairs */
+  double *values, *pressure, *spectrum; /* [nx][nz] values and pressures; spectra [nx][nz / 2 +
+                                         * 1] of pairs */
 } plane;
 
 static void multiply(const plane *b, int component, double nu, double s) {

@@ -1,5 +1,5 @@
-/* Steps with error control. Two updates of half a step, of which the second solves the instants in
- * reverse order, are compared with one update of the whole step. */
+/* Steps with error control: two updates of half a step are compared with one update of the whole
+ * step. The second half solves the instants in reverse order. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -21,13 +21,13 @@ static arc_status remember(const arc_joint *j, const arc_joint_record *record, k
   return ARC_OK;
 }
 
-/* Returns the depth maps of a state [2 sites]: head, then cup. */
+/* Returns the depth maps of a state [2 sites]: those of the head, then those of the cup. */
 static const double *depths(const kept_state *was) {
   return was->list + 3;
 }
 
-/* Error estimate: the largest difference in depth between the whole step and the two halves,
- * relative to the wear that all cycles so far would cause at the rate of this step. */
+/* Returns the error estimate: the largest difference in depth between the whole step and the two
+ * halves, relative to the wear that all cycles so far would cause at the rate of this step. */
 static double difference(const arc_joint *j, const kept_state *was, const kept_state *whole) {
   const double steps = whole->record.cycles / (whole->record.cycles - was->record.cycles);
   double off = 0, gain = 0;
@@ -42,8 +42,8 @@ static double difference(const arc_joint *j, const kept_state *was, const kept_s
   return gain > 0 ? off / (gain * steps) : 0;
 }
 
-/* Makes the whole step, stores the result, and repeats the step in two halves; *error_made is their
- * difference. */
+/* Makes the whole step and stores its result, then repeats the step in two halves. *error_made
+ * receives the difference of the two results. */
 static arc_status try_step(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                            const kept_state *was, const arc_callbacks *callbacks,
                            arc_joint_record *record, double *error_made, arc_error *error) {

@@ -94,7 +94,7 @@ void arc_sphere_rotate_back(const double R[9], const double n[3], double to[3]) 
   for (int i = 0; i < 3; i++) to[i] = R[i] * n[0] + R[3 + i] * n[1] + R[6 + i] * n[2];
 }
 
-/* Computes row and column of the direction n, in cells from the centre of cell 0. */
+/* Computes row and column of the direction n, in cells from the centre of the first cell. */
 static void locate(const arc_joint *j, const double n[3], double *row, double *column) {
   *row = acos(fmax(-1, fmin(1, n[0]))) / j->d - 0.5;
   *column = (atan2(n[1], n[2]) + pi) / j->d - 0.5;
@@ -116,7 +116,7 @@ double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3
          s * ((1 - t) * value(j, map, i + 1, k) + t * value(j, map, i + 1, k + 1));
 }
 
-/* Computes the Lagrange weights of four points at -1, 0, 1, 2. */
+/* Computes the Lagrange weights of four points at -1, 0, 1 and 2 for the position t. */
 static void cubic_weights(double t, double w[4]) {
   w[0] = -t * (t - 1) * (t - 2) / 6;
   w[1] = (t + 1) * (t - 1) * (t - 2) / 2;

@@ -1,4 +1,5 @@
-/* Internal structures of a joint: lattice of cells, maps on the lattice, compliance on a window. */
+/* Internal structures and functions of a joint: lattice of cells, maps on the lattice,
+ * compliance on a window. */
 #ifndef SPHERE_SPHERE_H
 #define SPHERE_SPHERE_H
 
@@ -6,46 +7,51 @@
 #include "core/numeric/active_set.h"
 #include "core/numeric/convolution.h"
 
-/* Compliance on a window of the lattice, with size / 2 rows and columns on each side of the z
- * axis. */
+/* Compliance on a window of the lattice, which has size / 2 rows and columns on each side of the
+ * z axis. */
 typedef struct sphere_kernel {
   int size;                   /* number of rows and of columns */
-  int box, waves;             /* number of padded columns; box / 2 + 1 */
-  double *symbol;             /* [waves][size][size], multiplied by the source's cell area */
+  int box, waves;             /* box: number of padded columns; waves: box / 2 + 1 */
+  double *symbol;             /* [waves][size][size] transformed influence, multiplied by the
+                               * source's cell area */
   row_transform *rows;        /* transform of `size` rows */
-  double *spectrum, *product; /* [size][waves] pairs; [waves][size] for each part */
+  double *spectrum, *product; /* [size][waves] pairs; [waves][size] for each of both parts */
 } sphere_kernel;
 
 struct arc_joint {
   arc_joint_def def;
   int rows, sites;                   /* number of rows of the lattice; number of sites, 2 rows^2 */
   double d;                          /* size of a cell [rad] */
-  double *normal;                    /* [sites][3] */
-  double *area;                      /* [sites] [mm2] */
-  double *h[ARC_BODIES], *p, *shear; /* [sites], [sites], [sites][3] */
+  double *normal;                    /* [sites][3] unit normals */
+  double *area;                      /* [sites] cell areas [mm2] */
+  double *h[ARC_BODIES], *p, *shear; /* [sites] depths [mm], [sites] pressures, [sites][3]
+                                      * cross-shear */
   double *creep, *pressed;           /* creep [mm]; integral of p over cycles [MPa]; [sites] */
   double *remainder;                 /* table of the compliance without its 1/chord part */
-  double limit, K;       /* limit of (l + 1/2) C_l [mm/MPa]; Winkler stiffness [MPa/mm] */
+  double limit, K;       /* limit of (l + 1/2) C_l at large l [mm/MPa]; Winkler stiffness
+                          * [MPa/mm] */
   int size;              /* number of rows and of columns of the window */
   sphere_kernel *kernel; /* NULL with a Winkler foundation */
   active_work *work;
-  double *gap, *mode, *cell, *press, *soft; /* [window]; mode [3][window]; soft: added diagonal */
+  double *gap, *mode, *cell, *press, *soft; /* [window]; mode [3][window]; soft: diagonal added
+                                             * to the compliance */
   double *kept; /* [kept_count][window] initial pressures of the instants */
   int kept_count;
 };
 
-/* Returns the sum of (l + 1/2) C_l of both bodies at the degree l that the cells of `rows` resolve.
- * This is the limit for large degrees unless the surface layer is thinner than a cell. */
+/* Returns the sum of (l + 1/2) C_l of both bodies [mm/MPa] at the degree l that a lattice of
+ * `rows` rows resolves. The sum equals its limit for large degrees unless the surface layer is
+ * thinner than a cell. */
 double arc_sphere_limit(const arc_joint_def *def, int rows);
 /* Returns the stiffness of the Winkler foundation [MPa/mm]. */
 double arc_sphere_winkler(const arc_joint_def *def);
 
-/* Returns the table of the remainder for arc_sphere_kernel, or NULL: there is no memory, or
- * (*numeric = 1) the compliance cannot be computed. */
+/* Returns the table of the remainder for arc_sphere_kernel. Returns NULL if there is no memory,
+ * or with *numeric = 1 if the compliance cannot be computed. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric);
 sphere_kernel *arc_sphere_kernel(const arc_joint *j, int size);
 void arc_sphere_kernel_free(sphere_kernel **k);
-/* u := C p on the window [size * size]; u and p may be the same array. */
+/* Computes the displacements u = C p on the window [size * size]; u and p may be the same array. */
 void arc_sphere_kernel_apply(sphere_kernel *k, const double *p, double *u);
 
 /* Returns the index of the site of a window's cell. */
@@ -54,12 +60,12 @@ static inline int sphere_site(const arc_joint *j, int cell) {
   return row * 2 * j->rows + j->rows - j->size / 2 + cell % j->size;
 }
 
-/* Sets the number of rows of the window; discards the initial pressures. Error: ARC_MEMORY. */
+/* Sets the number of rows of the window and discards the initial pressures. Error: ARC_MEMORY. */
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
-/* Sets the number of instants with initial pressures, all 0. Error: ARC_MEMORY. */
+/* Sets the number of instants with initial pressures, which are all set to 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Restores an earlier state of this joint. If the window has grown since, it keeps its size and
- * loses the initial pressures. */
+/* Restores an earlier state of this joint. If the window has grown since then, the window keeps
+ * its size and the initial pressures are lost. */
 void arc_sphere_restore(arc_joint *j, const double *state);
 /* Restores an earlier state and window after an error. A larger window remains if there is no
  * memory for the earlier one. */
@@ -68,24 +74,25 @@ void arc_sphere_back(arc_joint *j, const double *state, size_t count);
  * largest size, ARC_MEMORY. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 
-/* Returns the value of a map in the direction n: by cubic or by linear interpolation between
- * sites. */
+/* Returns the value of a map in the direction n by cubic interpolation between sites;
+ * arc_sphere_linear interpolates linearly. */
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
-/* A contact to solve: the head at a rotation R under a load [N]. j->soft, the wear in this contact,
- * is added to the compliance: `dose` [mm/MPa] per mm of sliding by the rotation vector omega, times
- * k (a map; NULL: 1). The initial pressures are those of the last contact at this instant; a
- * negative instant means none. The pressures are stored in j->press [window]. The window is
- * enlarged until the pressures at its rim are zero. */
+/* A contact to solve: the head at a rotation R under a load [N]. j->soft is the wear in this
+ * contact and is added to the compliance: `dose` [mm/MPa] per mm of sliding by the rotation
+ * vector omega, times the map k (NULL: 1). The initial pressures are those of the last contact
+ * at this instant; a negative instant has none. arc_sphere_solve stores the pressures in
+ * j->press [window] and enlarges the window until the pressures at its rim are zero. */
 typedef struct sphere_stand {
   const double *rotation, *load;
-  const double *omega, *k; /* NULL: no wear in this contact */
+  const double *omega, *k; /* rotation vector of the sliding and map of coefficients; omega =
+                            * NULL: no wear in this contact */
   double dose;             /* number of cycles, times k if k is NULL */
   int instant;
 } sphere_stand;
-/* Returns the angle between the cells under pressure and the cup's rim [degrees]; without contact
- * the cover angle. */
+/* Returns the angle between the cells under pressure and the cup's rim [degrees]. Without
+ * contact, returns the cover angle. */
 double arc_sphere_rim_margin(const arc_joint *j);
 
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],

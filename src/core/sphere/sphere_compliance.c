@@ -1,5 +1,6 @@
-/* Radial compliance of concentric layers for each degree. Elasticity has four solutions r^s (a, b)
- * in each layer, with displacement U Y r^ + V grad Y. They are coupled in a small dense system. */
+/* Radial compliance of concentric layers for each degree of spherical harmonics. Elasticity has
+ * four solutions r^s (a, b) in each layer, with the displacement U Y r^ + V grad Y. A small
+ * dense system couples these solutions. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -20,7 +21,7 @@ typedef struct stack {
   shell shell[most_shells];
 } stack;
 
-/* A solution r^s, scaled to 1 at radius `unit`. */
+/* One solution r^s of a layer, scaled to 1 at the radius `unit`. */
 typedef struct power {
   double s, a, b, unit;
 } power;
@@ -53,8 +54,8 @@ static stack head_stack(const arc_joint_def *def) {
   return s;
 }
 
-/* Computes the solutions of a layer at degree l; those that increase with r are the first.
- * Returns their number. */
+/* Computes the solutions of a layer at degree l; the solutions that increase with r come first.
+ * Returns the number of solutions. */
 static int powers_of(const shell *m, int l, power *p) {
   const double L = (double)l * (l + 1), q = m->lambda + 2 * m->mu;
   const double exponent[] = {l - 1.0, l + 1.0, -l - 2.0, -(double)l};
@@ -74,7 +75,8 @@ static int powers_of(const shell *m, int l, power *p) {
   return decaying ? 4 : 2;
 }
 
-/* value [4] := U, V and both stresses over `scale` of a solution at radius r. */
+/* Computes value [4] of a solution at radius r: the displacements U and V, and both stresses
+ * divided by `scale`. */
 static void evaluate(const shell *m, int l, const power *p, double r, double scale, double *value) {
   const double L = (double)l * (l + 1), f = pow(r / p->unit, p->s), g = f / r / scale;
   value[0] = p->a * f;
@@ -83,9 +85,9 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
   value[3] = m->mu * ((p->s - 1) * p->b + p->a) * g;
 }
 
-/* Returns the displacement of one body under a unit pressure on its surface, which is its innermost
- * radius for a cup and its outermost radius for a head. The equations are those of bottom,
- * interfaces and top, in groups of two and four. */
+/* Returns the displacement of one body under a unit pressure on its surface, which is the
+ * innermost radius of a cup and the outermost radius of a head. The equations belong to the
+ * bottom, the interfaces and the top, in groups of two and four. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];
@@ -141,8 +143,8 @@ double arc_sphere_limit(const arc_joint_def *def, int rows) {
          (arc_joint_compliance(def, ARC_UPPER, rows) + arc_joint_compliance(def, ARC_LOWER, rows));
 }
 
-/* The springs represent the liner only, since the deformation of the shells outside it is
- * negligible. */
+/* Returns the stiffness of the Winkler springs. The springs represent the liner only, because
+ * the deformation of the shells outside the liner is negligible. */
 double arc_sphere_winkler(const arc_joint_def *def) {
   const arc_material m = def->cup[0].material;
   const double out = 1 + def->cup[0].thickness / def->radius, q = out * out * out;

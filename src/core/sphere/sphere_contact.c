@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Gap outside the cup [mm], large enough to remain open. */
+/* Gap outside the cup [mm], so large that it remains open. */
 static const double open_gap = 1e3;
 
 static void axis_of(const arc_joint *j, double axis[3]) {
@@ -22,7 +22,7 @@ static double dot(const double a[3], const double b[3]) {
 
 /* --- the problem ------------------------------------------------------------------------------ */
 
-/* Multiplies by the compliance, including the wear in this contact. */
+/* Multiplies the pressures by the compliance, which includes the wear in this contact. */
 static arc_status apply(void *context, const double *p, double *u) {
   arc_joint *j = context;
   const int n = j->size * j->size;
@@ -43,8 +43,8 @@ static int head_is_worn(const arc_joint *j) {
   return 0;
 }
 
-/* Computes the gaps for the head at rotation R. The head's displacement u is for the second-order
- * terms. */
+/* Computes the gaps for the head at rotation R. The second-order terms use the head's
+ * displacement u [mm]. */
 static void set_gaps(arc_joint *j, const double R[9], const double u[3]) {
   const double least = cos(j->def.cover * pi / 180);
   double axis[3], on_head[3];
@@ -70,12 +70,13 @@ static void set_softness(arc_joint *j, const sphere_stand *at) {
   }
 }
 
-/* Half angles of initial caps over that of the window, in the order of the attempts. */
+/* Half angles of the initial cap over the half angle of the window, in the order of the
+ * attempts. */
 static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
 enum { attempts = sizeof caps / sizeof *caps };
 
-/* Sets the initial pressures: those stored for the instant at the first attempt, otherwise a cap
- * about the load. */
+/* Sets the initial pressures: at the first attempt the pressures stored for the instant,
+ * otherwise a cap around the load. */
 static void start(arc_joint *j, const sphere_stand *at, int attempt) {
   const size_t n = (size_t)j->size * (size_t)j->size;
   double sum = 0;
@@ -129,15 +130,15 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
-/* Returns true if the load points into the window with a margin of some cells and degrees to its
- * rim. */
+/* Returns true if the load points into the window with a margin of some cells and degrees to the
+ * window's rim. */
 static int holds(const arc_joint *j, const double load[3]) {
   const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
   const double margin = fmax(4 * j->d, pi / 18);
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* Computes the displacement for the next gaps. Returns 1 if the last displacement is accurate
+/* Stores the displacement u for the next gaps. Returns 1 if the last displacement was accurate
  * enough. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
@@ -149,8 +150,8 @@ static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   return moved < 1e-9 * j->def.radius;
 }
 
-/* Error message for a contact with so few cells that they cannot carry a load in three
- * directions. */
+/* Reports that the cells may be too large: the contact has so few cells that they cannot carry a
+ * load in three directions. */
 static arc_status refuse_cells(const arc_joint *j, const double load[3], arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status,

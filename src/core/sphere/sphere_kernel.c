@@ -1,6 +1,6 @@
-/* Compliance on a window of the lattice. It is a convolution along longitude, with a dense product
- * over latitude for each wave number. The 1/chord part is integrated over near cells. The smooth
- * remainder is interpolated from a table over the angle between two points. */
+/* Compliance on a window of the lattice. It is a convolution along longitude, and for each wave
+ * number a dense product over latitude. Its 1/chord part is integrated over near cells; the
+ * smooth remainder is interpolated from a table over the angle between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -9,12 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { degrees = 3000, fine = 8 /* entries of the table per cell */, near = 8 /* cells */ };
+enum {
+  degrees = 3000,
+  fine = 8 /* fine: entries of the table per cell; near: distance [cells]
+            * below which cells are integrated */
+  ,
+  near = 8 /* cells */
+};
 
 static const double pi = 3.14159265358979323846;
 
-/* Table of the sum over l of (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2)) P_l. The weight is P_l
- * averaged over a cap with the area of a cell. */
+/* Computes the table of the remainder: the sum over l of (2l+1)/(4 pi) weight_l (C_l -
+ * A/(l+1/2)) P_l. weight_l is P_l averaged over a cap with the area of a cell. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def, rows);
   const int entries = fine * rows + 4;
@@ -48,7 +54,7 @@ double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   return NULL;
 }
 
-/* Interpolates the table at an angle by a cubic; the table is even about 0. */
+/* Interpolates the table at an angle [rad] by a cubic; the table is an even function. */
 static double read_table(const arc_joint *j, double angle) {
   const double at = angle / j->d * fine;
   const int i = (int)at;
@@ -59,7 +65,8 @@ static double read_table(const arc_joint *j, double angle) {
                           t * (3 * (y[0] - y[1]) + y[2] - first)));
 }
 
-/* Returns the integral of 1/r over the rectangle [0, x] x [0, y]; odd in x and y. */
+/* Returns the integral of 1/r over the rectangle [0, x] x [0, y]. The integral is odd in x and
+ * y. */
 static double corner(double x, double y) {
   return x * asinh(y / fabs(x)) + y * asinh(x / fabs(y));
 }
@@ -70,8 +77,8 @@ static double mean_inverse(double x, double y, double a, double b) {
   return (corner(r, u) - corner(l, u) - corner(r, d) + corner(l, d)) / (a * b);
 }
 
-/* Returns the displacement at a cell under unit pressure on a source cell, over the source's solid
- * angle. */
+/* Returns the displacement at a cell of `row` under unit pressure on a source cell, divided by
+ * the source's solid angle. `lag` is the distance of the cells in columns. */
 static double influence(const arc_joint *j, int row, int source, int lag) {
   const double d = j->d, here = (row + 0.5) * d, there = (source + 0.5) * d;
   const double s = sqrt(sin(here) * sin(there));

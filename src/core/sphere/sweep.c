@@ -1,5 +1,5 @@
-/* Wear of both bodies. The work p |s| is computed at the cup's cells. The head gets the same total,
- * at its points that the rotation brings to these cells. */
+/* Wear of both bodies of a joint. The work p |s| is computed at the cup's cells. The head
+ * receives the same total, at the points of the head that the rotation brings to these cells. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 
@@ -7,15 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Data of an update. */
+/* Data of one update. */
 typedef struct sweep {
   arc_joint *j;
   const arc_joint_wear_def *def;
   double cycles, alpha;
   double *was;              /* state of the joint before the update */
-  double *gain[ARC_BODIES]; /* [sites] wear to be removed at the end of an explicit update */
-  double *shear, *mean;     /* [sites][3] sums for the cross-shear, [sites] mean pressure */
-  double *k, *loss, *share; /* [sites] coefficient; k N p |s| of an instant [mm]; cross-shear */
+  double *gain[ARC_BODIES]; /* [sites] depth to be removed at the end of an explicit update [mm] */
+  double *shear, *mean;     /* [sites][3] sums for the cross-shear; [sites] mean pressure */
+  double *k, *loss, *share; /* [sites] wear coefficient; [sites] k N p |s| of an instant [mm];
+                             * [sites] cross-shear */
   arc_joint_record record;
 } sweep;
 
@@ -30,7 +31,8 @@ static int begin(sweep *s) {
   return 1;
 }
 
-/* Adds p |s| t t' of a cell, where t is the direction of sliding in (theta, phi). */
+/* Adds p |s| t t' of a cell to the sums for the cross-shear, where t is the direction of sliding
+ * in (theta, phi). */
 static void add_shear(sweep *s, const double w[3], int site, double p) {
   const double *n = s->j->normal + 3 * (size_t)site;
   const double slide[3] = {w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2],
@@ -46,11 +48,12 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* Computes the wear of the head in an instant, scaled to the cup's volume. */
+/* Computes the wear of the head in an instant; its volume is scaled to the cup's volume. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
-  double *mine = s->share, sum = 0; /* `share` is read only between updates */
+  double *mine = s->share, sum = 0; /* `share` is needed only between updates, so its memory is
+                                     * used here */
   for (int i = 0; i < j->sites; i++) {
     double n[3];
     const double *m = j->normal + 3 * (size_t)i;
@@ -97,7 +100,7 @@ static double size_of(const double v[3]) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* Adds to the error of a load the number of its increment. */
+/* Adds the number of the increment to the error message of a load. */
 static arc_status refuse_load(int increment, arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status, "%.300s, in increment %d of the cycle", why.message,
@@ -134,8 +137,8 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
   return ARC_OK;
 }
 
-/* Computes the wear coefficients of the cup's cells from the cross-shear and mean pressure of a
- * cycle. */
+/* Computes the wear coefficients of the cup's cells from the cross-shear and the mean pressure
+ * of a cycle. */
 static arc_status call_k(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double middle = s->record.cycles + s->cycles / 2;
@@ -149,7 +152,7 @@ static arc_status call_k(sweep *s, arc_error *error) {
   return ARC_OK;
 }
 
-/* Computes the creep at the end of the update from the mean pressure until then. */
+/* Computes the creep at the end of the update from the mean pressure until the end. */
 static arc_status call_creep(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double end = s->record.cycles + s->cycles;
@@ -175,7 +178,7 @@ static arc_status set_alpha(sweep *s, arc_error *error) {
                   s->alpha);
 }
 
-/* Evaluates the user's functions of the cycle, which need one pass through the cycle without
+/* Evaluates the user's functions of the cycle, which require one pass through the cycle without
  * wear. */
 static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
   arc_joint *j = s->j;
