@@ -11,7 +11,7 @@
 
 static const double usual_cells = 8; /* cells in the half width of the unworn contact */
 static const double widest_of_layer =
-    3.5; /* cell width of automatic meshes, in thicknesses of the thinnest layer; 4 are allowed */
+    3.5; /* widest cell of automatic meshes, in thicknesses of the thinnest layer; 4 are allowed */
 
 typedef struct space_model {
   arc_model handle;

@@ -1,4 +1,4 @@
-/* Increments of the loading: of the reciprocating stroke, or of the user's blocks. */
+/* Creates the increments of the loading: of the reciprocating stroke, or of the user's blocks. */
 #include "core/base/angle.h"
 #include "core/wear/run.h"
 
@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of problems of a block. With more distinct positions one problem is rebuilt at
- * every point. */
+/* Largest number of contact problems of a block. A block with more distinct positions rebuilds a
+ * single problem at every point. */
 enum { most_problems = 2048 };
 
 static arc_status block_create(wear_block *b, int count) {
@@ -27,15 +27,15 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Creates a single problem with the plate at x. NSP and sliding out of the plane need only x =
- * 0. */
+/* Creates a single contact problem with the plate at x. NSP and sliding out of the plane need
+ * only x = 0. */
 static void one_problem(wear_block *b, double x) {
   b->problems = 1;
   for (int i = 0; i < b->count; i++) b->problem_x[i] = x;
   memset(b->problem_of, 0, (size_t)b->count * sizeof *b->problem_of);
 }
 
-/* Creates one problem for each distinct position. */
+/* Creates one contact problem for each distinct position of the plate. */
 static void find_problems(wear_block *b) {
   double *position = b->problem_x; /* sorted distinct positions */
   int n = 0;
@@ -51,9 +51,10 @@ static void find_problems(wear_block *b) {
   memcpy(b->problem_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-/* Returns a substitute for the sliding distance of a cycle that a force drives, since the
- * displacement is unknown until the contact is solved: the sum of changes of the force per
- * thickness over E*. If the force is constant, changes of the load replace those of the force. */
+/* Returns a substitute for the sliding distance of a cycle that a force drives [mm], because the
+ * displacement is unknown until the contact is solved. The substitute is the sum of the changes
+ * of the force per thickness over E*. If the force is constant, the changes of the load are used
+ * instead. */
 static double sliding_of_force(const wear_block *b, const wear_manner *m) {
   double force = 0, load = 0;
   for (int i = 1; i < b->count; i++) {
@@ -70,8 +71,8 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
   return def->increments > 0 ? def->increments : usual;
 }
 
-/* Computes the numbers of increments between points. Kinds without automatic increments have one
- * increment between two points. */
+/* Computes the numbers of increments between the points of a loading; returns their sum. Kinds
+ * without automatic increments have one increment between two points. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
   const arc_kind *kind = arc_kind_of(model);
@@ -93,13 +94,13 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   if (m->rests)
     one_problem(b, 0);
   else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
-    one_problem(b, (low + high) / 2); /* sticking points keep their partners */
+    one_problem(b, (low + high) / 2); /* one problem, so pairs of sticking points do not change */
   else
     find_problems(b);
 }
 
-/* Creates a cycle of an alternating force. The bodies are pressed together where the force is about
- * 0. */
+/* Creates a cycle of an alternating force. The bodies are pressed together at the point where
+ * the force is about 0. */
 static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
                            const wear_manner *m, wear_block *b) {
   const int half = increments_of(def, model) / 2;
@@ -119,15 +120,16 @@ static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
   return ARC_OK;
 }
 
-/* Returns the position of the plate at point i of `last` along a stroke from -s/2 to s/2; symmetric
- * to the bit. */
+/* Returns the position of the plate at point i of `last` along a stroke from -s/2 to s/2 [mm].
+ * Positions are exactly symmetric. */
 static double along(double stroke, int i, int last) {
   return stroke * (2 * i - last) / (2.0 * last);
 }
 
-/* Creates the paper's cycle. It is half of the cycle, counted twice (r = 2), or the single pass
- * over the plate (r = 1). With updates within the cycle, or with friction, both strokes are
- * simulated and represent one of the passes. NSP needs only the ends unless slip is computed. */
+/* Creates the cycle of the reference paper. The block is half of the cycle, counted twice (r =
+ * 2), or the single pass over the plate (r = 1). With updates within the cycle, or with
+ * friction, the block contains both strokes. NSP needs only the end points unless slip is
+ * computed. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 const wear_manner *m, wear_block *b) {
   if (def->tangential > 0) return by_force(def, model, m, b);
@@ -145,10 +147,10 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over && back ? 0.5 : over || back ? 1 : 2;
-  if (has_friction) b->press = half + (half + 1) / 2; /* where x is about 0 */
+  if (has_friction) b->press = half + (half + 1) / 2; /* at this point x is about 0 */
   b->load = def->load;
   finish(b, def, model, m);
-  /* equals r s without the rounding errors of the sum */
+  /* equals r s without rounding errors of the sum */
   b->sliding = m->strokes * m->stroke;
   b->travel = m->stroke;
   return ARC_OK;
@@ -159,7 +161,7 @@ static double position(const arc_loading *from, const wear_manner *m, int i) {
   return from->rotation ? m->radius * arc_radians(from->rotation[i]) : from->x[i];
 }
 
-/* Returns the direction of the load at point i [degrees]. */
+/* Returns the direction of the load at point i of a loading [degrees]. */
 static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) {
   return from->load_angle ? from->load_angle[i] : def->load_angle;
 }
@@ -177,7 +179,8 @@ static void fill(const arc_wear_def *def, const arc_model_def *model, const wear
   b->line[0] = from->load[0] / m->thickness;
   for (int i = 1; i < from->count; i++) {
     const int n = (int)parts[i];
-    for (int j = 1; j <= n; j++) { /* the last one equals the point to the bit */
+    for (int j = 1; j <= n; j++) { /* at j = n the values equal those of the loading's point
+                                    * exactly */
       const double left = (double)(n - j) / n, right = (double)j / n;
       b->x[++at] = left * position(from, m, i - 1) + right * position(from, m, i);
       b->angle[at] =
@@ -241,8 +244,8 @@ double arc_wear_block_end(const wear_block *block) {
   return block->start_distance + block->cycles * block->sliding;
 }
 
-/* Returns the block of a cycle number. The distance would not suffice, since blocks may have no
- * sliding distance (a history at rest). */
+/* Compares cycle numbers. Distances would not suffice because a block may have no sliding distance
+ * (a history at rest). */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle) {
   int b = 0;
   while (b + 1 < w->blocks && cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;

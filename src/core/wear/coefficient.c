@@ -1,11 +1,11 @@
-/* Wear coefficients as functions of time (numbers, tables, functions of the state) and of the
+/* Wear coefficients that depend on time (numbers, tables, functions of the state) and on the
  * position (laws, local factors). */
 #include "core/wear/run.h"
 
 #include <math.h>
 
-/* Returns the value of a table at a distance, on the segment that contains the point `inside`. At a
- * jump, where two values have the same distance, the second value counts. */
+/* Returns the value of a table at a distance [mm], on the segment that contains the point
+ * `inside`. At a jump, where two values have the same distance, the second value is used. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;
@@ -19,7 +19,8 @@ double arc_wear_series(const arc_series *s, double distance) {
   return series_at(s, distance, distance);
 }
 
-/* Returns the first point of a table after `from`, or `to` if there is none before `to`. */
+/* Returns the distance of the first point of a table after `from`, or `to` if the table has no
+ * point between `from` and `to`. */
 static double next_point(const arc_series *s, double from, double to) {
   for (int i = 0; i < s->count; i++)
     if (s->distance[i] > from) return fmin(to, s->distance[i]);
@@ -35,8 +36,8 @@ static double value_at(const source *s, double distance, double inside) {
   return s->series->count > 0 ? series_at(s->series, distance, inside) : s->constant;
 }
 
-/* Mean of k alpha and k (1 - alpha) over [from, to]. Both factors are linear between points, so
- * that Simpson's rule is exact. */
+/* Computes the means of k alpha and k (1 - alpha) over the distances from `from` to `to`. Both
+ * factors are linear between points, so Simpson's rule is exact. */
 static void average(const source *k, const source *alpha, double from, double to,
                     double mean[ARC_BODIES]) {
   mean[ARC_CYLINDER] = mean[ARC_PLATE] = 0;
@@ -104,7 +105,8 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
-/* The laws of the list: the factor on k, and the derivative d ln(p factor) / d ln p. */
+/* Returns the factor of the present law on k. law_growth returns the derivative d ln(p factor) /
+ * d ln p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
 #define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \

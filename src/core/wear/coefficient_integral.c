@@ -1,9 +1,9 @@
 /* Integrates the coefficients of wear and friction over an update before the update is made. The
  * method is a Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine). Its steps end at the
- * points of tables, between which coefficients are linear, so that the integral of their product is
- * exact. Functions of the state are evaluated along the path predicted from the rate at the start.
- * If a step would shrink to zero, a coefficient jumps there, and the update ends. Depends on
- * coefficient.c and predictor.c. */
+ * points of tables, between which coefficients are linear, so the integral of their product is
+ * exact. Functions of the state are evaluated along the path predicted from the rate at the
+ * start. A step that would shrink to zero indicates a jump of a coefficient; the update then
+ * ends at the jump. This file uses coefficient.c and predictor.c. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -11,26 +11,27 @@
 
 /* Tolerance of a step, relative to the integral. */
 static const double tolerance = 1e-5;
-/* A step shorter than the share `shortest` of the update contains a jump. Within the share `margin`
- * of the ends no jump is searched and no function evaluated, so that a jump at an end belongs to
- * only one update. */
+/* A step shorter than the share `shortest` of the update contains a jump. Within the share
+ * `margin` of the ends the code searches no jump and evaluates no function, so a jump at an end
+ * belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
-/* The share `margin` for tables, whose points are known. */
+/* The same margin for tables, whose points are known. */
 static const double table_margin = 1e-10;
 /* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
 /* Definition of a jump in a table: the value changes by at least the share `large` of the larger
  * value over an interval that is shorter than its neighbours by the factor `steep`. */
 static const double large = 0.1, steep = 20;
-/* Minimum number of steps of an update, for a fixed length and for an unknown length. */
+/* Minimum number of steps of an update whose length is fixed, and of an update whose length is
+ * unknown. */
 static const double chosen_steps = 4, open_steps = 64;
 /* Relative tolerance for the largest integral of a plan. */
 static const double near = 1e-3;
-/* Minimum number of samples of a function per cycle or, in long runs, per run. An error estimate
- * does not include changes between samples. An irrational number avoids aliasing. */
+/* Minimum number of samples of a function per cycle or, in long runs, per run; the error
+ * estimate does not include changes between samples. An irrational number avoids aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
-/* After this many more refused than accepted steps a function is sampled in equal steps, since no
- * step can resolve it (for example a random function). */
+/* If this many more steps are refused than accepted, no step can resolve the function (for
+ * example a random function), and it is sampled in equal steps. */
 enum { most_refused = 200 };
 
 /* Components of the integrated vector: k of the cylinder, k of the plate, friction. */
@@ -48,10 +49,10 @@ typedef struct integration {
   double first[COMPONENTS];
   int calls, changed[COMPONENTS]; /* changed: 1 if any value differs from `first` */
   int refused;                    /* number of refused minus accepted steps */
-  int sampled;                    /* 1: no step could resolve the function */
+  int sampled;                    /* 1 if no step could resolve the function */
 } integration;
 
-/* Scale for changes of coefficient b. */
+/* Returns the scale for changes of component b of the coefficients. */
 static double size_of(int b, const double k[COMPONENTS]) {
   return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
@@ -64,7 +65,8 @@ static double total(const double k[COMPONENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
-/* Computes the coefficients at a share of the update; y contains the integrals up to this share. */
+/* Computes the coefficients k at a share (0 to 1) of the update. y contains the integrals up to
+ * this share. */
 static arc_status evaluate(integration *s, double share, const double y[COMPONENTS],
                            double k[COMPONENTS]) {
   const update_coefficients gone = {.cycles = s->plan->times, .mean = from_vector(y)};
@@ -80,8 +82,8 @@ static arc_status evaluate(integration *s, double share, const double y[COMPONEN
   return ARC_OK;
 }
 
-/* Makes one step of the Runge-Kutta pair over the share h. Computes the integrals y and
- * coefficients k at its end, and the error over the tolerance. */
+/* Makes one step of the Runge-Kutta pair over the share h. Computes the integrals y and the
+ * coefficients k at the end of the step, and the error divided by the tolerance. */
 static arc_status try_step(integration *s, double h, double y[COMPONENTS], double k[COMPONENTS],
                            double *error) {
   const double *k1 = s->k;
@@ -125,8 +127,8 @@ static double next_point(const integration *s, const arc_series *table) {
   return 1;
 }
 
-/* Returns the largest share at which a step may end: the next point of the tables. A function
- * replaces the table of its coefficient. */
+/* Returns the largest share at which a step may end: the next point of the tables. A table is
+ * ignored if a function replaces it. */
 static double next_end(const integration *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
@@ -136,7 +138,7 @@ static double next_end(const integration *s) {
   return end;
 }
 
-/* Returns true if a table jumps in the interval that ends at this share. */
+/* Returns true if a table jumps in the interval between its points that ends at this share. */
 static int table_jumps(const integration *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
@@ -159,7 +161,7 @@ static double range_of(int b, const double k[COMPONENTS]) {
 static int ends_jump(const integration *s, double share, double from, const double k[COMPONENTS]) {
   const arc_wear_def *d = &s->w->def;
   if (share < margin * 10 || share > 1 - margin * 10) return 0;
-  if (share - from <= 3 * shortest) { /* discontinuity of a function */
+  if (share - from <= 3 * shortest) { /* a discontinuity of a function */
     for (int b = 0; b < COMPONENTS; b++)
       if (fabs(k[b] - s->k[b]) > large * fmax(range_of(b, k), range_of(b, s->k))) return 1;
     return 0;
@@ -172,7 +174,8 @@ static int ends_jump(const integration *s, double share, double from, const doub
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Returns the length of the first step. If the end is unknown, a part of the estimated length. */
+/* Returns the length of the first step as a share of the update. If the end of the update is
+ * unknown, the length is a part of the estimated whole. */
 static double first_length(const integration *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
@@ -187,7 +190,7 @@ static double longest_step(const integration *s) {
   return fmin(1 / steps, arc_wear_has_state_functions(w) ? asked : 1);
 }
 
-/* Integrates the rest in equal steps without error control. */
+/* Integrates the rest of the update in equal steps without error control. */
 static arc_status sample_rest(integration *s) {
   const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
@@ -205,7 +208,7 @@ static arc_status sample_rest(integration *s) {
   return ARC_OK;
 }
 
-/* Integrates to the end of the plan, to its largest integral, or to a jump. */
+/* Integrates up to the end of the plan, up to the largest integral of the plan, or up to a jump. */
 static arc_status integrate(integration *s) {
   const double most = s->plan->most / s->length;
   const double longest = longest_step(s);
@@ -223,7 +226,8 @@ static arc_status integrate(integration *s) {
       s->refused++;
       continue;
     }
-    if (total(y) > most * (1 + near)) { /* too large; the next step ends at the largest integral */
+    if (total(y) > most * (1 + near)) { /* the integral is too large; the next step ends at the
+                                         * largest integral */
       h = length * (most - total(s->y)) / (total(y) - total(s->y));
       if (h > shortest) continue;
       return ARC_OK;
@@ -243,7 +247,8 @@ static int varies(const arc_wear *w) {
          arc_wear_friction_changes(w);
 }
 
-/* Constant coefficients need no integration. The last two updates have equal lengths. */
+/* Computes the length of an update with constant coefficients, which need no integration. The
+ * last two updates of a run have equal lengths. */
 static arc_status integrate_constant(integration *s) {
   const arc_status status = evaluate(s, 0, s->y, s->k);
   const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));

@@ -1,4 +1,4 @@
-/* Definitions of wear runs: defaults, checks, copies. */
+/* Definitions of wear runs: defaults, checks and copies. */
 #include "core/wear/run.h"
 #include "core/base/memory.h"
 
@@ -16,9 +16,9 @@ const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 #define LAW_PROPERTIES(name, text, properties, ...) properties,
 const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
-/* Choices that the code distinguishes by comparisons. The files named here must handle a new
- * choice, which would otherwise act like an old one; then increase its count. (Laws are formulas in
- * their list.) */
+/* Choices that the code distinguishes by comparisons. If a list gets a new choice, the files
+ * named here must handle the choice, which would otherwise act like an old one; then its count
+ * is increased here. (Laws need no such check because they are formulas in a list.) */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
@@ -94,15 +94,15 @@ static int closes(int count, const double *value) {
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Returns the smallest tangential force that is rejected [N]. With tables or functions of friction
- * the run checks the force. */
+/* Returns the smallest tangential force that is rejected [N]. If friction is a table or a
+ * function, the run checks the force instead. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
 }
 
-/* Rejects a force above friction times load, if the friction coefficient is constant, and a cycle
- * that is not closed. */
+/* Rejects a force above friction times load (if the friction coefficient is constant) and a
+ * cycle that is not closed. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
   const int last = l->count - 1;
@@ -131,7 +131,7 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-/* Returns true if the load changes, which makes bodies of different materials slip. */
+/* Returns true if the load of a loading changes, which makes bodies of different materials slip. */
 static int breathes(const arc_loading *l) {
   for (int i = 1; l->load && i < l->count; i++)
     if (l->load[i] != l->load[0]) return 1;
@@ -214,8 +214,8 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
 }
 
-/* Rejects settings that friction does not allow: those that need slip in advance, or a state stored
- * between updates. */
+/* Rejects settings that are not allowed with friction: settings that need the slip in advance,
+ * or a state stored between updates. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
@@ -240,7 +240,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Checks the start of the loading of a changed run. */
+/* Checks the fields that state where the loading of a changed run starts. */
 static arc_status check_start(const arc_wear_def *d, arc_error *error) {
   if (d->start_distance >= 0 && isfinite(d->start_distance) && d->start_cycle >= 0 &&
       isfinite(d->start_cycle))
@@ -275,7 +275,8 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   return ARC_OK;
 }
 
-/* Copies two arrays of n doubles to one block. Returns the first copy. */
+/* Copies two arrays of n doubles to one block. Returns the block, which starts with the first
+ * copy. */
 static double *copy_pair(int n, const double *first, const double *second) {
   double *block = malloc(2 * (size_t)n * sizeof *block);
   if (!block) return NULL;
@@ -288,7 +289,7 @@ static arc_series *series_of(const arc_setting *s, arc_wear_def *def) {
   return (arc_series *)(void *)((char *)def + s->series);
 }
 
-/* Copies all tables. A table that could not be copied is empty. */
+/* Copies all tables. A table that could not be copied is empty in the copy. */
 static arc_status copy_series(arc_wear_def *def) {
   arc_status status = ARC_OK;
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {

@@ -1,8 +1,9 @@
-/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the geometry
- * at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at its
- * start, at an intermediate stage, and at its end. Sites that enter the contact within a step limit
- * its length, as they wear only in the last stages; among similar methods TR-BDF2 overestimates
- * their pressures least. The kind of pair solves the stages. */
+/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the
+ * geometry at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures
+ * at the start of the step, at an intermediate stage, and at the end. Sites that enter the
+ * contact within a step limit its length because they wear only in the last stages; among
+ * similar methods TR-BDF2 overestimates their pressures least. The kind of pair solves the
+ * stages. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -10,12 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Number of equal implicit steps in an update with error control. All of them use the compliance at
- * the start of the update, so that they need only contact solutions. The error of one step jumps
+/* Number of equal implicit steps in an update with error control. All steps use the compliance
+ * at the start of the update, so they need only contact solutions. The error of one step jumps
  * when the edge of the contact crosses a node; the largest error of several steps varies less. */
 enum { steps_by_tolerance = 4 };
 
-/* Results of a cycle besides the wear of sites. */
+/* Results of a cycle other than the wear of sites, and their sums. */
 enum { ENERGY, EVEN, PRESSED, SUMS };
 typedef struct sums {
   double of[SUMS];
@@ -29,21 +30,21 @@ typedef struct implicit {
   int steps, done; /* number of steps of the update; index of the present step */
   sums mean;       /* mean over the steps */
   double worst;    /* largest error over tolerance of the steps */
-  double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */
+  double *rate[3]; /* [n] k times the wear of a cycle [mm], at the start and at both stages */
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
 
-/* Share of the tolerance for each step. At order 2 the errors of the first steps decrease as the
- * pressure flattens. The number was determined for the twenty cases of the paper with elements of
- * 20, 10 and 5 um. */
+/* Share of the tolerance that each step may use. At order 2 the errors of the first steps
+ * decrease because the pressure flattens. The number was determined with the twenty cases of the
+ * reference paper on elements of 20, 10 and 5 um. */
 static const double share_per_step = 0.5;
-/* Accepted error of forces over the tolerance. It is large since forces follow from the depths, so
- * that their errors do not accumulate. */
+/* Accepted error of forces, divided by the tolerance. It is large because forces follow from the
+ * depths, so their errors do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* Computes the friction coefficient at a share of a step. It must be evaluated before the stages,
- * since the evaluation overwrites the depths. */
+/* Computes the friction coefficient at a share of a step. It must be called before the stages,
+ * because it overwrites the depths. */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
@@ -58,8 +59,8 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Adds a step to the mean of all steps, from the end of the step and `part` of each stage. Equal
- * values keep all their bits. */
+/* Adds a step to the mean of all steps: the value at the end of the step, corrected by `part` of
+ * each stage. Equal values remain exactly equal. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {
@@ -68,7 +69,7 @@ static void add_step(implicit *s, double part, sums start, sums middle) {
   }
 }
 
-/* Makes a step by backward Euler. Its error s->defect is the difference from the trapezoidal
+/* Makes a step by backward Euler. The error s->defect is the difference from the trapezoidal
  * rule. */
 static arc_status first_order(implicit *s, double cycles) {
   double *defect = s->defect;
@@ -83,8 +84,8 @@ static arc_status first_order(implicit *s, double cycles) {
   return status;
 }
 
-/* Makes a step by the trapezoidal rule to 2 gamma and by BDF2 to the end. Its error is the
- * difference from the quadrature through the start and both stages. */
+/* Makes a step by the trapezoidal rule up to 2 gamma and by BDF2 to the end. The error s->defect
+ * is the difference from the quadrature through the start and both stages. */
 static arc_status second_order(implicit *s, double cycles) {
   const double g = gamma2, h = g * cycles, c = 2 * g, part = (1 - g) / 2;
   const double b1 = 1 / (6 * c * (1 - c)), b2 = (1 / 3.0 - c / 2) / (1 - c), b0 = 1 - b1 - b2;
@@ -114,8 +115,8 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the largest error of the depths of one body at sites that are deep enough, over the
- * largest depth. */
+/* Returns the largest error of the depths of one body, at sites that are deep enough, divided by
+ * the largest depth. */
 static double depth_error(const implicit *s, int b) {
   static const double counts = 0.05; /* share of the largest depth */
   const arc_wear *w = s->at.run;
@@ -128,7 +129,7 @@ static double depth_error(const implicit *s, int b) {
   return deepest > 0 ? largest / deepest : 0;
 }
 
-/* Returns the estimated error over tolerance. */
+/* Returns the estimated error of a step, divided by the tolerance. */
 static double share_of_tolerance(implicit *s, double h) {
   const double tolerance = s->at.run->def.tolerance;
   if (tolerance == 0) return 0;
@@ -138,8 +139,8 @@ static double share_of_tolerance(implicit *s, double h) {
   return fmax(depth / (share_per_step * tolerance), pressure / (pressure_share * tolerance));
 }
 
-/* Returns the number of implicit steps. Increments with an update each have the length that the
- * history gives, hence one step. */
+/* Returns the number of implicit steps of an update. An update of one increment has the length
+ * of the increment and therefore one step. */
 static int count_steps(const implicit *s) {
   const wear_window *window = &s->at.window;
   const int whole = window->first == 0 && window->last == window->block->count - 1;

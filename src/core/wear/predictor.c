@@ -1,4 +1,4 @@
-/* Depths that a rate causes in an update, and the predicted state within an update. */
+/* Computes the depths that a rate causes in an update, and predicts the state within an update. */
 #include "archard/measure.h"
 #include "core/wear/step.h"
 
@@ -25,10 +25,12 @@ static double k_integral_to(const arc_wear_record *state, const arc_wear_record 
   return state->k * (state->distance - before->distance);
 }
 
-/* Three states and the integrals of k between them. States that are not available are NULL. */
+/* Three states of a run and the integrals of k between them. A state that is not available is
+ * NULL. */
 typedef struct course {
   const arc_wear_record *before, *now, *end_state;
-  double since, to; /* [mm3/N] */
+  double since, to; /* [mm3/N] integral of k from `before` to `now`, and from `now` to
+                     * `end_state` */
 } course;
 
 static course course_of(const arc_wear *w, const wear_plan *plan) {
@@ -40,9 +42,9 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* Returns the value of a column at the integral of k `wear` [mm3/N] after the present state. It is
- * interpolated by the parabola through three monotonic states. Without an end state it is
- * extrapolated with a decreasing rate. */
+/* Returns the value of a column where the integral of k is by `wear` [mm3/N] larger than at the
+ * present state. The value is interpolated by the parabola through the three states if they are
+ * monotonic. Without an end state it is extrapolated with a decreasing rate. */
 static double on_course(const course *c, int column, double wear) {
   const double now = arc_wear_record_get(c->now, column);
   const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;
@@ -53,7 +55,7 @@ static double on_course(const course *c, int column, double wear) {
   return now + rise * wear + bend * wear * (wear - c->to);
 }
 
-/* Predicts pressures and widths of an intermediate state, and the depths too if the plan has an
+/* Predicts pressures and widths of an intermediate state, and also the depths if the plan has an
  * end state. */
 static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
                           arc_wear_record *state) {

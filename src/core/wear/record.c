@@ -1,4 +1,4 @@
-/* The history of a run and its rows. */
+/* The history of a run and the records in it. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -28,7 +28,7 @@ const char *arc_wear_column_name(int column) {
 
 /* --- validity of rows */
 
-/* Largest value of a record, so that squares and sums do not overflow. */
+/* Largest valid value in a record, for which squares and sums do not overflow. */
 static const double largest = 1e100;
 
 static const struct column_rule {
@@ -40,7 +40,7 @@ static const struct column_rule {
 #undef COLUMN_RULE
 };
 
-/* Fails with the status `refused` if a row has an invalid value in a column. `before` is the
+/* Checks one column of a row. An invalid value fails with the status `refused`. `before` is the
  * previous row (NULL for the first row). */
 static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
                               size_t row, int column, arc_status refused, arc_error *error) {
@@ -73,7 +73,8 @@ arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, 
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* Returns the smallest load of a block [N]. For a plain stroke it is the load, equal to the bit. */
+/* Returns the smallest load of a block [N]. For a plain stroke it is exactly the load of the
+ * definition. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {
   double line = block->line[0];
   for (int i = 1; i < block->count; i++) line = fmin(line, block->line[i]);

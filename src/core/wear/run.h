@@ -1,27 +1,27 @@
-/* Members of arc_wear, and functions that operate on them. */
+/* Members of a wear run (arc_wear), and functions that operate on them. */
 #ifndef WEAR_RUN_H
 #define WEAR_RUN_H
 
 #include "core/pair/kind.h"
 
-/* Workspace of a call. */
+/* Workspace that the updates of a run share. */
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
 } wear_work;
 
-/* Cached wear of a cycle on the present surfaces, the start of the next update. The cache does not
- * change results. */
+/* Cached wear rate of a cycle on the present surfaces, which is the start of the next update.
+ * The cache does not change results. */
 typedef struct wear_start {
   const wear_block *block; /* NULL: nothing is cached */
   wear_rate rate;
   int solutions;         /* number of solutions not yet counted in a record */
-  wear_tangent *tangent; /* NULL: not needed so far */
-  int linear;            /* 1: the tangent belongs to this rate */
+  wear_tangent *tangent; /* tangent of the rate; NULL: not needed so far */
+  int linear;            /* 1 if the tangent belongs to this rate */
   double mu;             /* friction coefficient of this cycle */
 } wear_start;
 
-/* Inputs of the cached stability limit. */
+/* Inputs and result of the last computation of the stability limit. */
 typedef struct wear_judged {
   const wear_block *block; /* NULL: no limit computed so far */
   double k[ARC_BODIES];    /* [mm2/N] */
@@ -34,7 +34,7 @@ struct arc_wear {
   arc_model *model;
   const arc_kind *kind;
 
-  /* the stored state, from which a restored run continues to the same bits */
+  /* the stored state, from which a restored run continues with identical bits */
   arc_wear_def def; /* with copies of tables and loading */
   arc_shape *shape;
   size_t records, capacity;
@@ -49,18 +49,19 @@ struct arc_wear {
   int nc, np; /* numbers of sites of the upper and lower body */
   void *own;  /* data of the kind of pair */
   wear_work work;
-  int warned; /* 1: the user got the warnings about this definition */
-  int coarse; /* 1: the user got the warning about coarse sites */
+  int warned; /* 1 if the user has received the warnings about this definition */
+  int coarse; /* 1 if the user has received the warning about coarse sites */
   wear_judged judged;
   wear_start start;
 };
 
-/* Returns true if every increment of a cycle has an update. */
+/* Returns true if the geometry is updated at every increment of a cycle. */
 static inline int splits_cycles(const arc_wear *w) {
   return w->def.update == ARC_UPDATE_INCREMENT && w->manner.procedure == ARC_SP;
 }
 
-/* Returns the wear coefficient for the sites of a body; 0 for a body that wears evenly. */
+/* Returns the wear coefficient for the sites of a body [mm2/N]. It is 0 for a body that wears
+ * evenly, because its sites do not wear individually. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
   return body == ARC_LOWER && w->manner.even ? 0 : k[body];
 }
@@ -82,31 +83,32 @@ void arc_wear_def_free(arc_wear_def *def);
 /* Returns true if only the upper body ever wears. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
 int arc_wear_jump_is_auto(const arc_wear_def *def);
-/* The first function returns 1 for a run with friction, the second if its friction coefficient is
- * constant. */
+/* Returns 1 for a run with friction. arc_wear_friction_is_known returns 1 if the friction
+ * coefficient is constant. */
 int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
 /* --- wear.c ----------------------------------------------------------------------------------- */
-/* Sets a rate to zero; n is the number of sites of both bodies. */
+/* Sets a rate to zero. n is the number of sites of both bodies. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
 /* Exchanges the contents of two runs. */
 void arc_wear_exchange(arc_wear *a, arc_wear *b);
 
 /* --- block.c ---------------------------------------------------------------------------------- */
-/* Creates the blocks of a checked definition, block [count]; arc_wear_blocks_free frees them. */
+/* Creates the blocks [count] of a checked definition. arc_wear_blocks_free frees the blocks.
+ * Error: ARC_MEMORY. */
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
 void arc_wear_blocks_free(wear_block **block, int count);
 /* Returns the distance at the end of a block [mm]. */
 double arc_wear_block_end(const wear_block *block);
-/* Returns the block of the state at a cycle number. */
+/* Returns the block of the loading in which a cycle number lies. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 
 /* --- coefficient.c ---------------------------------------------------------------------------- */
-/* Computes the wear coefficients of both bodies [mm2/N], averaged over the distances [from, to].
- * Functions are evaluated with `state`. */
+/* Computes the wear coefficients of both bodies [mm2/N], averaged over the distances from `from`
+ * to `to` [mm]. Functions of the user are evaluated with `state`. */
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
                                  const arc_wear_record *state, double k[ARC_BODIES],
                                  arc_error *error);
@@ -116,21 +118,22 @@ double arc_wear_series(const arc_series *s, double distance);
 arc_status arc_wear_evaluate_function(const arc_wear *w, const arc_setting *what,
                                       arc_state_fn function, const arc_wear_record *state,
                                       double *value, arc_error *error);
-/* Computes the wear coefficients of the present state. */
+/* Computes the wear coefficients of both bodies at the present state [mm2/N]. */
 arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], arc_error *error);
 int arc_wear_has_state_functions(const arc_wear *w);
-/* Stores k and alpha of a record, computed from the coefficients of both bodies. */
+/* Stores k and alpha in a record, computed from the coefficients of both bodies. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
 /* Returns the wear rate of the law without friction [MPa]: the pressure times the factor of the
  * law. */
 double arc_wear_law(const arc_wear *w, double p);
-/* Returns the wear rate of the law with friction [MPa]. The energy law multiplies it by mu. */
+/* Returns the wear rate of the law with friction [MPa]. For the energy law the rate is
+ * multiplied by mu. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
 /* Computes the local factors of one body at sites under pressures p [sites]; factor [sites] is 1
  * for runs without local factors. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
                           const wear_sites *on, const double *p, double *factor, arc_error *error);
-/* Returns dq/dp of the law at a node. */
+/* Returns the slope dq/dp of the law at a node with pressure p and wear rate q [MPa]. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
 /* Creates a run as arc_wear_create does, but without a check of the zones. */
@@ -138,8 +141,8 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
                               arc_wear **wear, arc_error *error);
 
 /* --- record.c --------------------------------------------------------------------------------- */
-/* Stores the loads and travel of a record, for a cycle of a block or for increment `first` of a
- * generic history. */
+/* Stores the loads and the travel in a record, for a cycle of a block or for increment `first`
+ * of a loading without repetition. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
@@ -147,10 +150,11 @@ arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error
 /* --- friction_coefficient.c ------------------------------------------------------------------- */
 /* Returns true if the friction coefficient is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
-/* Computes the friction coefficient of a state. Errors: those of the user's function. */
+/* Computes the friction coefficient of a state. Errors: errors of the user's function. */
 arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
                                 arc_error *error);
-/* Returns ARC_ARGUMENT if friction does not carry the tangential force at a state. */
+/* Returns ARC_ARGUMENT if friction does not carry the tangential force at a state, otherwise
+ * ARC_OK. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error);
 /* Computes the friction coefficient of a state and checks that friction carries the tangential

@@ -6,7 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Computes the eigenvalue of a cycle of a block on the present surfaces, for these coefficients. */
+/* Computes the largest eigenvalue [1/cycle] of a cycle of a block on the present surfaces, for
+ * the given coefficients. */
 static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                                   const arc_callbacks *callbacks, double *eigenvalue,
                                   arc_error *error) {
@@ -37,12 +38,13 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 
 /* --- warnings --------------------------------------------------------------------------------- */
 
-/* Returns true for explicit jumps of whole cycles that the user chose. */
+/* Returns true if the run makes explicit jumps of whole cycles whose length the user chose. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* Returns an upper bound of the present eigenvalue, which is proportional to the coefficients. */
+/* Returns an upper bound of the present eigenvalue [1/cycle]. The eigenvalue is proportional to
+ * the coefficients. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;
@@ -53,8 +55,8 @@ static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES
   return growth * j->eigenvalue;
 }
 
-/* Returns true if an update of `cycles` needs a new eigenvalue, which costs the solutions of a
- * cycle. */
+/* Returns true if an update of `cycles` may exceed the stability limit, so the eigenvalue must
+ * be computed again. This costs the contact solutions of a cycle. */
 static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                        double cycles) {
   static const double fallen = 0.8;
@@ -66,7 +68,7 @@ static int may_be_past(const arc_wear *w, const wear_block *block, const double 
   return cycles * eigenvalue_at_most(j, k) > 2;
 }
 
-/* Warns once about an update beyond the stability limit, whose ripples grow. */
+/* Gives a warning, once, about an update beyond the stability limit, whose ripples grow. */
 static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIES], double cycles,
                   const arc_callbacks *callbacks) {
   wear_judged *j = &w->judged;
@@ -88,8 +90,9 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
            cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
 }
 
-/* Largest accepted ripple. In tests on elements of 20 and 10 um the ripple was below 0.3 for steps
- * of 0.9 of the limit, and above 1 for steps beyond the limit. */
+/* Largest accepted ripple: the difference of the pressures at neighbouring nodes over their
+ * mean. In tests on elements of 20 and 10 um the ripple was below 0.3 for steps of 0.9 of the
+ * limit, and above 1 for steps beyond the limit. */
 static const double most_ripple = 0.5;
 
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
@@ -123,9 +126,9 @@ void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block,
   judge(w, block, k, now->jump, callbacks);
 }
 
-/* Warns of values that suggest wrong units. The stroke is not checked for loadings and sliding
- * along z (no stroke), with friction (short strokes stick), and for conforming bodies (any stroke
- * is short relative to the contact). */
+/* Gives warnings of values that suggest wrong units. The stroke is not checked for loadings and
+ * for sliding along z (which have no stroke), with friction (short strokes stick), and for
+ * conforming bodies (any stroke is short relative to the contact). */
 static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
   const arc_model_def *model = arc_model_definition(w->model);

@@ -1,8 +1,8 @@
 /* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second order with s
  * stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1) of the
- * update, and the update uses the mean of all rates. Longer updates have more stages, so that
- * stability does not limit their length. All stages use the compliance at the start of the update;
- * volumes remain exact. */
+ * update, and the update uses the mean of all rates. Longer updates have more stages, so
+ * stability does not limit their length. All stages use the compliance at the start of the
+ * update; volumes remain exact. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -10,15 +10,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Parameters of the stages by kind of law. */
+/* Parameters of the stages, which depend on the kind of law. */
 typedef struct staging {
-  int fewest, most; /* numbers of stages; `fewest` still gives an error estimate */
+  int fewest, most; /* smallest and largest number of stages; `fewest` still gives an error
+                     * estimate */
   double share;     /* share of the limit 2 / eigenvalue for a stage */
-  int by_thirds;    /* 1: estimate the error by means over thirds, as single rates are noisy */
+  int by_thirds;    /* 1 to estimate the error by means over thirds, because single rates are
+                     * noisy */
 } staging;
 
-/* Returns the parameters. With a discontinuous law nodes oscillate across its jump; shorter stages
- * reduce this oscillation. */
+/* Returns the parameters for the law of the run. With a discontinuous law nodes oscillate across
+ * the discontinuity; shorter stages reduce this oscillation. */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
@@ -33,10 +35,10 @@ typedef struct staged {
   update_coefficients coefficients;
   wear_rate *rate; /* rate of the last stage */
   int n, stages;
-  double even, energy;  /* sums of the rates */
+  double even, energy;  /* sums of the rates so far */
   double pressed;       /* sum of the normal forces over the sliding distance */
   double peak;          /* pressure at the first stage */
-  double *z, *sum;      /* [n] depths so far; sum of the rates */
+  double *z, *sum;      /* [n] depths so far [mm]; sum of the rates */
   double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
 } staged;
 
@@ -48,20 +50,21 @@ static arc_status staged_create(staged *s) {
   return ARC_OK;
 }
 
-/* Reduces depths by the wear coefficients of layers. */
+/* Converts depths for the largest coefficient of the layers to depths with the coefficients of
+ * the layers. */
 static void go_through_layers(const staged *s, double *depth) {
   const arc_kind *kind = s->w->kind;
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Returns the wear of node i over the whole update, per rate [mm per MPa mm]; 0 for a body that
- * wears evenly. */
+/* Returns the wear of site i over the whole update per rate [mm per MPa mm]. It is 0 for a body
+ * that wears evenly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
 }
 
-/* Adds the present rate and makes an Euler step. */
+/* Adds the present rate to the sums and makes an Euler step. */
 static void add_stage(staged *s, int stage) {
   const double *rate = s->rate->node[0];
   const double weight = 3 * stage / s->stages == 1 ? -2 : 1;
@@ -91,8 +94,8 @@ static arc_status run_stages(staged *s, wear_progress *progress, arc_error *erro
   return ARC_OK;
 }
 
-/* Returns the root mean square of the error over the worn part of one body [mm]. At the edge of a
- * scar the error of single nodes does not converge with the mesh. */
+/* Returns the root mean square of the error over the worn part of one body [mm]. The mean is
+ * used because at the edge of a scar the error of single nodes does not converge with the mesh. */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
   const arc_kind *kind = s->w->kind;
@@ -109,9 +112,9 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* Error estimate: the mean of all rates minus the mean of the first and last rate, which has the
- * same order. With noisy single rates it is the second difference of the means over thirds of the
- * update. */
+/* Returns the error estimate over the tolerance. The error is the mean of all rates minus the
+ * mean of the first and last rate, which has the same order. If single rates are noisy, the
+ * error is the second difference of the means over thirds of the update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

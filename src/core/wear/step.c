@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* Returns the tolerance of automatic steps; 0 for all other steps. */
+/* Returns the tolerance of an automatic step; 0 for all other steps. */
 static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
@@ -15,7 +15,7 @@ static void add_deviation(double value, double predicted, double scale, double *
 }
 
 /* Computes the difference between the functions of the state at the end of a step and their
- * predictions, relative to the largest value; 0 without a prediction. */
+ * predictions, divided by the largest value. The difference is 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
   static const double margin = 1e-6; /* share of the step; a jump at its end does not count */
@@ -62,15 +62,16 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *prog
   return w->kind->measure(w, out->shape, record, error);
 }
 
-/* Returns the share of the whole wear that a step adds. */
+/* Returns the wear of a step (by sliding distance) as a share of all wear up to the end of the
+ * step. */
 static double added_by(const arc_wear *w, const arc_wear_record *end) {
   const double gone = end->distance - w->block[0].start_distance;
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Makes a step. If functions of the state differ from their predictions, a step of second order is
- * repeated with the computed final state as prediction. The error of automatic steps includes the
- * remaining difference: half of it, or less than a third of it with a parabola. */
+/* Makes a step. If functions of the state differ from their predictions, a step of second order
+ * is repeated with the computed final state as the prediction. The error of automatic steps
+ * includes the remaining difference: half of it, or less than a third of it with a parabola. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
                          wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -102,8 +103,8 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_progress *progress,
   return status;
 }
 
-/* Makes the plan explicit, at half the stability limit. With a discontinuous law there may be no
- * implicit solution. */
+/* Replaces the implicit step of a plan by an explicit step of at most half the stability limit,
+ * because with a discontinuous law there may be no implicit solution. */
 static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_progress *progress,
                                    arc_error *error) {
   double eigenvalue;
@@ -114,14 +115,15 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_prog
   return status;
 }
 
-/* Returns the length factor of the next attempt after a step whose error is too large. */
+/* Returns the factor on the length for the next attempt after a step whose error is too large. */
 static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
   const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
   return fmax(0.1, 0.8 * pow(error, -power));
 }
 
-/* Returns the accepted error over tolerance. For stages the tolerance is the target, and twice the
- * tolerance is accepted: a step is expensive, and its estimate jumps with the nodes at the edge. */
+/* Returns the largest accepted error, divided by the tolerance. For steps in stages the
+ * tolerance is the target and twice the tolerance is accepted, because such a step is expensive
+ * and its error estimate jumps when the edge crosses a node. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
@@ -130,13 +132,13 @@ static int has_outgrown(const arc_wear *w, arc_status status) {
   return w->kind->growth && w->kind->growth->has_outgrown(w, status);
 }
 
-/* Returns true if the contact has reached the edge of its mesh, so that a shorter step does not
- * help. */
+/* Returns true if the contact has reached the edge of its mesh and a shorter step does not help. */
 static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
   return has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
 
-/* Repeats steps that do not converge, or whose error is too large, with a shorter length. */
+/* Makes a step; repeats a step that does not converge, or whose error is too large, with a
+ * shorter length. */
 static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                     wear_outcome *out, arc_error *error) {
   enum { most_cuts = 20, most_failures = 3, patience = 6 };
@@ -163,14 +165,14 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress 
   }
 }
 
-/* Targets of a run, and the index of the target that was reached, or -1. */
+/* Targets of a run, and the index of the target that was reached (-1: none). */
 typedef struct wear_targets {
   const arc_wear_target *target;
   size_t count;
   int reached;
 } wear_targets;
 
-/* Returns the value of a record minus the value of a target. */
+/* Returns the value of the target's column in a record minus the value of the target. */
 static double beyond(const arc_wear_record *record, const arc_wear_target *t) {
   return arc_wear_record_get(record, t->column) - t->value;
 }
@@ -180,7 +182,8 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
   return before != 0 && (after == 0 || (before < 0) != (after < 0));
 }
 
-/* Shortens a step that passed a target until it ends at the target, by the Illinois method. */
+/* Shortens a step that passed a target until the step ends at the target, by the Illinois
+ * method. */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
                               wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 60 };
@@ -210,7 +213,7 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
   return ARC_OK;
 }
 
-/* Shortens the step to the first target that it passed. */
+/* Shortens the step to the first target that the step passed. */
 static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_progress *progress,
                                wear_targets *targets, wear_outcome *out, arc_error *error) {
   wear_plan first = *plan;
@@ -255,8 +258,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   return status;
 }
 
-/* Makes a step; repeats a step that failed at the edge of the zones on larger meshes. If this fails
- * as well, the run does not change and the first error is reported. */
+/* Makes a step. A step that failed at the edge of the zones is repeated on larger meshes. If
+ * this fails as well, the run does not change and the first error is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };

@@ -1,4 +1,4 @@
-/* A step of a run: plan and outcome. */
+/* A step of a run: its plan and its outcome. */
 #ifndef WEAR_STEP_H
 #define WEAR_STEP_H
 
@@ -8,13 +8,14 @@
 typedef struct wear_plan {
   const wear_block *block;
   double cycles; /* number of cycles; the update may use fewer */
-  double times;  /* factor on the wear of the window: cycles, or share of an increment */
+  double times;  /* factor on the wear of the window: number of cycles, or share of an increment */
   double end;    /* distance at the end of the step [mm] */
-  double most;   /* largest integral of k over the distance, which ends the step [mm3/N] */
-  int first;     /* index of the increment, in a history without repetition */
-  int explicit;  /* 1: explicit step of an implicit run */
-  int staged;    /* 1: explicit step in stages, with an error estimate */
-  const arc_wear_record *end_state; /* state at the end of an earlier attempt; NULL: none */
+  double most;   /* largest integral of k over the distance [mm3/N]; the step ends where this is
+                  * reached */
+  int first;     /* index of the increment, in a loading without repetition */
+  int explicit;  /* 1 for an explicit step of an implicit run */
+  int staged;    /* 1 for an explicit step in stages, with an error estimate */
+  const arc_wear_record *end_state; /* final state of an earlier attempt; NULL: none */
 } wear_plan;
 
 /* Coefficients that may change during a run. */
@@ -27,48 +28,50 @@ typedef struct wear_coefficients {
 typedef struct wear_outcome {
   arc_shape *shape;
   arc_wear_record record;
-  wear_coefficients predicted; /* prediction for the end of the step; NaN: none */
+  wear_coefficients predicted; /* prediction for the end of the step; NaN: no prediction */
 } wear_outcome;
 
-/* Cycles and coefficients of an update. */
+/* Number of cycles of an update, and the coefficients in it. */
 typedef struct update_coefficients {
   double cycles;
   wear_coefficients mean;
-  wear_coefficients last;   /* prediction for the end of the update; NaN: none */
-  double friction_at_start; /* after a jump at the start */
-  const wear_plan *plan;    /* plan along which friction changes; NULL: it is constant */
+  wear_coefficients last;   /* prediction for the end of the update; NaN: no prediction */
+  double friction_at_start; /* friction coefficient after a jump at the start */
+  const wear_plan *plan;    /* plan along which friction changes; NULL: friction is constant */
 } update_coefficients;
 
 /* --- step_length.c ---------------------------------------------------------------------------- */
-/* Plans the next step towards the distance `limit` [mm] and enters its block. *moved is 1 unless
- * the limit has been reached. */
+/* Plans the next step towards the distance `limit` [mm]. *moved receives 0 if the limit has been
+ * reached, otherwise 1. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error);
-/* Reduces the number of cycles of a plan. */
+/* Reduces the number of cycles of a plan and adapts its end. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
-/* Returns true if the wear of the plan is negligible compared with that of automatic updates. */
+/* Returns true if the wear of the plan is negligible compared with the wear of an automatic
+ * update. */
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- predictor.c ------------------------------------------------------------------------------ */
-/* Computes the depths that a rate causes in an update. */
+/* Computes the depths that a wear rate causes in an update. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
                              const update_coefficients *coefficients, wear_depths *depth);
 /* Returns true if functions of the state are evaluated with intermediate pressures and widths
- * (updates of second order), instead of those at the start. */
+ * (updates of second order), false if they are evaluated with the values at the start. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
-/* Returns the state at a share of an update; with a rate also the depths for these coefficients. */
+/* Returns the predicted state at a share (0 to 1) of an update. If `rate` is not NULL, the state
+ * includes the depths for these coefficients. */
 arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double share,
                                       const wear_rate *rate,
                                       const update_coefficients *coefficients);
-/* Computes the friction coefficient at a share of an update; *mu does not change if the coefficient
- * is constant. */
+/* Computes the friction coefficient at a share (0 to 1) of an update. *mu does not change if the
+ * coefficient is constant. */
 arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
                                     double share, double *mu, arc_error *error);
 
 /* --- coefficient_integral.c ------------------------------------------------------------------- */
-/* Integrates the coefficients over a planned update: tables exactly, functions along the path that
- * `rate` predicts (NULL: only distance and cycles change). Shortens the plan at a jump of a
- * coefficient, or where the integral reaches `most`. */
+/* Integrates the coefficients over a planned update: tables exactly, and functions along the
+ * path that `rate` predicts (NULL: only distance and cycles change). Shortens the plan at a jump
+ * of a coefficient, or where the integral of k reaches plan->most. */
 arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const wear_rate *rate,
                                            update_coefficients *coefficients, arc_error *error);
 
@@ -77,41 +80,44 @@ arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const w
 #define ARC_STAGED_TOLERANCE 3e-3
 /* Returns the longest stable update in stages [cycles] for an eigenvalue [1/cycle]. */
 double arc_wear_longest_staged(const arc_wear *w, double eigenvalue);
-/* Computes the depths of an explicit update, with an error estimate. The eigenvalue determines the
- * number of stages. `rate` is the rate at the start; its contents are overwritten. */
+/* Computes the depths of an explicit update in stages, with an error estimate. The eigenvalue
+ * [1/cycle] determines the number of stages. `rate` is the rate at the start; its contents are
+ * overwritten. */
 arc_status arc_wear_stages(arc_wear *w, const wear_window *window,
                            const update_coefficients *coefficients, double eigenvalue,
                            wear_progress *progress, wear_rate *rate, wear_depths *depth,
                            arc_error *error);
 
 /* --- implicit.c ------------------------------------------------------------------------------- */
-/* Computes the depths of an implicit update over a window, with an error estimate if the definition
- * has a tolerance. ARC_NOT_CONVERGED: the update needs fewer cycles. */
+/* Computes the depths of an implicit update over a window, with an error estimate if the
+ * definition has a tolerance. Errors: ARC_NOT_CONVERGED if the update needs fewer cycles; errors
+ * of a contact solution. */
 arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
                              const update_coefficients *coefficients, wear_progress *progress,
                              wear_depths *depth, arc_error *error);
 
 /* --- update.c --------------------------------------------------------------------------------- */
-/* Wears the shape of an outcome, which is a copy of the run's shape, by the plan; the plan may
- * become shorter. Adds updates, volumes, coefficients and error to the record of the outcome, which
- * initially equals that of the run. */
+/* Wears the shape of an outcome, which is a copy of the run's shape, by the plan. The plan may
+ * become shorter. Adds update, volumes, coefficients and error to the record of the outcome,
+ * which initially equals the last record of the run. */
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error);
 
-/* Solves a cycle on the surfaces after an explicit update, which is the start of the next update,
- * and stores its largest pressure in the record. */
+/* Solves a cycle on the surfaces after an explicit update and stores its largest pressure in the
+ * record. The solution is also the start of the next update. */
 arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                                      const arc_callbacks *callbacks, arc_error *error);
 
 /* --- stability.c ------------------------------------------------------------------------------ */
-/* Gives the warnings about a definition, once, before the run continues. */
+/* Gives the warnings about a definition before the run continues. Each definition is checked
+ * once. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
 /* Returns ARC_NOT_CONVERGED for an outcome of a step beyond the stability limit whose pressures at
  * neighbouring nodes differ by half of their mean. */
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
                                    const arc_callbacks *callbacks, arc_error *error);
-/* Warns once per definition if the last update exceeded the stability limit; recomputes the limit
- * if coefficients or path have changed. */
+/* Gives a warning once per definition if the last update exceeded the stability limit. Computes
+ * the limit again if coefficients or path have changed. */
 void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif

@@ -1,11 +1,12 @@
-/* Length of a step: the shortest of its jump, its block and its limit. */
+/* Chooses the length of a step: the shortest of the jump, the remaining block, and the distance
+ * to the limit. */
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* A remaining distance below this share is a rounding error. */
+/* A remaining distance below this share of the whole is treated as a rounding error. */
 static const double rounding = 1e-12;
-/* Relative tolerance for a complete last step. */
+/* Relative tolerance with which a last step counts as complete. */
 static const double whole = 1e-9;
 
 /* --- lengths of updates */
@@ -23,8 +24,8 @@ static double cycles_for(const wear_block *block, const double k[ARC_BODIES], do
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update: over the natural depth for the first updates, later over the present
- * depth. */
+/* Largest wear of an update: over the natural depth for the first updates, over the present
+ * depth for later updates. */
 static const double first_depth = 0.15, later_depth = 0.05;
 /* Largest wear of the first implicit update, which has no error estimate, over the natural
  * depth. */
@@ -37,15 +38,15 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
-/* Returns the largest wear of an automatic update [mm]. */
+/* Returns the largest wear of an automatic update, as the sum of both bodies [mm]. */
 static double depth_limit(const arc_wear *w) {
   return fmax(first_depth * w->kind->natural_depth(w), later_depth * total_depth(w));
 }
 
 /* --- even wear */
 
-/* Returns true if the bodies only wear evenly. This changes the contact only because layers
- * become thinner. */
+/* Returns true if the plate wears evenly and no other wear occurs. Such wear changes the contact
+ * only because layers become thinner. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
@@ -54,8 +55,8 @@ static double layer_k_integral(const arc_wear *w, int scars) {
   return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
-/* Returns the largest integral of k of an update [mm3/N] if only even wear occurs. It does not
- * depend on the pressure in the contact. */
+/* Returns the largest integral of k of an update [mm3/N] if only even wear occurs. The integral
+ * does not depend on the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
 }
@@ -66,7 +67,7 @@ int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
   return now->k * (plan->end - now->distance) * now->p_max < little * depth_limit(w);
 }
 
-/* Plans updates of one stage, whose length is limited by stability and by the wear of an update. */
+/* Plans an update of one stage. Its length is limited by stability and by the wear of an update. */
 static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                              arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
@@ -80,9 +81,9 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
   return status;
 }
 
-/* Returns the largest integral of k of an update in stages [mm3/N], from the estimated error of the
- * last update. It depends only on the history, so that a stored run continues with the same
- * steps. */
+/* Returns the largest integral of k of an update in stages [mm3/N], from the estimated error of
+ * the last update. The value depends only on the history, so a stored run continues with the
+ * same steps. */
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
@@ -92,7 +93,7 @@ static double most_staged(const arc_wear *w) {
   return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
 
-/* Plans automatic explicit updates. */
+/* Plans an automatic explicit update. */
 static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                                  arc_error *error) {
   if (splits_cycles(w) || w->manner.closed) return plan_plain(w, callbacks, plan, error);
@@ -101,8 +102,8 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
-/* Computes the length of the next adaptive step from the estimated errors of the last steps. It
- * depends only on the history, so that a stored run continues with the same steps. */
+/* Computes the length of the next adaptive step [cycles] from the estimated errors of the last
+ * steps. The length depends only on the history, so a stored run continues with the same steps. */
 static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
                                 arc_error *error) {
   static const double most_growth = 2, least_growth = 0.2, safety = 0.85;
@@ -114,7 +115,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
     const double order = w->def.order == 1 ? 2 : 3;
     const double growth = safety * pow(now->error, -1 / order);
     const double before =
-        w->records > 2 ? now[-1].jump : 0; /* the last step may have been shortened */
+        w->records > 2 ? now[-1].jump : 0; /* because the last step may have been shortened */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
     *jump = cycles_for(block, k,
@@ -141,15 +142,16 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
                                     arc_wear_last(w), jump, error);
 }
 
-/* Returns the largest distance of the step: the limit of the run or the end of the block. */
+/* Returns the largest distance at the end of the step [mm]: the limit of the run or the end of
+ * the block. */
 static double bound(const arc_wear *w, const wear_block *block, double limit) {
   return block == &w->block[w->blocks - 1] && block->periodic
              ? limit
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Plans a step of a history without repetition: the index of the increment and the share of the
- * increment that remains before the limit. */
+/* Plans a step of a loading without repetition: sets the index of the increment and the share of
+ * the increment that remains before the limit. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;
@@ -176,7 +178,8 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
-/* Fails if steps become shorter and shorter, as the run would not end. */
+/* Fails with ARC_NOT_CONVERGED if steps become shorter and shorter, because the run would not
+ * end. */
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };

@@ -1,4 +1,4 @@
-/* The surfaces of a run as arrays, for output and for the stored state. */
+/* Returns the surfaces of a run as arrays, for output and for the stored state. */
 #include "core/pair/model.h"
 #include "core/wear/run.h"
 
@@ -15,11 +15,11 @@ arc_status arc_wear_surfaces(const arc_wear *w, arc_array **surfaces, size_t *co
 
 /* --- checks ----------------------------------------------------------------------------------- */
 
-/* The arrays of one body at one time. */
+/* The arrays of one body at one update. */
 typedef struct shown {
   const arc_array *first;
   size_t count;
-  int line; /* 1: sites are in order of x, their only coordinate */
+  int line; /* 1 if sites are sorted by x, their only coordinate */
 } shown;
 
 static int is_named(const arc_array *array, const char *name) {

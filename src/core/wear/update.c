@@ -1,4 +1,5 @@
-/* One update of the geometry: coefficients, then depths by the scheme of the run. */
+/* One update of the geometry: computes the coefficients, then the depths by the scheme of the
+ * run. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -14,9 +15,9 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
-/* Returns the integral of the load over the sliding distance of a window [N mm], by the integration
- * rule of the wear. The load balances the forces on both bodies: under rigid slip the result is the
- * integral of p ds over the area of each body (Eq. 15) for any pressures. */
+/* Returns the integral of the load over the sliding distance of a window [N mm], by the
+ * integration rule of the wear. The load balances the forces on both bodies, so under rigid slip
+ * the result equals the integral of p ds over the area of each body (Eq. 15) for any pressures. */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {
@@ -45,8 +46,8 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
   return status;
 }
 
-/* Updates the geometry at every increment of a cycle (Eq. 4 with p_{i-1} of the previous
- * geometry). */
+/* Updates the geometry at every increment of a cycle (Eq. 4 with the pressure p_{i-1} of the
+ * previous geometry). */
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   update_coefficients whole;
@@ -91,13 +92,13 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *prog
   return ARC_OK;
 }
 
-/* Data of an update. */
+/* Data of an update of whole cycles or of a single increment. */
 typedef struct whole {
   arc_wear *w;
   wear_plan *plan;
   wear_window window;
   wear_progress *progress;
-  wear_rate *rate; /* rate at the start, or NULL */
+  wear_rate *rate; /* rate at the start; NULL: not computed */
   update_coefficients coefficients;
 } whole;
 
@@ -108,7 +109,7 @@ static arc_status want_tangent(arc_wear *w, arc_error *error) {
   return w->start.tangent ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for an update");
 }
 
-/* Solves a window at the start of an update. The wear of whole cycles is cached unless local
+/* Solves a window at the start of an update. The rate of a whole cycle is cached unless local
  * factors depend on the state. */
 static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
                               wear_progress *progress, arc_error *error) {
@@ -126,7 +127,7 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   return ARC_OK;
 }
 
-/* Copies the cached rate to `rate`; its solutions are counted once. */
+/* Copies the cached rate to `rate`. Its contact solutions are counted only once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
   arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
@@ -162,8 +163,8 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* Computes the rate at the start if it is needed: for explicit updates, and to predict the path for
- * functions of the state. */
+/* Computes the rate at the start if it is needed, which is the case for explicit updates and for
+ * the prediction of functions of the state. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
@@ -179,8 +180,8 @@ static arc_status find_start(whole *u, arc_error *error) {
   return status;
 }
 
-/* Computes the eigenvalue and the coefficients of the plan, which the largest number of stages may
- * shorten. */
+/* Computes the eigenvalue and the coefficients of the plan. The plan becomes shorter if it would
+ * need more than the largest number of stages. */
 static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
@@ -194,9 +195,9 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
   return status;
 }
 
-/* Chooses the friction coefficient of the start. Updates with the rate at their start use the mean
- * coefficient over their length. All other updates, which evaluate it in stages, use the value
- * after a jump at their start. */
+/* Chooses the friction coefficient of the start. Plain explicit updates use the mean coefficient
+ * over their length. Updates that evaluate the coefficient in stages use the value after a jump
+ * at the start. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
@@ -208,8 +209,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-/* For implicit updates with a tolerance, sets the data that depend on the surface to those in the
- * middle of the update. */
+/* Predicts the data that depend on the surface for the middle of the update. Only implicit
+ * updates with a tolerance use such data. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;

@@ -1,4 +1,4 @@
-/* Checks of a run: history, volumes, and the checks of its kind of pair. */
+/* Checks of a run: its history, its volumes, and the checks of its kind of pair. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -7,7 +7,8 @@
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Checks that all values are finite. Only alpha-tilde may be NaN, before any wear. */
+/* Checks that all values of a record are finite. Only alpha-tilde may be NaN, and only before
+ * any wear. */
 static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
   arc_wear_record known = *r;
   if (isnan(r->depth_partition) && !(r->depth_cylinder + r->depth_plate > 0))
@@ -40,8 +41,8 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 
 /* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
-/* Returns true if the volume of a record must equal k L d. This is not the case for changing loads,
- * laws, factors or elastic slip, nor for tables averaged at every increment. */
+/* Returns true if the volume of a record must equal k L d. Exceptions are changing loads, laws,
+ * local factors, elastic slip, and tables averaged at every increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =
@@ -79,7 +80,7 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
     /* earlier rows may have another definition */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      if (!w->manner.layered[b]) /* k of layers is in no record */
+      if (!w->manner.layered[b]) /* the record does not contain the k of layers */
         status = check_volume(d, &r[i - 1], &r[i], (arc_body)b, error);
   }
   return status;

@@ -1,4 +1,4 @@
-/* The wear run: creation, restoring, change of definition, queries. */
+/* The wear run: creation, restoring, change of definition, and queries. */
 #include "core/base/carve.h"
 #include "core/pair/model.h"
 #include "core/wear/run.h"
@@ -35,7 +35,7 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   return status;
 }
 
-/* Computes row 0 of the history. The shape may already be worn. */
+/* Computes row 0 of the history. The shape may be worn. */
 static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
@@ -83,7 +83,7 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
   return status;
 }
 
-/* Replaces one run by another run. */
+/* Destroys one run and replaces it by another run. */
 static void replace(arc_wear **w, arc_wear *by) {
   arc_wear_destroy(w);
   *w = by;
@@ -134,7 +134,7 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Moves a changed run to more sites if its contact would leave the present sites. */
+/* Moves a changed run to surfaces with more sites if its contact would leave the present sites. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
@@ -210,8 +210,8 @@ double arc_wear_strokes(const arc_wear *w) {
   return w->manner.strokes;
 }
 
-/* Returns the number of cycles over the whole distance. The last block continues to the end of the
- * distance. */
+/* Returns the number of cycles over the whole distance of the run. The last block continues to
+ * the end of the distance. */
 double arc_wear_cycles(const arc_wear *w) {
   double cycles = 0, left = w->def.distance - w->block[0].start_distance;
   for (int b = 0; b < w->blocks && left > 0; b++) {
