@@ -7,7 +7,7 @@ local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
 local m = model{ mesh = { size = 0.1, height = 0.1 } }
 require "archard.warnings".keep() -- suppresses the warning of the coarse mesh
 
--- Returns a function that fails in each call after five updates. `asked` counts these calls.
+-- Returns a function that fails in each call after five updates and counts these calls.
 local asked
 local function failing(value, words)
   asked = 0

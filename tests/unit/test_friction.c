@@ -431,10 +431,8 @@ static void test_between(void **state) {
   go(&h, &(friction_step){.mu = 0, .line = 100});
   double start[2] = {0}, area = 0;
   for (int i = 1; i <= 200; i++) {
-    const double force = i <= 40    ? i
-                         : i <= 120 ? 80 - i
-                                    : i - 160; /* turning points of the
-                                                * force: 40, -40, 40 N/mm */
+    /* turning points of the force: 40, -40, 40 N/mm */
+    const double force = i <= 40 ? i : i <= 120 ? 80 - i : i - 160;
     if (i == 41) start[0] = h.state.energy, start[1] = h.state.between;
     go(&h, &(friction_step){.mu = 0.6, .line = 100, .by_force = 1, .tangential = force});
     if (i > 40) area += (h.state.x - h.before.x) * (h.state.tangential + h.before.tangential) / 2;

@@ -161,8 +161,8 @@ static void test_slopes(void **state) {
   arc_model_release(&model);
 }
 
-/* Tests that depths corrected by arc_shape_conserve reduce the area of the polygon by exactly
- * the area that the depths stand for. */
+/* Tests that depths corrected by arc_shape_conserve reduce the area of the polygon by exactly the
+ * area of the depths. */
 static void test_conserve(void **state) {
   (void)state;
   random_start(25);

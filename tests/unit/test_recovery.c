@@ -157,7 +157,7 @@ static void test_tractions(void **state) {
 
 /* Tests the correction of pressure and shear near the contact ends. The exact pressure is (1 + d
  * / 9) sqrt(d) at the distance d from the end. Values changed within two elements of an end are
- * restored; at a kink, where no square-root law holds, they are unchanged. */
+ * restored; at a kink, which has no square-root law, they are unchanged. */
 static void test_edges(void **state) {
   (void)state;
   enum { n = 20 };

@@ -11,8 +11,7 @@ typedef struct leg {
   const arc_halfspace_options *options;
   double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
   double carried, yielding, work;  /* scales of force [N], motion [mm], work [N mm] */
-  arc_halfspace_friction *coarser; /* state computed with half as many increments; NULL: not
-                                    * wanted */
+  arc_halfspace_friction *coarser; /* state with half as many increments, or NULL */
   arc_halfspace_effort *effort;
 } leg;
 

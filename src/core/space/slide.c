@@ -273,8 +273,7 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
     arc_status status = press(s, &change, error);
     effort->sweeps++;
     if (status != ARC_OK) return status;
-    if (k > 0 && change <= settled * relaxation(k) && known) { /* the pressures belong to the
-                                                                * present shear */
+    if (k > 0 && change <= settled * relaxation(k) && known) { /* pressures of this shear */
       memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
       return ARC_OK;
     }

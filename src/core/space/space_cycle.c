@@ -14,8 +14,8 @@ static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
 }
 
-/* Returns the weight of the position of a point of the cycle: the sliding distance that the
- * point stands for [mm]. */
+/* Returns the weight of the position of a point of the cycle: the sliding distance assigned to the
+ * point [mm]. */
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;

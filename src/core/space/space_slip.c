@@ -252,7 +252,8 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
 }
 
 /* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
- * the motion or force. A whole leg has twice its shear and slip, because both are proportional. */
+ * the motion or force. A whole leg has twice the shear and slip of this increment, because both are
+ * proportional. */
 static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = conditions(c, 1, 1);

@@ -5,11 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  widening = 4,
-  components = 6
-}; /* `widening`: size of the periodic box over the window,
-    * which keeps periodic images away */
+/* `widening` is the size of the periodic box over that of the window. The padding reduces the
+ * effect of periodic images. */
+enum { widening = 4, components = 6 };
 
 /* The zero frequency stands for waves of about the length of the box. The wave number of these
  * waves is this share of the first frequency. The share follows from the zeta function of the

@@ -50,8 +50,8 @@ void arc_stroke_gather(stroke *s, const double *p, int both);
 /* Adds to sum the values of both bodies at the cells of the box at one position. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
-/* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the
- * depths. depth = NULL stands for unworn bodies. */
+/* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the depths
+ * (depth = NULL: unworn bodies). */
 void arc_stroke_gap(const stroke *s, const double *const depth[ARC_BODIES], int position,
                     double *gap);
 

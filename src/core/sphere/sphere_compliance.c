@@ -54,8 +54,8 @@ static stack head_stack(const arc_joint_def *def) {
   return s;
 }
 
-/* Computes the solutions of a layer at degree l; the solutions that increase with r come first.
- * Returns the number of solutions. */
+/* Computes the solutions of a layer at degree l; the solutions that increase with r are the first
+ * ones. Returns the number of solutions. */
 static int powers_of(const shell *m, int l, power *p) {
   const double L = (double)l * (l + 1), q = m->lambda + 2 * m->mu;
   const double exponent[] = {l - 1.0, l + 1.0, -l - 2.0, -(double)l};

@@ -9,13 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  degrees = 3000,
-  fine = 8 /* fine: entries of the table per cell; near: distance [cells]
-            * below which cells are integrated */
-  ,
-  near = 8 /* cells */
-};
+/* Largest degree of the sums, table entries per cell, and the distance in cells up to which the
+ * 1/chord part is integrated. */
+enum { degrees = 3000, fine = 8, near = 8 };
 
 static const double pi = 3.14159265358979323846;
 
