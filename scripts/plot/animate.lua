@@ -1,5 +1,5 @@
--- plot.animate: draws profiles or pressures repeatedly while it advances a run, in the terminal or
--- as an animated gif.
+-- plot.animate: advances a run and draws wear profiles or contact pressures after each step, in the terminal
+-- or as an animated gif.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -30,8 +30,8 @@ local function pressure_panel(w)
     title = "contact pressure" }
 end
 
--- Widens the range of a kind of panel to include `low` and `high`. The range never shrinks, so that
--- the picture does not jump.
+-- Widens the range limits[name] to include `low` and `high`. A range never shrinks, so the scale of the
+-- picture stays the same from frame to frame.
 local function hold(panel, limits, name, low, high)
   limits[name] = limits[name] or { low, high }
   local range = limits[name]
@@ -65,7 +65,7 @@ local function frame_of(w, what, limits)
   return panels, curves.summary(w)
 end
 
--- Returns the options of the panels with the ranges of all frames so far.
+-- Returns the options of plot{} for one frame. The axis ranges cover all frames so far.
 local function options_of(panels, title, limits)
   for _, panel in ipairs(panels) do
     local reach = limits.reach
@@ -73,7 +73,7 @@ local function options_of(panels, title, limits)
     if panel.title == "contact pressure" then
       panel.yrange = { limits.pressure[1], limits.pressure[2] }
     elseif limits.depth[2] > 0 then
-      panel.yrange = { limits.depth[2], 0 } -- downwards
+      panel.yrange = { limits.depth[2], 0 } -- the depth axis points down
     end
   end
   if #panels == 1 then
@@ -85,7 +85,7 @@ end
 
 -- --- output of the frames -----------------------------------------------------------------------
 
--- Draws over the previous frame and clears the rest of each line.
+-- Draws a frame in the terminal over the previous frame, and clears the rest of each line.
 local function show(options, first)
   local picture = draw.picture("plot.animate", options)
   if not picture then return end
@@ -101,8 +101,8 @@ end
 
 -- --- a stroke in three dimensions ---------------------------------------------------------------
 
--- Returns the pressures on the present surfaces at positions from one end of the stroke to the
--- other.
+-- Draws the contact pressure of the present worn surfaces at `count` positions of the plate, from one end of
+-- the stroke to the other.
 local function stroke_film(w, count, delay, given)
   local where = "plot.animate"
   if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"stroke" only with geometry = "3-D"', "stroke") end
@@ -127,8 +127,8 @@ local function stroke_film(w, count, delay, given)
   end
 end
 
--- Returns the number of updates between frames, so that about `frames` frames show the rest of the
--- run.
+-- Returns the number of updates between two frames, chosen so that about `frames` frames cover the rest of
+-- the run.
 local function updates_between(w, frames)
   local cycles, cycle, jump = curves.get(w, "cycles"), curves.get(w, "cycle"),
     curves.get(w, "jump")
@@ -136,7 +136,8 @@ local function updates_between(w, frames)
   return math.max(1, math.ceil((cycles - cycle) / jump / frames - 1e-9))
 end
 
--- Advances the run to its end or `frames` times; calls visit() at the start and after each step.
+-- Advances the run by `every` updates at a time, at most `frames` times and not beyond its end. Calls visit()
+-- at the start and after each step.
 local function each_frame(w, every, frames, visit)
   visit()
   for _ = 1, frames do

@@ -1,5 +1,5 @@
--- plot.bands: results of the samples of a study over the distance, as bands between quantiles and a line for the median
--- or mean.
+-- plot.bands: draws results of a sampled study over the sliding distance, as bands between quantiles and a
+-- line for the median or the mean.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -9,8 +9,8 @@ local shapes = require "archard.plot.shapes"
 
 local where = "plot.bands"
 
--- Returns the bands of a quantity, from the outermost pair of quantiles inwards, and a line for the
--- middle quantile or, if there is none, the mean.
+-- Returns the panel of a quantity: one band for each pair of quantiles, the outermost pair first, and a line
+-- for the middle quantile. Without a middle quantile the line is the mean.
 local function panel_of(uncertainty, name)
   local result = uncertainty[name]
   local quantiles, distance = result.quantiles, uncertainty.distance

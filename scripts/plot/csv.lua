@@ -1,9 +1,9 @@
--- Converts the data of a figure of plot/draw.lua to CSV: a line of names, then columns with x and y
--- of each curve.
+-- Converts a figure of plot/draw.lua to CSV text: one line of column names, then the columns with x and y of
+-- each curve.
 
 local csv_text = require "archard.lib.csv_text"
 
--- Adds the columns of a panel, each { name=, values= }.
+-- Appends the columns of a panel to `columns`, each as { name=, values= }.
 local function panel_columns(panel, prefix, columns)
   local function add(name, values)
     columns[#columns + 1] = { name = prefix .. name, values = values }
@@ -30,7 +30,7 @@ local function columns_of(figure)
   return columns
 end
 
--- (figure) -> text; the cells below the end of a shorter column are empty.
+-- Returns the CSV text of a figure. Cells below the end of a shorter column are empty.
 return function(figure)
   local columns, rows = columns_of(figure), { {} }
   for c, column in ipairs(columns) do

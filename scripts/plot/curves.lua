@@ -1,4 +1,5 @@
--- plot.pressure, plot.profile, plot.history: curves of one or several wear and contact objects, with units on the axes.
+-- plot.pressure, plot.profile and plot.history: draw curves of one or several wear and contact objects, with
+-- units on the axes.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -20,8 +21,8 @@ local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.text
 
--- Splits the arguments f(object, ..., word, ..., { options }). An object has the method or field
--- `mark`; options are the fields of plot{} and `own`.
+-- Sorts the arguments (object, ..., word, ..., { options }) into objects, words and options. An object has
+-- the method or field `mark`. The options may contain the fields of plot{} and of `own`.
 local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
@@ -47,7 +48,8 @@ end
 
 local scaled = shapes.scaled
 
--- Widens `reach` to show all nonzero values: 1.25 times their largest |x|, and the first zero beside them.
+-- Returns the half range of x that shows all nonzero values and the zeros next to them with a margin; at
+-- least `reach`.
 local function reach_of(x, values, reach)
   for i = 1, #x do
     local at = math.abs(x[i])
@@ -60,11 +62,12 @@ local function reach_of(x, values, reach)
   return reach
 end
 
--- Returns the range of x, or nil if all values are zero, so that everything is shown.
+-- Returns the range of x, from -reach to reach. Returns nil if `reach` is 0 because all values are zero; the
+-- axis then shows all points.
 local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
--- Returns the Hertz contact of an object: its field `hertz`, or one computed from its model and
--- load.
+-- Returns the Hertz contact of an object: the field `hertz` or, without this field, the contact computed from
+-- its model and load.
 local function scale_of(where, object)
   local known = get(object, "hertz")
   if known then return known end
@@ -75,8 +78,8 @@ local function scale_of(where, object)
   return hertz_of(model, load)
 end
 
--- Returns the name of the body chosen by the words or options, in the first object, and the word
--- itself. Every object must have such a body.
+-- Returns the first object's name for the body that the words or options choose, and the chosen word. Raises
+-- an error if an object has no such body.
 local function body_word(where, objects, words, options)
   local body = words[#words] or options.body
   for _, word in ipairs(words) do naming.body(where, objects[1], word) end
@@ -126,7 +129,7 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
--- Returns a panel with the wear depths of the bodies in `of_body`; depth increases downwards.
+-- Returns a panel with the wear depths [µm] of the bodies in `of_body`. The depth axis starts at 0.
 local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
@@ -148,7 +151,8 @@ local function is_spatial(object)
   return has and type(model) == "userdata" and model.geometry == "3-D"
 end
 
--- Returns two panels of a run in three dimensions, along x and along z.
+-- Returns two panels of a run in three dimensions: the profile along x at z = 0 and the profile along z at x
+-- = 0.
 local function sections(where, objects, names, of_body, scale, options)
   local panels = {}
   for i, axis in ipairs{ "x", "z" } do
@@ -158,7 +162,8 @@ local function sections(where, objects, names, of_body, scale, options)
   return panels
 end
 
--- Adds a measured trace to a single panel. Depths above zero are then shown too.
+-- Adds a measured trace to a panel. The range of y is then automatic, because a trace may have values above
+-- the original surface.
 local function add_measured(where, panel, given)
   if panel.panels then
     check.fail(where, "field 'measured': expected one body if several runs are drawn, got both bodies")
@@ -169,8 +174,9 @@ local function add_measured(where, panel, given)
   panel.xrange, panel.yrange = range_of(reach), nil
 end
 
--- plot.profile(w1, w2, ..., body, { ... }): draws both bodies if no body is given. plot.profile(p1, p2, ..., { ... })
--- draws measured profiles.
+-- plot.profile(w1, w2, ..., body, { ... }) draws the wear profiles of runs; without a body it draws both
+-- bodies.
+-- plot.profile(p1, p2, ..., { ... }) draws measured profiles.
 function curves.profile(...)
   local where = "plot.profile"
   if measured.is_profile((...)) then return require "archard.plot.trace" (where, ...) end
@@ -204,8 +210,8 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Quantities with a common axis: pattern of the column names, label, factor from the unit of the
--- column to the unit of the label.
+-- Quantities that have a common axis. Columns: pattern of the names of history columns, axis label, factor
+-- from the unit of the column to the unit of the label.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },
   { "^depth_partition$", "wear depth partition", 1 },
@@ -223,7 +229,8 @@ end
 local short_titles = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
--- Returns the label of a column's quantity and the factor to its unit; nil for an unknown column.
+-- Returns the axis label of a history column and the factor to the unit of the label. Returns nil for an
+-- unknown column.
 local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
     if name:find(quantity[1]) then return quantity[2], quantity[3] end
@@ -236,7 +243,7 @@ local function column_of(where, history, name)
   check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, keys(history))))
 end
 
--- Returns a panel for each quantity, in the order of the columns.
+-- Returns one panel for each quantity of the columns, in the order of the columns.
 local function history_panels(columns)
   local panels, by_label = {}, {}
   for _, name in ipairs(columns) do
@@ -258,8 +265,8 @@ local function from_second(list)
   return result
 end
 
--- Columns with the settings of an update. They are drawn as steps, since the value of a row applies
--- to the time since the previous row.
+-- History columns that contain the settings of an update. They are drawn as steps, because the value in a row
+-- applies to the time since the previous row.
 local chosen = { alpha = true, load = true, travel = true }
 
 local function steps_of(x, y)
@@ -272,7 +279,8 @@ local function steps_of(x, y)
   return xs, ys
 end
 
--- Omits the first row, which has no jump, and a last jump shortened by the end of the run.
+-- Returns x and y without the first row, which has no jump, and without a last jump that the end of the run
+-- has shortened.
 local function jumps_of(x, y)
   if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if #y > 2 and y[#y] < y[#y - 1] then
@@ -288,7 +296,7 @@ local function history_curve(where, history, abscissa, column, factor)
   return { x = x, y = scaled(y, factor) }
 end
 
--- Returns the title of a curve, such as "plate, α = 0.5", with the parts that differ between the
+-- Returns the title of a curve, such as "plate, α = 0.5". It contains only the parts that differ between the
 -- curves of a panel.
 local function history_title(column, body, name, several_columns, several_objects)
   local parts = {}
@@ -297,7 +305,8 @@ local function history_title(column, body, name, several_columns, several_object
   return parts[1] and table.concat(parts, ", ") or nil
 end
 
--- Returns the title of the picture, which includes the body if the only column belongs to one body.
+-- Returns the title of the picture. It names the body if there is only one column and the column belongs to a
+-- body.
 local function history_name(object, columns)
   local _, body = naming.column(object, columns[1])
   return #columns == 1 and body and "history of the " .. body or "history"

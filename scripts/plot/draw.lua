@@ -1,5 +1,5 @@
--- Checks the options of plot{...}, makes the figure, and draws it with archard.gnuplot on the output that
--- plot/output.lua chooses.
+-- Checks the options of plot{...}, makes a figure from them, and draws the figure with archard.gnuplot.
+-- plot/output.lua chooses the output.
 
 local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
@@ -15,7 +15,7 @@ local written = require "archard.lib.written"
 
 local draw = {}
 
--- Defaults of the user for term, size (of pictures in the terminal), file_size, colour and key.
+-- The user's defaults: term, size (of pictures in the terminal), file_size, colour and key.
 draw.default = output.default
 
 -- --- the options --------------------------------------------------------------------------------
@@ -52,9 +52,9 @@ local output_fields = {
 }
 local figure_fields = merged(panel_fields, output_fields,
   { panels = check.table, layout = check.grid, letters = check.flag })
-draw.fields = figure_fields -- for functions that accept these and further options
+draw.fields = figure_fields -- for functions that accept the fields of plot{} and options of their own
 
--- Checks the options of a picture: those of plot{} and its `own` options.
+-- Checks the options of a picture. Allowed are the fields of plot{} and the fields in `own`.
 function draw.options(where, options, own)
   if options ~= nil and type(options) ~= "table" then
     check.fail(where, "expected a table of options, got " .. check.shown(options))
@@ -62,12 +62,12 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- Properties of options made by the function of a picture. `titled`: the title is a default of the
--- function; `stacked`: the panels may be drawn side by side instead; `x`, `y`: the unit of this
--- axis may be changed.
+-- Properties of option tables that draw.over() made, by table. `titled`: the title is a default of the
+-- drawing function. `stacked`: the panels may be drawn side by side instead. `x`, `y`: the unit of this axis
+-- may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
--- Returns the function's defaults, overridden by the user's options of plot{}.
+-- Returns the defaults of a drawing function, overridden by the user's options of plot{}.
 function draw.over(defaults, options, nature)
   made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout,
     x = options.xlabel == nil, y = options.ylabel == nil }
@@ -79,7 +79,7 @@ end
 
 -- --- from options to a figure -------------------------------------------------------------------
 
--- Replaces zero bytes, which would end a C string.
+-- Replaces zero bytes in a text by spaces, because a zero byte would end a C string.
 local function words(text) return text and (text:gsub("%z", " ")) or nil end
 
 local function counted(list)
@@ -104,14 +104,15 @@ local function to_curve(where, given, number, panel)
   }
 end
 
--- Returns an axis. `range` may be given in the order in which the axis is drawn.
+-- Returns an axis as a table. The limits in `range` may be in the order in which the axis is drawn.
 local function to_axis(label, range, log, down, places)
   local low, high = range and range[1], range and range[2]
   if down and low and high then low, high = math.max(low, high), math.min(low, high) end
   return { label = words(label), min = low, max = high, log = log, reverse = down, places = places }
 end
 
--- Reads the list part of the options: curves, and at most one table with a list `value`, the field.
+-- Adds the curves in the list part of the options to a panel. One item may be a field of values: a table in
+-- which `value` is a list.
 local function to_curves(where, given, panel)
   if given.x or given.y then
     panel.curves[1] = to_curve(where, { x = given.x, y = given.y }, 1, given)
@@ -129,7 +130,7 @@ local function to_curves(where, given, panel)
   end
 end
 
--- Adds measured points to a panel.
+-- Adds measured points to a panel as black points.
 local function add_points(where, panel, points)
   if not points then return end
   local curve = to_curve(where, merged({ style = "points", colour = "black" }, points),
@@ -145,7 +146,7 @@ local function same_numbers(a, b)
   return true
 end
 
--- Adds points and removes equal points of an earlier call.
+-- Adds measured points to a panel and removes equal points that an earlier call added.
 local function put_points(where, panel, points)
   add_points(where, panel, points)
   local new = panel.curves[#panel.curves]
@@ -159,7 +160,8 @@ end
 
 local most_in_key = 8
 
--- Labels the curves at their ends if there are too many for a key, except curves with a colour scale.
+-- Labels the curves at their ends if there are too many titles for a key. Curves with a colour scale do not
+-- count.
 local function name_at_ends(panel)
   local titled = 0
   for _, curve in ipairs(panel.curves) do
@@ -185,7 +187,8 @@ local function to_panel(where, given)
   return panel
 end
 
--- Copies fields that the panel does not set from the figure, except the title.
+-- Returns a copy of the panel; fields that the panel does not set are copied from the figure, except the
+-- title.
 local function inherit(panel, figure)
   local inherited = {}
   for name in pairs(panel_fields) do
@@ -194,7 +197,8 @@ local function inherit(panel, figure)
   return merged(inherited, panel)
 end
 
--- Puts "(a)", "(b)", ... before the titles of the panels; `name` is the title without the letter.
+-- Puts "(a)", "(b)", ... before the titles of the panels. The field `name` of a panel stores the title
+-- without the letter.
 local function letter(panels)
   for i = 1, #panels > 1 and #panels <= 26 and #panels or 0 do
     local panel = panels[i]
@@ -228,9 +232,9 @@ end
 
 -- --- drawing ------------------------------------------------------------------------------------
 
-local last, last_given -- the last figure drawn, for plot.save, and its options
+local last, last_given -- the last figure drawn and its options, for plot.save, again() and points()
 
--- Calls a function of archard.gnuplot; its errors are reported as errors of `where`.
+-- Calls a function of archard.gnuplot and reports an error as an error of `where`.
 local function run(where, f, ...)
   local ok, result, message, code = pcall(f, ...)
   if not ok then check.fail(where, tostring(result)) end
@@ -238,10 +242,10 @@ local function run(where, f, ...)
   return result
 end
 
-local fewest, few = 4, 30 -- number of points of a line that are marked, as the values between them are unknown
+local fewest, few = 4, 30 -- a line is drawn with a mark at each point if it has at least 4 points and no curve on the axis has more than 30
 
--- Returns the number of points of a curve within the range shown, without runs of zeros; nil if its
--- x do not increase.
+-- Returns the number of points of a curve within the range of the axis, without runs of zeros. Returns nil if
+-- x does not increase.
 local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
@@ -252,8 +256,8 @@ local function count_shown(curve, axis)
   return count
 end
 
--- Returns a function(panel, curve) that is true for curves with marked points: lines of few points, unless another
--- curve over the same axis has many.
+-- Returns a function(panel, curve) -> true if the points of the curve are marked. Points are marked on lines
+-- of few points, unless another curve over the same axis has many points.
 local function marked_of(figure)
   local counts, most = {}, {}
   for _, panel in ipairs(figure.panels) do
@@ -266,14 +270,15 @@ local function marked_of(figure)
   return function(panel, curve) return counts[curve] >= fewest and most[panel.x.label or ""] <= few end
 end
 
--- Appends the label of the values to the title, as a picture in characters has no colour scale.
+-- Appends the label of the values to the title. A picture made of characters has no colour scale that could
+-- show the label.
 local function with_label(title, label)
   if not label or not title or title:find(label, 1, true) then return title or label end
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- Returns the figure for a surface ("pixels" or "characters"): in suitable units, without curves
--- for the other surface, with marked points on pixels.
+-- Returns the figure for a surface ("pixels" or "characters"): in suitable units and without the curves for
+-- the other surface. On pixels, lines of few points get marks.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do
@@ -293,8 +298,8 @@ local function on(figure, surface)
   return merged(figure, { panels = panels })
 end
 
--- Returns the figure in the current style for a file: without a default title if the style omits
--- titles, with panels side by side.
+-- Returns the figure for a file in the current style. Stacked panels may be put side by side, and a default
+-- title is removed if the style omits titles.
 local function styled(figure)
   local result = merged(figure)
   if figure.nature.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
@@ -307,7 +312,7 @@ local function styled(figure)
   return result
 end
 
--- Draws a figure; returns the picture as text if it is shown in the terminal.
+-- Draws a figure on its output. Returns the picture as text if the output is the terminal, else nil.
 local function paint(where, figure, given, moving)
   local shown = given.file and styled(figure) or figure
   local to = output.choose(where, shown, given, moving)
@@ -327,7 +332,7 @@ local default_fields = { term = check.one_of(terms), size = check.size, file_siz
   colour = output_fields.colour, key = check.one_of(key_places, check.flag) }
 local default_names = keys(default_fields)
 
--- Unknown names in plot.default raise an error when read or written.
+-- Unknown names in plot.default raise an error on reading and on writing.
 setmetatable(draw.default, { __plain = true,
   __index = function(_, name) return strict.refuse("plot.default", name, default_names) end,
   __newindex = function(default, name, value)
@@ -335,31 +340,32 @@ setmetatable(draw.default, { __plain = true,
     rawset(default, name, value)
   end })
 
--- Checks the options and draws; returns the picture as text if it is shown in the terminal.
+-- Checks the options and draws the figure. Returns the picture as text if the output is the terminal, else
+-- nil.
 local function render(where, given, moving)
   check.fields(where .. ": plot.default", draw.default, default_fields)
   return paint(where, to_figure(where, given), given, moving)
 end
 
--- Draws the options; a picture for the terminal is printed.
+-- Draws a figure from options of plot{}. A picture for the terminal is printed.
 function draw.draw(where, given) show(render(where, given)) end
 
--- Returns the picture as text for a caller that prints it repeatedly.
+-- Draws a figure and returns the picture as text, for a caller that redraws it repeatedly.
 function draw.picture(where, given) return render(where, given, true) end
 
--- Returns the options of the last picture for output and size.
+-- Returns only the options that choose output, size and colour.
 local function placed(options)
   return { term = options.term, size = options.size, colour = options.colour }
 end
 
--- again(): draws the last picture again, in the terminal or a window, for their present size.
+-- again(): draws the last picture again at the present size of the terminal or window.
 function draw.again(where)
   if not last then check.fail(where, "no picture has been drawn yet") end
   local on_screen = last_given.file and {} or placed(last_given)
   show(paint(where, last, on_screen))
 end
 
--- points{ x=, y=, error=, file=, ... }: draws the last picture again with measured points.
+-- points{ x=, y=, error=, file=, ... }: adds measured points to the last picture and draws it again.
 function draw.points(where, given)
   if type(given) ~= "table" then
     check.fail(where, "expected a table { x=, y=, error= }, got " .. check.shown(given))
@@ -383,7 +389,7 @@ function draw.points(where, given)
   show(paint(where, figure, merged(last_given and placed(last_given) or {}, placement)))
 end
 
--- Writes an animated gif; frames: a list of options of plot{}.
+-- Writes an animated gif. `frames` is a list of option tables of plot{}, `delay` the time per frame [s].
 function draw.film(where, frames, delay, given)
   local figures = {}
   for i, frame in ipairs(frames) do figures[i] = on(to_figure(where, frame), "pixels") end
@@ -392,7 +398,7 @@ function draw.film(where, frames, delay, given)
   written.note(where, given.file)
 end
 
--- Writes a figure to a file and its data to a CSV file of the same name.
+-- Draws a figure to a file and writes its data to a CSV file with the same base name.
 local function save(where, figure, file, options)
   local given = { file = file, size = options.size, term = options.term, colour = options.colour }
   paint(where, figure, given)
@@ -401,7 +407,8 @@ local function save(where, figure, file, options)
   written.note(where, data)
 end
 
--- save("p.png" [, options]) saves the last picture; save{ ..., file="p.png" } draws and saves the given one.
+-- plot.save("p.png" [, options]) saves the last picture. plot.save{ ..., file="p.png" } draws and saves a new
+-- picture.
 function draw.save(where, given, options)
   if type(given) == "table" and given.file then
     save(where, to_figure(where, given), given.file, given)

@@ -1,5 +1,5 @@
--- plot.fit: a fit with its data (error bars, the model with its band, residuals below), or the expected errors of a
--- test design.
+-- plot.fit: draws a fit with its data (error bars, the model with its band, residuals below), or the expected
+-- errors of a test design.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -20,7 +20,7 @@ local function band_of(x, low, high, factor)
   return area
 end
 
--- Returns the label of the vertical axis and the factor to its unit.
+-- Returns the label of the vertical axis and the factor from the unit of the data to the unit of the label.
 local function label_of(item)
   if item.kind == "loop" then
     if item.unit == "N" then return "tangential force / N", 1 end
@@ -32,7 +32,7 @@ local function label_of(item)
   return item.unit ~= "" and item.of .. " / " .. item.unit or item.of, 1
 end
 
--- Returns the range from the smallest to the largest value of the lists, with a margin.
+-- Returns the range of all values in the lists, with a margin of 8 % at each end.
 local function range_of(...)
   local low, high = math.huge, -math.huge
   for _, list in ipairs{ ... } do
@@ -48,7 +48,7 @@ local function ends_of(item, sign)
   return list
 end
 
--- Returns the values and the label of the horizontal axis.
+-- Returns the horizontal values of a data set and the label of their axis.
 local function across(item)
   if item.kind == "sphere" then return item.x, "angle from the load / degree" end
   if item.kind ~= "loop" then return item.x or item.distance, item.x and (item.along or "x") .. " / mm" or naming.axis_of("distance") end
@@ -56,8 +56,8 @@ local function across(item)
   return item.x, "tangential force / N"
 end
 
--- Returns the panel of a friction loop. It has no band, which would overlap itself and is not wider
--- than the line.
+-- Returns the panel of a friction loop. The band is not drawn: it would overlap itself and is not wider than
+-- the line.
 local function loop_panel(item)
   local label, factor = label_of(item)
   local x, name = across(item)
@@ -70,7 +70,7 @@ local function loop_panel(item)
   }
 end
 
-local few = 40 -- with more data points, the model is drawn over them
+local few = 40 -- with more data points than this, the model is drawn over the data
 
 local function main_panel(item)
   if item.kind == "loop" then return loop_panel(item) end
@@ -108,7 +108,7 @@ local function curve_panel(name, curve)
     title = naming.word_of(name) .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end
 
--- Gives all panels with the same label a common range.
+-- Gives all panels with the same vertical label the same vertical range.
 local function share_ranges(panels)
   local all = {}
   for _, panel in ipairs(panels) do
@@ -118,16 +118,16 @@ local function share_ranges(panels)
   for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
--- Returns the sets of data to draw. Sets with a single value are shown by print(f), and are omitted
--- if there are others.
+-- Returns the data sets to draw. Data sets with a single value are left out if another set has more values,
+-- since print(f) shows them.
 local function drawn(list)
   local chosen = {}
   for _, item in ipairs(list) do if #item.value > 1 then chosen[#chosen + 1] = item end end
   return #chosen > 0 and chosen or list
 end
 
--- Arranges one column for each set of data, with its residuals in the row below. The residuals of a
--- single set are beside it.
+-- Returns a figure with one column for each data set and the residuals in the row below. For a single data
+-- set the residuals are beside it.
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
   for _, item in ipairs(drawn(fit.data)) do
@@ -150,8 +150,8 @@ end
 
 -- --- a design ------------------------------------------------------------------------------------
 
--- Returns panels with the expected error of each unknown, in percent of its start value or, if that
--- is 0, of its prior error.
+-- Returns one panel for each unknown with its expected standard error over the distance. The error is in
+-- percent of the start value or, if the start value is 0, of the prior error.
 local function of_design(design)
   local figure = { panels = {} }
   for i, name in ipairs(design.names) do

@@ -1,5 +1,5 @@
--- plot.fretting_map: the running condition fretting map with the regimes stick, partial slip and gross slip over load
--- and motion amplitude.
+-- plot.fretting_map: draws a running condition fretting map, which shows the regimes stick, partial slip and
+-- gross slip over load and motion amplitude.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -19,7 +19,7 @@ local function constant(value, count)
   return list
 end
 
--- Returns the filled area of a regime between two borders, as a closed curve.
+-- Returns the filled area of a regime between its left and right border, as a closed curve.
 local function ground(map, regime, left, right)
   local area = shapes.area(map.load, left, right, 1)
   local x, y = area.y, area.x
@@ -33,7 +33,7 @@ local function add_grounds(given, map, partial, gross, from, to)
   for i, regime in ipairs(n > 1 and regimes or {}) do given[i] = ground(map, regime, at[i], at[i + 1]) end
 end
 
--- Returns the points of the map in a regime, or all points if `regime` is nil.
+-- Returns the computed points of the map that are in a regime, or all points if `regime` is nil.
 local function conditions_of(map, regime)
   local curve = { x = {}, y = {}, style = "points" }
   for i, load in ipairs(map.load) do
@@ -46,7 +46,7 @@ local function conditions_of(map, regime)
   return #curve.x > 0 and curve or nil
 end
 
--- Adds the computed points, in black over filled regimes, else in the colour of their regime.
+-- Adds the computed points: in black over filled regimes, otherwise in the colour of their regime.
 local function add_conditions(given, map)
   local ground = #map.load > 1
   for _, regime in ipairs(regimes) do
@@ -62,7 +62,7 @@ local function add_conditions(given, map)
   given[#given + 1] = all
 end
 
--- Adds the two borders; for a single load they are two points.
+-- Adds the two borders between the regimes as lines. For a single load each border is a point.
 local function add_borders(given, map, partial, gross)
   local style = #map.load > 1 and "lines" or "points"
   given[#given + 1] = { x = partial, y = map.load, style = style, series = 7, dash = 1,

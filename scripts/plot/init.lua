@@ -1,6 +1,5 @@
--- plot: curves and the pictures of contact and wear. This module only lists the public functions; plot/draw.lua draws,
--- plot/output.lua chooses the output, plot/style.lua the sizes, plot/units.lua the units, plot/naming.lua titles and
--- keys.
+-- The public functions of `plot`. Other modules do the work: plot/draw.lua draws, plot/output.lua chooses the
+-- output, plot/style.lua sets sizes, plot/units.lua units, plot/naming.lua titles and keys.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"

@@ -1,4 +1,4 @@
--- plot.loop: fretting loops, the tangential force over the plate's position in a steady cycle.
+-- plot.loop: draws fretting loops, the tangential force over the position of the plate in a steady cycle.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -19,8 +19,8 @@ local function loop_of(where, thing)
   check.fail(where, "expected wear runs with friction or their loops, got " .. check.shown(thing))
 end
 
--- Separates the list of runs or loops from the options, which are the last table that is not a
--- loop.
+-- Splits the arguments into the runs or loops and the options. The last argument contains the options if it
+-- is a table but not a loop.
 local function split(...)
   local given, options = { ... }, nil
   local last = given[#given]
@@ -28,8 +28,8 @@ local function split(...)
   return given, options or {}
 end
 
--- Returns the names of several runs; for loops without their run, the cycles at which they were
--- computed; for a single one an empty list.
+-- Returns the titles of the curves: the user's titles, the settings in which the runs differ, or the cycles
+-- at which loops were computed. A single curve gets no title.
 local function names_of(where, things, loops, titles)
   if titles or #things == 1 then return titles or {} end
   local runs, cycles = true, {}
@@ -41,7 +41,7 @@ local function names_of(where, things, loops, titles)
   return runs and naming.names_of(where, things) or cycles
 end
 
--- Returns micrometres, or mm if the positions exceed 1 mm.
+-- Returns the unit of the axis and the factor to it from mm: micrometres, or mm if a position exceeds 1 mm.
 local function unit_of(loops)
   local most = 0
   for _, one in ipairs(loops) do

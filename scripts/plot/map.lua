@@ -1,4 +1,4 @@
--- plot.map and plot.surface: a surface seen from above, in colours with contours, and as an oblique view.
+-- plot.map and plot.surface: draw a surface from above, in colours with contours, or as an oblique view.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -9,7 +9,7 @@ local strict = require "archard.strict"
 
 local pictures = {}
 
-local most = 240 -- points drawn along the longer side
+local most = 240 -- largest number of points drawn along the longer side
 
 local function is_map(object)
   local class = type(object) == "table" and getmetatable(object)
@@ -23,7 +23,7 @@ local function check_map(where, object)
   return object
 end
 
--- Returns the map with at most `count` points along its longer side.
+-- Returns the map, resampled to about `count` points along its longer side if it has more.
 local function thinned(t, count)
   local longer = math.max(t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1])
   local finest = math.min((t.x[2] - t.x[1]), (t.z[2] - t.z[1]))
@@ -31,7 +31,7 @@ local function thinned(t, count)
   return t:resample(math.min(longer / count, t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]))
 end
 
--- Returns the unit of the values and the factor to it; lengths are shown in µm.
+-- Returns the unit in which values are shown and the factor to it. Lengths are shown in µm.
 local function unit_of(t)
   if t.unit == "mm" then return "µm", 1000 end
   return t.unit, 1
@@ -44,9 +44,9 @@ end
 
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Returns quadrilaterals between the points of rows j and j + 1, from the last row to the first.
--- position(i, j) -> x, y; covers(x, z) -> whether a quadrilateral with this middle is drawn (nil:
--- all are).
+-- Returns quadrilaterals around the points of the map between rows j and j + 1, from the last row to the
+-- first. position(i, j) returns x and y of a point in the picture. covers(x, z) returns true if the
+-- quadrilateral with this middle is drawn; without `covers` all are drawn.
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -74,8 +74,8 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Returns true if a position of a joint's map is on the half sphere about the load and, except for
--- the head, on the cup.
+-- Returns a function(x, z) -> true if this position of a joint's map is drawn: it must be on the half sphere
+-- about the load and, except on maps of the head, on the cup.
 local function cover_of(joint, of_head)
   local covers = of_head and function() return true end or flat.cover(joint.cup)
   return function(x, z)
@@ -84,8 +84,8 @@ local function cover_of(joint, of_head)
   end
 end
 
--- Returns a map: the argument itself, the map of a run and its body, or the pressure map of a
--- contact in three dimensions.
+-- Returns the map to draw: the argument itself, the map of a run and a body, or the pressure map of a contact
+-- in three dimensions.
 local function map_of(where, object, options)
   if is_of_joint(object) then
     return check.as(where, object.flat, object, options.what or options.body or is_joint_run(object) and "cup" or "pressure")
@@ -102,7 +102,7 @@ local function map_of(where, object, options)
   return check_map(where, fine and is_map(t) and t or object)
 end
 
--- Returns the picture of a map from above, a table for plot{}.
+-- Returns the options of plot{} that draw a map from above.
 function pictures.panel(t, covers)
   local shown = thinned(t, most)
   local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end, covers) }
@@ -113,8 +113,8 @@ function pictures.panel(t, covers)
   return given
 end
 
--- Returns the picture of a stress in a section or plane of a contact in three dimensions, { x= | y=
--- | z= } (default z = 0).
+-- Returns the options of plot{} that draw a stress component in a section or plane of a contact in three
+-- dimensions. options.section is { x= }, { y= } or { z= } [mm]; default z = 0.
 function pictures.stress(where, contact, options, label)
   local cut = merged(options.section or { z = 0 }, { body = options.body })
   local t = check.as(where, contact.stress, contact, cut)[options.component or "mises"]
@@ -164,14 +164,14 @@ local columns, rows, lean = 150, 50, 1 -- points along x and z; offset of each r
 local rise = 0.5                       -- vertical length in the picture of a unit length along z
 local share = 0.2                      -- approximate range of the heights, as a share of the longer side
 
--- Rounds down to 1, 2 or 5 times a power of ten.
+-- Returns the largest number <= value that is 1, 2 or 5 times a power of ten.
 local function rounded(value)
   local power = 10 ^ math.floor(math.log(value, 10) + 1e-9)
   for _, digit in ipairs{ 5, 2 } do if digit * power <= value * (1 + 1e-9) then return digit * power end end
   return power
 end
 
--- Returns the values of a map at columns x rows points, and their smallest and largest value.
+-- Returns the map resampled to columns x rows points, with its smallest and largest value.
 local function seen(t)
   local x, z, y, low, high = {}, {}, {}, math.huge, -math.huge
   for i = 1, columns do x[i] = t.x[1] + (t.x[#t.x] - t.x[1]) * (i - 1) / (columns - 1) end
@@ -185,7 +185,7 @@ local function seen(t)
   return { x = x, z = z, y = y, unit = t.unit }, low, high
 end
 
--- Returns every fifth row as a line, without the parts hidden by the rows in front of it.
+-- Returns every fifth row as a line, without the parts that rows in front of it hide.
 local function visible_rows(position)
   local curve, horizon = { x = {}, y = {}, colour = "black", width = 0.4, on = "pixels" }, {}
   for j = 1, rows do
@@ -203,7 +203,7 @@ local function visible_rows(position)
   return curve
 end
 
--- Adds the vertical faces at the front and right edges, down to the lowest value, to the field.
+-- Adds the vertical faces at the front and right edges to the field. They extend down to the lowest value.
 local function add_walls(field, t, position, foot, low)
   local _, scale = unit_of(t)
   local n = #field.x

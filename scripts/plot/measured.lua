@@ -1,10 +1,11 @@
--- The option `measured` of plot.profile: a trace as points over the curves, reduced to a readable number of points.
+-- The option `measured` of plot.profile: draws a measured trace as points over the curves, with few enough
+-- points to be readable.
 
 local check = require "archard.lib.check"
 
 local measured = {}
 
-local most, with_bars = 160, 60 -- most points drawn; most points drawn with error bars
+local most, with_bars = 160, 60 -- largest number of points drawn, without and with error bars
 
 local function is_profile(value) return require "archard.profile.class".is(value) end
 
@@ -14,17 +15,17 @@ measured.kind = check.kind("a profile, or a table { x=, h= }", function(v)
   return is_profile(v) or type(v) == "table" and type(v.x) == "table" and type(v.h) == "table" and #v.x == #v.h
 end)
 
--- Returns the depths between from and to, averaged over groups of points to at most `most` points.
+-- Returns the trace, averaged over groups of points so that about `most` points lie between `from` and `to`.
 local function thinned(p, from, to)
   local length = p.x[#p.x] - p.x[1]
   local shown = math.min(to - from, length)
   return shown / length * #p.x > most and p:average(shown / most) or p
 end
 
--- (p, reach) -> the points in µm for the option `points` of a plot, and the range of x widened to
--- show the scar. Only points with |x| <= reach are used (reach 0: all). A scar entirely on one side
--- of x = 0 was measured from another origin; its points are shifted so that the middle of the scar
--- is at 0, and the title states the shift.
+-- Returns the points of a trace in µm for the option `points` of plot{}, and the half range of x widened to
+-- show the scar. Only points with |x| <= reach are used; for reach 0 all are. If the scar is entirely on one
+-- side of x = 0, the trace has another origin: its points are shifted to put the middle of the scar at 0, and
+-- the title states the shift.
 function measured.points(p, reach)
   local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then

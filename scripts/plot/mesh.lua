@@ -1,4 +1,4 @@
--- plot.mesh and plot.stress: elements and stresses inside the two bodies.
+-- plot.mesh and plot.stress: draw the elements and the stresses of the two bodies.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -9,8 +9,8 @@ local mesh = {}
 
 -- --- coordinates along a hole ----------------------------------------------------------------------
 
--- Returns the radius of the hole in an object's pair and its side: 1 if the hole is above the first
--- point of contact, -1 if below; nil without a hole.
+-- Returns the radius [mm] of the hole in a pair, and on which side of the first point of contact the centre
+-- of the hole is: 1 above, -1 below. Returns nil for a pair without a hole.
 local function hole_of(object)
   local model = naming.get(object, "model") or naming.get(naming.get(object, "contact"), "model") or object
   for role, side in pairs{ lower = 1, upper = -1 } do
@@ -19,7 +19,8 @@ local function hole_of(object)
   end
 end
 
--- Returns the coordinates of the nodes along the hole and across it.
+-- Returns the coordinates of the nodes along the wall of the hole and across it [mm], and the radius of the
+-- hole.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
   if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
@@ -36,7 +37,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- Returns the elements without those that are cut open by the unrolling of round bodies.
+-- Returns the elements, except the elements that the unrolling of a round body cuts open.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do
@@ -52,14 +53,14 @@ end
 
 -- --- elements -----------------------------------------------------------------------------------
 
--- Returns x and y of all nodes.
+-- Returns lists of x and y of all nodes [mm].
 local function nodes_of(body)
   local x, y = {}, {}
   for i = 1, body.nodes do x[i], y[i] = body:node(i) end
   return x, y
 end
 
--- Calls f(i, j, uses) for each edge; `uses` is the number of elements with this edge.
+-- Calls f(i, j, uses) for each edge between nodes i and j. `uses` is the number of elements with this edge.
 local function each_edge(elements, f)
   local uses, order, stride = {}, {}, 2 ^ 26
   for e = 1, #elements, 4 do
@@ -76,8 +77,8 @@ local function each_edge(elements, f)
   end
 end
 
--- Returns edges as one curve with gaps: all edges, or only the boundary; with a box only edges that
--- overlap it.
+-- Returns edges of the elements as one curve with gaps. If `boundary` is true, only boundary edges are
+-- included; with a box, only edges that overlap the box.
 local function edge_curve(x, y, elements, boundary, box)
   local curve, n = { x = {}, y = {} }, 0
   local cx, cy, nan = curve.x, curve.y, 0 / 0
@@ -93,8 +94,8 @@ local function edge_curve(x, y, elements, boundary, box)
   return n > 0 and curve or nil
 end
 
--- Returns the element edges of a body as one curve; with a box { x0, x1, y0, y1 } only the edges in
--- it.
+-- Returns the element edges of a body as one curve with gaps. With a box { x0, x1, y0, y1 }, only edges that
+-- overlap the box are included.
 function mesh.edges(body, box)
   local x, y = nodes_of(body)
   return edge_curve(x, y, body:elements(), false, box)
@@ -102,13 +103,13 @@ end
 
 -- --- arguments ----------------------------------------------------------------------------------
 
--- Returns the names of the bodies to be drawn, and of both bodies.
+-- Returns the names of the bodies to draw, and the names of both bodies.
 local function shown_bodies(where, object, options)
   local all = naming.bodies(object)
   return options.body and { naming.body(where, object, options.body) } or all, all
 end
 
--- Returns a box larger than the view, as equal scales can widen the range shown.
+-- Returns a box larger than the view. With equal scales the picture may show more than the view.
 local function around(box)
   if not box then return nil end
   local wide, high = box[2] - box[1], box[4] - box[3]
@@ -190,7 +191,7 @@ local stress_options = { component = check.one_of(mesh.components), body = check
   zoom = check.one_of({ "all" }, check.box), deformed = check.number,
   section = check.kind("a table { z= }, { x= } or { y= }", function(v) return type(v) == "table" end) }
 
--- Returns the positions of the nodes with `factor` times their displacements.
+-- Returns x and y of the nodes, displaced by `factor` times their displacements.
 local function displaced(body, factor)
   if factor == 0 then return body.x, body.y end
   local x, y = {}, {}
@@ -200,9 +201,9 @@ local function displaced(body, factor)
   return x, y
 end
 
--- Returns the distance by which the upper body is drawn lower [mm], so that worn bodies touch:
--- their approach. It is 0 if the user chooses the displacements, if surfaces are unrolled, or if
--- the load is not along y.
+-- Returns the distance [mm] by which the upper body is drawn lower, which is the approach of the bodies: worn
+-- bodies then touch in the picture. Returns 0 if the option `deformed` is given, if surfaces are unrolled, or
+-- if the load is not along y.
 local function lowered(contact, options)
   if options.deformed or options.unrolled or not contact or naming.get(contact, "load_angle") ~= 0 then return 0 end
   return naming.get(contact, "approach") or 0
@@ -214,7 +215,7 @@ local function moved(y, by)
   return result
 end
 
--- Appends the elements that overlap the box as polygons with four corners.
+-- Appends the elements that overlap the box to the field, as polygons with four corners.
 local function add_polygons(field, x, y, values, elements, box)
   local fx, fy, fv, n = field.x, field.y, field.value, #field.x
   for e = 1, #elements, 4 do
@@ -231,8 +232,8 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- Returns the view: the user's box, else three half widths around the contact, or everything if the
--- bodies are smaller.
+-- Returns the box to show: the user's box, or three half widths around the contact. Returns nil to show
+-- everything, also if both bodies are smaller.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -244,8 +245,8 @@ local function stress_view(contact, zoom, bodies)
   end
 end
 
--- Returns the stresses of a contact, of a run in its worn state, or of a table returned by
--- stress(), and the contact if it is known.
+-- Returns the stresses and the contact they belong to, if it is known. The object is a contact, a run (its
+-- worn state is used), or a table returned by stress().
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end
@@ -259,7 +260,8 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
--- Returns the contact in three dimensions of an object, else nil.
+-- Returns the contact of an object in three dimensions: of a run, or the object itself. Returns nil for other
+-- objects.
 local function in_space(object)
   local model = type(object) == "userdata" and naming.get(object, "model")
   if not model or naming.get(model, "geometry") ~= "3-D" then return nil end
@@ -277,10 +279,10 @@ local function largest_of(body, component, box)
   return most
 end
 
-local much = 3 -- limit of the ratio of both bodies' stresses, above which the softer body would be all dark
+local much = 3 -- ratio of the stresses of the bodies above which the colours would show one body as uniform
 
--- Returns label and range of the colours. If one body has much larger stresses, the range is that
--- of the other body, and the label states the maximum.
+-- Returns label and range of the colour scale. If the stresses of one body are much larger, the range is the
+-- range of the other body, and the label states the larger maximum.
 local function scale_of(bodies, names, component, box, label)
   if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
   local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)

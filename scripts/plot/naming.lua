@@ -1,20 +1,20 @@
--- Titles of the objects of a picture: for several objects the settings in which they differ, for one object its main
--- settings, with their ranges over the run.
+-- Titles of the objects in a picture. Several objects are named by the settings in which they differ, a
+-- single object by its main settings and their ranges during the run.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 
 local naming = {}
 
--- Returns a field of an object, or nil if the object has no such field.
+-- Returns a field of an object, or nil if reading it raises an error.
 function naming.get(object, name)
   local ok, value = pcall(function() return object[name] end)
   if ok then return value end
 end
 local get = naming.get
 
--- Type of the fields by which an object can be drawn. naming.part returns nil if the object, such
--- as a table of options, has no such field of this type.
+-- Types of the fields that a drawable object has. naming.part() returns nil if the object has no field of
+-- this name and type.
 local kinds = { pressure = "function", profile = "function", stress = "function", history = "table", mesh = "table" }
 
 function naming.part(object, name)
@@ -27,15 +27,16 @@ end
 
 local usual = { "cylinder", "plate" }
 
--- Returns the names of the two bodies of an object, its model or a contact's stress, the upper body
--- first.
+-- Returns the names of the two bodies of an object, the upper body first. The object is a model, or it has a
+-- model directly or through its contact.
 function naming.bodies(object)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
   return names and { names.upper, names.lower } or usual
 end
 
--- Returns the name of the body with this name, role or kind, or nil.
+-- Returns the name of the body for a word, which may be a name, a role or a kind of body. Returns nil if no
+-- body matches.
 local function called(object, word)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
@@ -51,8 +52,8 @@ function naming.body(where, object, word)
   return name
 end
 
--- Returns the column of the history for a name, such as depth_cylinder for "depth_pin", and the
--- name of its body; no body for other columns.
+-- Returns the history column for a name, such as depth_cylinder for "depth_pin", and the name of its body.
+-- For columns that belong to no body only the name is returned.
 function naming.column(object, name)
   local what, word = name:match("^(%l+)_([%w_]+)$")
   if what ~= "depth" and what ~= "volume" then return name end
@@ -63,8 +64,8 @@ end
 
 -- --- one setting of an object --------------------------------------------------------------------
 
--- Columns: name of the setting, format of numbers or words, symbol for a function or table, axis
--- label. `follows`: the setting depends on other settings.
+-- Settings for titles. Columns: name of the setting, format of numbers or words, symbol for a function or
+-- table, axis label. `follows` is true if the setting depends on other settings.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
@@ -78,10 +79,10 @@ local settings = {
   { "friction", "μ = %g", axis = "μ" }, { "tangential", "%.4g N tangential" },
 }
 
--- Settings that state the progress of a run; only one of them is used in a name.
+-- Settings that state the progress of a run. At most one of them is used in a name.
 local courses = { distance = true, update = true, cycles = true }
 
--- Settings without an entry above get their name and unit as format.
+-- Settings without an entry above are shown with name and unit.
 local worded = {}
 for _, setting in ipairs(settings) do worded[setting[1]] = true end
 for _, setting in ipairs(known.wear) do
@@ -95,14 +96,14 @@ end
 local by_name = {}
 for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
 
--- Returns the axis label of a setting. Names of a study's settings may have a path
--- ("model.radius").
+-- Returns the axis label of a setting. Unknown names, such as the path "model.radius" in a study, are
+-- returned unchanged.
 function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
 
 local words = { alpha = "α", friction = "μ", p_center = "pressure at the centre", p_max = "largest pressure",
   p_peak = "largest pressure of a cycle" }
 
--- Returns a setting or a column as words for a title, such as "α" or "wear depth of the plate".
+-- Returns a setting or a history column in words for a title, such as "α" or "wear depth of the plate".
 function naming.word_of(name)
   local what, body = name:match "^(%l+)_([%w_]+)$"
   if words[name] then return words[name] end
@@ -110,7 +111,7 @@ function naming.word_of(name)
   return (name:gsub("_", " "))
 end
 
--- Returns a setting with its value, such as "α = 0.5".
+-- Returns the text of a setting with its value, such as "α = 0.5".
 function naming.value_of(name, value)
   local setting = by_name[name]
   local form = setting and setting[2]:gsub("%%s", "%%g") or name .. " = %g"
@@ -120,13 +121,13 @@ end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
--- Columns of the history with the values of a setting during the run. A changed setting applies
--- from the next update on.
+-- History columns that contain the values of a setting during the run, by the name of the setting. A changed
+-- setting applies from the next update on.
 local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
   load_low = "load_low", load_reference = "load_reference" }
 
--- Returns the smallest and the largest value of a setting's column from the first update on; nil
--- without such a column.
+-- Returns the smallest and the largest value of a setting in the history, from the first update on. Returns
+-- nil if the history has no column for the setting.
 local function span_of(object, name)
   local history = course[name] and get(object, "history")
   local column = history and get(history, course[name])
@@ -140,13 +141,13 @@ end
 
 local function same(low, high) return high - low <= 1e-9 * math.max(math.abs(low), math.abs(high)) end
 
--- Returns a range as text, "0.5" or "0.5 to 0.9".
+-- Returns a range as text, such as "0.5" or "0.5 to 0.9".
 local function show_span(low, high)
   return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
 end
 
--- Returns the load, from the smallest of a cycle to the largest, and the load at which pressures
--- are reported, if different.
+-- Returns the text of the load, from its smallest to its largest value in a cycle. If pressures are reported
+-- at another load, the text contains this load too.
 local function load_text(object, low, high)
   low = span_of(object, "load_low") or low
   local from, to = span_of(object, "load_reference")
@@ -157,8 +158,8 @@ local function load_text(object, low, high)
   return text
 end
 
--- Under a loading, stroke and load vary. Their ranges are then those of the history, or nil without
--- a column.
+-- Returns the text of the stroke or load of a run with a loading, as the range in the history. Returns nil if
+-- the history has no such column.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
@@ -166,11 +167,12 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
--- Settings that are omitted if they are 0: stroke or tangential of a run driven by the other one,
--- and tolerance without error control.
+-- Settings that are omitted if they are 0. A run is driven by its stroke or by its tangential force, and the
+-- other one is 0; the tolerance is 0 without error control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
--- Returns the text of a setting: its range during the run or, without a column, its present value.
+-- Returns the text of a setting, with its range during the run or, without a history column, with its present
+-- value. Returns nil if the setting is omitted.
 local function setting_text(object, setting)
   local name = setting[1]
   if (name == "stroke" or name == "load") and get(object, "loading") then
@@ -185,12 +187,12 @@ local function setting_text(object, setting)
   if name == "cycle" and type(value) == "number" and value >= 100 then value = math.floor(value + 0.5) end
   local as_word = setting[2]:find("%s", 1, true)
   if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
-  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- a run file may contain any value
+  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- a run file may contain a value of any type
 end
 
 -- --- several objects -----------------------------------------------------------------------------
 
--- Returns the texts of a setting for all objects, or nil if they are equal.
+-- Returns the texts of a setting for all objects, or nil if all texts are equal.
 local function differing(objects, setting)
   local first, differs, all = setting_text(objects[1], setting), false, {}
   for i, object in ipairs(objects) do
@@ -218,8 +220,8 @@ local function with_texts(parts, all)
   return longer
 end
 
--- Returns names made of the settings that differ, and these settings. A setting that follows from
--- others is added only if it distinguishes more objects.
+-- Returns for each object the texts of the settings that differ, and the list of these settings. A setting
+-- that depends on others is included only if it distinguishes more objects.
 local function parts_of(objects)
   local parts, used = {}, {}
   for i in ipairs(objects) do parts[i] = {} end
@@ -237,7 +239,8 @@ end
 
 local most_in_key = 8
 
--- Returns the values of the only setting that differs, for a colour scale, or nil.
+-- Returns label and values for a colour scale, or nil. A scale is used for more than eight objects that
+-- differ in one numeric setting only.
 local function scale_of(objects, used)
   if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
   local values = {}
@@ -248,8 +251,8 @@ local function scale_of(objects, used)
   return { label = used[1].axis, values = values }
 end
 
--- Returns the name of each object: the settings in which the objects differ, or `titles`. For more
--- than eight objects that differ in one number it also returns a colour scale { label=, values= }.
+-- Returns the name of each object: `titles` or the settings in which the objects differ. Also returns a
+-- colour scale { label=, values= } if more than eight objects differ in only one number.
 function naming.names_of(where, objects, titles)
   if titles and #titles ~= #objects then
     check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
@@ -266,7 +269,7 @@ end
 
 -- --- one object ----------------------------------------------------------------------------------
 
--- Returns true if a body has layers with different k, so that no single alpha applies to the run.
+-- Returns true if a body has layers or materials with different k. No single alpha applies to such a run.
 local function is_layered(object)
   local model = get(object, "model")
   for _, role in ipairs{ "upper", "lower" } do
@@ -276,7 +279,7 @@ local function is_layered(object)
   return false
 end
 
--- Returns the main settings of the only object of a picture.
+-- Returns a text with the main settings of the only object in a picture.
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do

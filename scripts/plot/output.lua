@@ -1,4 +1,5 @@
--- Chooses the output and size of a figure: characters, dots or pixels in the terminal, a window or a file.
+-- Chooses the output and the size of a figure: characters, dots or pixels in the terminal, a window, or a
+-- file.
 
 local gnuplot = require "archard.gnuplot"
 local term = require "archard.term"
@@ -25,8 +26,8 @@ end
 
 -- --- the terminal --------------------------------------------------------------------------------
 
--- Returns a size in characters: the width of the terminal, and a height that fits without
--- scrolling, which is larger for panels in rows.
+-- Returns the size of a picture in characters: the width of the terminal and a height that fits without
+-- scrolling. The height is larger if the panels are in several rows.
 local function text_size(figure)
   local columns, lines = term.size()
   local width = math.max(40, math.min(columns, 160))
@@ -35,8 +36,8 @@ local function text_size(figure)
   return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
 end
 
--- Returns the colours of the call or of plot.default: true; false for greys and plain characters;
--- nil if they are not set.
+-- Returns the user's choice of colours, from the call or from plot.default: true for colours, false for greys
+-- and plain characters, nil if there is no choice.
 local function colours_of(given)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
@@ -52,8 +53,8 @@ local function to_text(figure, given, fine)
     ascii = not term.utf8() }
 end
 
--- A picture of pixels has the size of a picture of characters, and letters as large as those of the
--- terminal. Cells of 8 by 16 pixels are assumed if the terminal does not report their size.
+-- Returns a picture in pixels that is as large as a picture of characters and has letters of the same size as
+-- the terminal. If the terminal does not report its size in pixels, cells of 8 by 16 pixels are assumed.
 local function to_pixels(figure, kind)
   local columns, lines = term.size()
   local wide, high = term.pixels()
@@ -64,12 +65,12 @@ local function to_pixels(figure, kind)
     dpi = math.max(50, 100 * cell_y / 18) }
 end
 
--- Returns false in xterm, whose usual fonts have no glyphs for Braille dots; other terminals use
--- fallback fonts.
+-- Returns true if the terminal can show Braille dots. The usual fonts of xterm have no such glyphs; other
+-- terminals use fallback fonts.
 local function shows_dots() return term.utf8() and not os.getenv "XTERM_VERSION" end
 
--- Returns the best output of the terminal: pixels if supported, else dots with colours and UTF-8,
--- else characters.
+-- Returns the best output of the terminal: pixels if they are supported, else coloured dots in a UTF-8
+-- terminal, else characters.
 local function best(figure, given, moving)
   local colour = colours_of(given)
   if colour == nil then colour = term.colour() end
@@ -91,8 +92,8 @@ local function to_window(where, name)
   return { medium = "window", terminal = name ~= "window" and name or nil }
 end
 
--- Returns the output on the screen. `moving`: the picture will be redrawn soon, for which pixels
--- are too slow.
+-- Returns the output on the screen. If `moving` is true, the picture is part of an animation, for which
+-- pixels are too slow.
 local function to_screen(where, figure, given, kind, moving)
   if windows[kind] then return to_window(where, kind) end
   if kind == "sixel" or kind == "kitty" then return to_pixels(figure, kind) end
@@ -120,8 +121,8 @@ end
 
 -- --- choice of the output ------------------------------------------------------------------------
 
--- Returns true if the picture has only greys, by the call or plot.default, for files also by the
--- style.
+-- Returns true if the picture has greys only. The call or plot.default decides; for files without such a
+-- choice, the style.
 local function is_grey(given)
   local colour = colours_of(given)
   if colour == nil and given.file then colour = style.colour() end
@@ -161,7 +162,7 @@ function output.choose(where, figure, given, moving)
   return to
 end
 
--- Surfaces that a curve may be restricted to: characters cannot show overlapping areas.
+-- Kinds of output to which a curve may be restricted. Characters cannot show overlapping areas.
 output.surfaces = { "pixels", "characters" }
 
 function output.surface(to)
@@ -186,7 +187,8 @@ local function base64(bytes)
   return table.concat(out)
 end
 
--- Splits the picture into pieces of 4096 characters, as the kitty protocol requires.
+-- Returns the escape sequences that show a PNG picture in kitty. The protocol allows at most 4096 characters
+-- of data per sequence.
 local function for_kitty(png)
   local text, pieces = base64(png), {}
   for i = 1, #text, 4096 do
@@ -197,7 +199,7 @@ local function for_kitty(png)
   return table.concat(pieces) .. "\n"
 end
 
--- Returns the bytes to write to the terminal for a picture.
+-- Returns the bytes that show a picture in the terminal.
 function output.written(picture, to)
   if to.shown_by == "kitty" then return for_kitty(picture) end
   return picture:sub(-1) == "\n" and picture or picture .. "\n"

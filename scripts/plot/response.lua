@@ -1,4 +1,5 @@
--- plot.response: a result of a study's cases over a varied setting, as curves for a second setting or as a map of both.
+-- plot.response: draws a result of a study over a varied setting, with one curve for each value of a second
+-- setting, or as a map over both.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
@@ -35,7 +36,7 @@ local function matches(study, case, given)
   return true
 end
 
--- Refuses names in `where` that no case has.
+-- Raises an error if options.where contains a setting that no case has.
 local function check_where(study, given)
   for name in pairs(given) do
     local known = false
@@ -47,7 +48,8 @@ local function check_where(study, given)
   end
 end
 
--- Returns the finished cases that match options.where, each as { case=, x=, by=, y= }.
+-- Returns the finished cases that match options.where, each as { case=, x=, by=, y= } with the numbers to
+-- draw.
 local function points_of(study, options)
   local points = {}
   for _, case in ipairs(study:cases()) do
@@ -66,7 +68,7 @@ local function points_of(study, options)
   return points
 end
 
--- Refuses two cases at the same position in the picture, which differ in another setting.
+-- Raises an error if two cases have the same position in the picture but differ in another setting.
 local function refuse_hidden(study, points)
   local seen = {}
   for _, point in ipairs(points) do
@@ -84,8 +86,8 @@ local function refuse_hidden(study, points)
   end
 end
 
--- Returns the distinct values of a field (numbers sorted, other values in order of appearance), and
--- true if all are numbers.
+-- Returns the distinct values of a field of the points, and true if all are numbers. Numbers are sorted,
+-- other values are in order of appearance.
 local function values_of(points, field)
   local values, seen, numbers = {}, {}, true
   for _, point in ipairs(points) do
@@ -143,7 +145,8 @@ end
 
 -- --- map -----------------------------------------------------------------------------------------
 
--- Draws one square for each case, as strokes of 0.11 and 20 mm have no common scale.
+-- Draws a map with one square of equal size for each case. The values of the settings are tick labels:
+-- strokes of 0.11 and 20 mm, for example, do not fit one scale.
 local function as_map(points, options, _, factor)
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
@@ -163,8 +166,8 @@ end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
--- Returns the name of a quantity in the title ("wear depth"), the label of its axis ("wear depth /
--- µm"), the factor to that unit, and the text " of the cylinder" or " of the plate".
+-- Returns four values: the name of a quantity for the title ("wear depth"), its axis label ("wear depth /
+-- µm"), the factor to the unit of the label, and " of the cylinder", " of the plate" or "".
 local function labels_of(name)
   local label, factor = curves.quantity_of(name)
   if not label then return name, name, 1 end

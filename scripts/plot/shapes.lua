@@ -9,7 +9,8 @@ function shapes.scaled(list, factor)
   return result
 end
 
--- Returns a filled curve along `low` and back along `high`.
+-- Returns the filled area between two curves over x: a closed curve along `low` and back along `high`. Values
+-- are multiplied by `factor`.
 function shapes.area(x, low, high, factor)
   local xs, ys = table.move(x, 1, #x, 1, {}), {}
   for i = 1, #x do ys[i] = low[i] * factor end

@@ -1,4 +1,4 @@
--- plot.shear, plot.slip: shear tractions and slip of a contact with friction.
+-- plot.shear and plot.slip: draw the shear tractions and the slip of a contact with friction.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -17,8 +17,8 @@ local function bounds_of(pressure, friction)
   return upper, lower, most
 end
 
--- Fills each stick zone from `bottom` to `top` on one kind of surface (pixels or characters); the
--- first zone has the title.
+-- Adds a filled rectangle from `bottom` to `top` for each stick zone, drawn only on `surface` ("pixels" or
+-- "characters"). The first rectangle has the title.
 local function add_zones(given, contact, bottom, top, surface)
   for i, zone in ipairs(contact.stick) do
     given[#given + 1] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
@@ -39,8 +39,8 @@ local function refuse_axis(where, options)
   if options.axis then check.fail(where, "field 'axis': not allowed in two dimensions, where all tractions are along x") end
 end
 
--- In three dimensions: draws the map of a contact's shear or slip, either the magnitude or the
--- component along an axis.
+-- Draws a map of the shear or slip of a contact in three dimensions: the component along options.axis or,
+-- without an axis, the magnitude.
 local function draw_map(where, contact, method, options)
   options = draw.options(where, options, { axis = axes })
   local axis = options.axis
@@ -63,7 +63,7 @@ function shear.shear(contact, options)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
   local given = {}
   add_zones(given, contact, -1.05 * most, 1.05 * most, "pixels")
-  -- The bar is narrow, as characters cannot show overlapping areas.
+  -- The bar of the stick zone is narrow, because characters cannot show overlapping areas.
   add_zones(given, contact, -1.05 * most, -0.95 * most, "characters")
   given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
   given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
@@ -75,7 +75,7 @@ function shear.shear(contact, options)
   draw.draw(where, draw.over(given, options))
 end
 
--- Returns the slip within the contact [µm].
+-- Returns x [mm] and the slip [µm] at the points between the contact edges.
 local function slip_within(contact)
   local slip, edges = contact:slip(), contact.edges
   local x, s = {}, {}

@@ -1,4 +1,4 @@
--- plot.style: the size of figures, letters and lines for print, slides or the screen.
+-- plot.style: sets the size of figures, letters and lines for print, slides or the screen.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
@@ -7,8 +7,9 @@ local strict = require "archard.strict"
 
 local style = {}
 
--- Widths are in mm, letters in points, lines relative to those of the screen. `shape` is the height
--- of a figure with one panel divided by its width. The size of the screen is in pixels.
+-- Presets of the styles. Widths are in mm, letters in points, line widths relative to the screen style.
+-- `shape` is the height of a figure with one panel divided by its width. The screen style has no width in mm:
+-- its figures are sized in pixels.
 local presets = {
   screen = { name = "screen" },
   paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
@@ -38,7 +39,7 @@ local fields = {
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
-local as_column = { single = "column", double = "page" } -- names used by journals
+local as_column = { single = "column", double = "page" } -- names of the widths in instructions of journals
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 
@@ -51,8 +52,8 @@ local function refuse_on_screen(given)
   end
 end
 
--- plot.style "paper", plot.style{ "paper", width="page", ... }: sets the style of all later files; returns the current
--- style.
+-- plot.style "paper", plot.style{ "paper", width="page", ... }: sets the style of all following files.
+-- Returns the current style.
 function style.choose(given)
   if given == nil then return shown(current) end
   if type(given) == "string" then given = { given } end
@@ -75,7 +76,7 @@ end
 
 -- --- the size of a figure ------------------------------------------------------------------------
 
--- Returns the width [mm]. Figures with several columns of panels have the width of the page.
+-- Returns the width [mm] of a figure. Figures with several columns of panels are as wide as the page.
 local function width_of(columns)
   local width = current.width or (columns > 1 and "page" or "column")
   return current[width] or width
@@ -83,8 +84,8 @@ end
 
 local highest_panel, highest = 60, 240 -- [mm] largest height of a panel; height of a journal page
 
--- Returns the height [mm]: with one panel from the style's shape; panels in a grid are slightly
--- lower than wide.
+-- Returns the height [mm] of a figure. With one panel it follows from the style's shape; panels in a grid are
+-- slightly lower than wide.
 local function height_of(width, rows, columns, size)
   if current.height then return current.height end
   if size then return width * size[2] / size[1] end
@@ -92,20 +93,20 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Returns rows and columns of the panels in a file. Two stacked panels, which would be flat, are
--- drawn side by side; three too if the style has pages.
+-- Returns the numbers of rows and columns of panels in a file. Two stacked panels would be flat and are drawn
+-- side by side; three are too if the style has a page width.
 function style.grid(rows, columns)
   local most = current.page and 3 or 2
   if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end
   return rows, columns
 end
 
--- Units per inch of vector formats: 96 as in a browser, and 1000 where a small rounding error
--- matters.
+-- Units per inch in vector formats: 96 in svg as in browsers, 1000 in pdf and eps to make rounding errors
+-- small.
 local units = { svg = 96, pdf = 1000, eps = 1000 }
 
--- Sets size, resolution, letters and lines of an output to a file. `size`: the caller's size [pixels], scaled to the
--- width of the style.
+-- Sets size, resolution, letters and lines of an output to a file. `size`: the caller's size [pixels], which
+-- is scaled to the width of the style.
 function style.apply(output, rows, columns, size, ending)
   output.points, output.lines, output.family = current.points, current.lines, current.font
   if not current.column then return end
@@ -117,9 +118,9 @@ function style.apply(output, rows, columns, size, ending)
   output.height = math.floor(height / 25.4 * dpi + 0.5)
 end
 
--- Returns true if the style sets the size of pictures [mm].
+-- Returns true if the style sets the size of pictures in mm.
 function style.in_mm() return current.column ~= nil end
--- Returns false if the style omits titles that the call does not give.
+-- Returns false if the style omits default titles. A title that the call gives is always drawn.
 function style.titled() return current.title ~= false end
 
 -- Returns the colours of the style: true, false or "grey"; nil if the style does not set them.

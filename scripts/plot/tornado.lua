@@ -1,5 +1,5 @@
--- plot.tornado: bars for the influence of each input on a result, sorted by length: Sobol's indices or rank
--- correlations of a sampled study, or elasticities of a sensitivity.
+-- plot.tornado: draws a bar for the influence of each input on a result, sorted by length. The influence is
+-- Sobol's index or a rank correlation of a sampled study, or the elasticity of a sensitivity.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -9,8 +9,8 @@ local where = "plot.tornado"
 
 -- --- values of the bars --------------------------------------------------------------------------
 
--- Each function returns the label of the axis and a list of bars { name=, value=, whole= }.
--- `whole`, if it is given, is the length of a longer bar behind the bar.
+-- Each function of_...() returns the axis label and a list of bars { name=, value=, whole= }. The optional
+-- `whole` is the length of a second bar of the same input.
 local function of_sensitivity(object, of, at)
   local bars = {}
   for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
@@ -41,8 +41,8 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Adds filled bars at the heights 1, 2, ..., the longest on top. Each bar extends from `below` to
--- `above` relative to its height. The first bar has the title.
+-- Adds filled bars at the heights 1, 2, ... in the order of `bars`. Each bar extends from `below` to `above`
+-- relative to its height. Only the first bar has the title.
 local function add_bars(curves, bars, field, below, above, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
@@ -51,8 +51,8 @@ local function add_bars(curves, bars, field, below, above, series, title)
   end
 end
 
--- Returns the curves of all bars. Two bars of one input are drawn side by side, as overlapping bars
--- would show a third colour.
+-- Returns the curves of all bars. The two bars of an input are drawn one above the other, because overlapping
+-- bars would show a third colour.
 local function curves_of(bars)
   local curves = {}
   if bars[1].whole then
@@ -70,7 +70,7 @@ local function places_of(bars)
   return { at = at, words = words }
 end
 
--- Returns the index of the distance nearest to `at`, or the last index without `at`.
+-- Returns the index of the distance nearest to `at` [mm]; without `at`, the last index.
 local function index_of(distance, at)
   local best = #distance
   for i, d in ipairs(at and distance or {}) do

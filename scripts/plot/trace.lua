@@ -1,4 +1,4 @@
--- plot.profile for measured traces: heights or depths over x, one curve for each trace.
+-- plot.profile for measured traces: draws heights or depths over x, with one curve for each trace.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -18,7 +18,7 @@ local function split(where, ...)
   return traces, draw.options(where, options, { titles = check.table })
 end
 
--- trace(where, p1, p2, ..., { titles=, ... })
+-- Called as trace(where, p1, p2, ..., { titles=, ... }); draws the profiles.
 return function(where, ...)
   local traces, options = split(where, ...)
   local heights, given = traces[1].z ~= nil, {}

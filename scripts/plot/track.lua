@@ -1,5 +1,5 @@
--- plot.track: paths of points of a joint's head over its cup in a cycle, in an azimuthal equal-area projection about
--- the nominal load.
+-- plot.track: draws the paths of points of a joint's head over its cup during a cycle. The projection is
+-- azimuthal equal-area, centred on the nominal load.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -7,15 +7,15 @@ local flat = require "archard.joint.flat"
 local given_gait = require "archard.joint.given_gait"
 local joint_file = require "archard.joint.file"
 
--- Points of the head: the pole, and six at 30 degrees from it.
+-- Returns unit vectors to points of the head: the pole and six points at 30 degrees from it.
 local function points()
   local list, s, c = { { 0, 0, 1 } }, math.sin(math.rad(30)), math.cos(math.rad(30))
   for i = 0, 5 do list[i + 2] = { s * math.cos(math.rad(60 * i)), s * math.sin(math.rad(60 * i)), c } end
   return list
 end
 
--- Returns the position of point `m` of the head at instant i. Each instant has 15 numbers, of which
--- the first nine are the rotation.
+-- Returns the position of point `m` of the head at instant `i`, as a unit vector. Each instant has 15
+-- numbers; the first nine are the rotation matrix.
 local function turned(instants, i, m)
   local n = {}
   for k = 1, 3 do
@@ -25,8 +25,8 @@ local function turned(instants, i, m)
   return n
 end
 
--- plot.track(g, { radius=14, ... }); for a run it draws the present gait with the radius of the
--- run's head.
+-- plot.track(g, { radius=14, ... }) draws the gait g. For a run it draws the present gait, with the head
+-- radius of the run [mm].
 return function(g, options)
   local where = "plot.track"
   local run = joint_file.is_joint(g) and g

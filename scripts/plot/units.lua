@@ -1,12 +1,12 @@
--- Converts lengths along the axes of a picture to a suitable unit: distances to m or km, depths to nm. The original
--- figure is not changed, so that points can be added to it in its own units.
+-- Converts lengths on the axes of a picture to a suitable unit, for example distances to m or km and depths
+-- to nm. The figure is copied, because points may be added to the original in its own units.
 
 local merged = require "archard.lib.merged"
 
 local units = {}
 
--- Axis labels whose unit may be changed, with the units, the number of each per mm, and the length
--- [mm] up to which each is used.
+-- `lengths`: axis labels whose unit may be changed. `known`: the units, each with its number per mm and the
+-- length [mm] up to which it is used.
 local lengths = { distance = true, ["wear depth"] = true, ["sum of wear depths"] = true, slip = true }
 local known = { { "nm", 1e6, 1e-4 }, { "µm", 1e3, 1 }, { "mm", 1, 1e4 }, { "m", 1e-3, 1e7 }, { "km", 1e-6, math.huge } }
 
@@ -16,13 +16,14 @@ local function in_mm(unit)
   end
 end
 
--- Returns the label of an axis and the length of its unit [mm]; nil for axes without a length.
+-- Returns the quantity on an axis and the length of its unit [mm]. Returns nil if the unit of the axis may
+-- not be changed.
 local function length_of(axis)
   local what, unit = (axis.label or ""):match "^(.-) / (%S+)$"
   if lengths[what] and in_mm(unit) then return what, in_mm(unit) end
 end
 
--- Returns the largest absolute value that an axis shows.
+-- Returns the largest absolute value on an axis of a panel, in the unit of the axis.
 local function reach_of(panel, name)
   local most, axis = 0, panel[name]
   for _, curve in ipairs(panel.curves) do
@@ -34,7 +35,7 @@ local function reach_of(panel, name)
   return most
 end
 
--- Returns the largest length [mm] shown by all axes with the same label, which have the same unit.
+-- Returns the largest length [mm] on the axes of each quantity. Axes of the same quantity get the same unit.
 local function reaches_of(figure, name)
   local reaches = {}
   for _, panel in ipairs(figure.panels) do
@@ -56,7 +57,7 @@ local function scaled(list, factor)
   return result
 end
 
--- Returns the panel with one of its axes in another unit.
+-- Returns a copy of the panel with one axis in another unit.
 local function in_unit(panel, name, label, factor)
   local axis, curves = merged(panel[name]), {}
   axis.label = label
@@ -68,7 +69,7 @@ local function in_unit(panel, name, label, factor)
   return merged(panel, { [name] = axis, curves = curves })
 end
 
--- Returns the figure with lengths along its axis `name` ("x" or "y") in a suitable unit.
+-- Returns a copy of the figure with the lengths along its axis `name` ("x" or "y") in a suitable unit.
 function units.shown(figure, name)
   local reaches, result = reaches_of(figure, name), merged(figure)
   result.panels = {}
