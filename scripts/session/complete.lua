@@ -1,6 +1,6 @@
--- Completions of the text before the cursor: globals, fields, methods, the named fields inside a constructor call, the
--- values of such a field, file names. It reads raw tables and metatables only and runs no code of the user.
--- archard.help supplies names that no table contains.
+-- Returns completions of the text before the cursor: globals, fields, methods, the named fields in a
+-- constructor call, the values of such a field, or file names. The module only reads raw tables and
+-- metatables, and runs no code of the user. archard.help supplies the names that are in no table.
 
 local debug, next, pcall, rawget, type = debug, next, pcall, rawget, type
 local table = table
@@ -29,8 +29,8 @@ local function close_of_string(text, at, quote)
   end
 end
 
--- Returns the kind of the token at `at` and its last position, which is nil if the text ends within
--- the token.
+-- Returns the kind and the last position of the token at position `at`. The last position is nil if the text
+-- ends within the token.
 local function token_at(text, at)
   local equals = match(text, "^%-%-%[(=*)%[", at)
   if equals then return "comment", select(2, find(text, "]" .. equals .. "]", at, true)) end
@@ -46,7 +46,8 @@ local function token_at(text, at)
   return "other", at
 end
 
--- Returns all tokens of the text, and the unfinished token at its end: { kind=, text= }.
+-- Returns all complete tokens of the text, each { kind=, text=, last= }, and the unfinished token at the end
+-- of the text, { kind=, text=, at= }, or nil.
 local function tokenise(text)
   local tokens, at = {}, 1
   while true do
@@ -63,8 +64,8 @@ end
 
 -- --- position of the cursor ---------------------------------------------------------------------
 
--- Returns the chain a.b["c"]:d that ends at token `i` as a list of names; nil if it is something
--- else, such as the result of a call.
+-- Returns the chain a.b["c"]:d that ends at token `i` as a list of names. Returns nil for other expressions,
+-- such as the result of a call.
 local function chain_before(tokens, i)
   local names = {}
   while true do
@@ -86,8 +87,8 @@ local function chain_before(tokens, i)
   end
 end
 
--- Returns the frame that "{" opens: `call` is the chain that is called with the table, `path` the
--- list of fields around it.
+-- Returns the frame opened by "{". `call` is the chain of the function that is called with the table, `path`
+-- the names of the fields that contain the inner table.
 local function brace_frame(tokens, i, parent)
   local before = tokens[i - 1]
   local frame = { open = "{", used = {} }
@@ -106,7 +107,7 @@ local function brace_frame(tokens, i, parent)
   return frame
 end
 
--- Returns the innermost bracket that is open at the end of the tokens, or nil.
+-- Returns the innermost frame (bracket) that is still open after the last token, or nil.
 local function open_frame(tokens)
   local frames = {}
   for i = 1, #tokens do
@@ -135,8 +136,8 @@ local function class_of(value)
   return help.entry(name) and name
 end
 
--- Returns the table in which a missing key of `value` is looked up, if it can be read without a
--- call.
+-- Returns the table in which Lua looks up a missing key of `value`. Returns nil if the lookup would call a
+-- function.
 local function fallback_of(value)
   if type(value) == "string" then return rawget(globals, "string") end
   local metatable = debug.getmetatable(value)
@@ -158,8 +159,8 @@ local function raw_member(value, key)
   end
 end
 
--- Returns the value of a chain and the address of its help entry; either may be nil. For computed
--- fields the help entries name the class.
+-- Returns the value of a chain and the address of its help entry; each may be nil. Help entries give the
+-- class of fields that are computed on access.
 local function resolve(chain)
   local value = rawget(globals, chain[1])
   local address = value == nil and nil or class_of(value) or help.address_of(value)
@@ -234,7 +235,7 @@ local function global_words(prefix)
   if prefix ~= "" then
     for _, word in next, spelling.keywords do set[word] = true end
   end
-  -- Names that begin with "_" only after a typed "_".
+  -- Names that begin with "_" are offered only after a typed "_".
   local words = {}
   for _, word in next, sorted(set, prefix) do
     if prefix ~= "" or sub(word, 1, 1) ~= "_" then words[#words + 1] = word end
@@ -247,7 +248,7 @@ local function member_words(tokens, prefix)
   local chain = chain_before(tokens, #tokens - 1)
   if not chain then return {} end
   local value, address = resolve(chain)
-  -- Names that exist only as arguments of user functions, such as state.
+  -- Some names exist only as arguments of user functions, such as `state`.
   if value == nil and not address then address = table.concat(chain, ".") end
   local set = {}
   add_members(set, value, separator == ":")
@@ -272,7 +273,7 @@ local function module_words(prefix)
   return sorted(set, prefix)
 end
 
--- Inside a string, offers the values of a field or of a method's argument, module names, or files.
+-- Completes a text inside a string: with values of a field or of a method's argument, module names, or files.
 local function string_words(tokens, frame, prefix)
   local before = tokens[#tokens]
   if before and before.text == "=" and frame and frame.call then
@@ -289,7 +290,8 @@ local function string_words(tokens, frame, prefix)
   return entry and entry.values or "files"
 end
 
--- words(text) -> list of words, or "files"; and the text to append to a word that is the only one.
+-- complete.words(text) returns the list of completions, or "files" for file names. The second result is the
+-- text to append if there is only one completion.
 function complete.words(text)
   local tokens, open = tokenise(text)
   if open and open.kind == "comment" then return {}, "" end

@@ -1,4 +1,4 @@
--- examples(): shows and runs the programs of the course.
+-- examples(): shows and runs the example programs of the course.
 
 local check = require "archard.lib.check"
 local examples_folder = require "archard.lib.examples_folder"
@@ -7,10 +7,10 @@ local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
--- examples.names(): names of the files in the order of the course, such as "01_contact".
+-- examples.names() returns the names of the files in the order of the course, such as "01_contact".
 examples.names = examples_folder.names
 
--- Returns the path of an example, which is selected by its number, its name, or both.
+-- Returns the path of an example. `wanted` is its number, its name, or number and name such as "01_contact".
 local function path_of(where, wanted)
   local plain = {}
   for i, name in ipairs(examples.names()) do
@@ -23,14 +23,14 @@ local function path_of(where, wanted)
   check.fail(where, ("no example %s%s"):format(check.shown(wanted), check.hint(tostring(wanted), plain)))
 end
 
--- Returns the list of all examples, with one or more lines for each.
+-- Returns a text that lists all examples with their descriptions.
 local function overview()
   local show = require "archard.help.show"
   return show.listing("Examples", examples_folder.entries())
     .. '\n\nexamples "wear" or examples(2) shows one, examples.run "wear" runs it'
 end
 
--- examples.run(name, ...): runs the example with these arguments; its globals are kept.
+-- examples.run(name, ...) runs the example with these arguments. The globals that it creates remain.
 function examples.run(name, ...)
   local path = path_of("examples.run", name)
   local before = rawget(_G, "arg")

@@ -1,7 +1,8 @@
--- session.save and session.open: all values made in the session, by name, in one run file: complete
--- states of runs, models, studies, and plain values. session/own.lua determines which values belong
--- to the session. Every value is a case of the file. The settings of the case contain its kind, its
--- path (key.1, key.2, ... for a value such as runs[1].first) and the data to create it again.
+-- session.save and session.open: write all values of the session to one run file, and read them again. The
+-- values are complete states of runs, models, studies, and plain values. session/own.lua determines which
+-- values belong to the session. Every value is a case of the file. The settings of the case contain the kind
+-- of the value, its path (key.1, key.2, ... for a value such as runs[1].first) and the data to create the
+-- value again.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -16,21 +17,21 @@ local text_file = require "archard.lib.text_file"
 
 local session = {}
 
--- The file that this session was saved to or opened from last.
+-- Path of the file that this session was last saved to or opened from.
 local last
 
 -- --- from values to cases and back: writers[class](value, given, run) fills `given` --------------
 
 local writers, readers = {}, {}
 
--- The case exists in the file: the run is stored under its number.
+-- Saves a run under the number `id` of its case, which the file already contains.
 function writers.wear(value, _, file, id) joint_file.save(file, id, value) end
 
 function readers.wear(_, file, id, functions) return joint_file.wear(file, id, functions) end
 
 writers.joint_wear, readers.joint_wear = writers.wear, readers.wear
 
--- Returns the error, with a remedy if functions of a run are missing.
+-- Returns the error message. If a function of a run is missing, the message says how to give it.
 local function cure(message, name)
   if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
@@ -43,7 +44,7 @@ end
 
 writers.model, writers.joint, writers.gait = write_fields, write_fields, write_fields
 
--- The model of a run is stored with the run: from its settings a different model may result.
+-- The model of a run is read with the run. Its settings alone could result in a different model.
 function readers.model(given, _, _, _, values)
   if given.of then return values[math.tointeger(given.of)].model end
   return model(settings.nest(given).is)
@@ -59,7 +60,7 @@ function readers.joint(given) return joint(settings.nest(given).is) end
 
 function readers.gait(given) return require "archard.joint.given_gait".of(settings.nest(given).is) end
 
--- A study that has run is in its own file. For other studies the cases are stored.
+-- The cases of a study that has run are in the study's own file. For other studies the cases are stored here.
 function writers.study(value, given)
   given.file, given.name, given.looks, given.task = value.file, value.name, value.snapshots, value.task
   local carried = settings.carrier("session.save")
@@ -84,7 +85,7 @@ for _, class in ipairs{ "string", "boolean" } do
   writers[class], readers[class] = write_plain, read_plain
 end
 
--- Files contain doubles; integers with more digits are stored as text.
+-- Run files contain doubles. Integers that a double cannot represent exactly are stored as text.
 function writers.number(value, given)
   given.is, given.whole = value, math.type(value) == "integer"
   if given.whole and math.tointeger(value + 0.0) ~= value then given.is = tostring(value) end
@@ -105,7 +106,7 @@ function readers.list(given)
   return list
 end
 
--- For a table, a result and a contact only the path is stored; their parts are separate cases.
+-- For a table, a result and a contact only the path is stored. Their parts are separate cases.
 local function writer_of(class) return writers[class] or (kept.is_class(class) and writers.table) end
 local function reader_of(class) return readers[class] or (kept.is_class(class) and readers.table) end
 
@@ -115,10 +116,11 @@ function readers.table() return {} end
 
 -- --- paths ---------------------------------------------------------------------------------------
 
--- Returns the printable names of globals.
+-- Returns true if a key is a name that can be printed.
 local function is_global(key) return type(key) == "string" and not key:find "%c" and check.plain(key) == key end
 
--- Returns true for keys that a file can contain, which are texts and whole numbers.
+-- Writes the keys of a path into `given`. Returns false if a key is neither a text nor a whole number,
+-- because a file cannot contain such keys.
 local function write_path(given, path)
   if not is_global(path[1]) then return false end
   for i, key in ipairs(path) do
@@ -145,7 +147,7 @@ end
 
 -- --- saving --------------------------------------------------------------------------------------
 
--- Stores for a model the number of the first run with this model.
+-- Stores with each model the number of the first case that is a run with this model.
 local function note_owners(cases)
   for _, each in ipairs(cases) do
     for id, other in ipairs(each.class == "model" and cases or {}) do
@@ -155,16 +157,17 @@ local function note_owners(cases)
   end
 end
 
--- Returns "closed", "function", or the reason why a contact cannot be created again.
+-- Returns the class of a value. For a value that cannot be saved it returns the reason: "closed", or why a
+-- contact cannot be created again.
 local function reason(value, class)
   if (type(value) == "userdata" or class == "joint_wear") and tostring(value):find "%(closed%)$" then return "closed" end
   local kind, parts, why = kept.parts(value, class)
   return kind and not parts and ("%s %s"):format(class, why) or class
 end
 
--- Returns the cases to write in order. A table comes before its values, and an object with several
--- names is written once and then referred to by the number of its case. Also returns a list of
--- values that cannot be saved, without functions that are parts of results.
+-- Returns the cases to write, in order: a table precedes its values, and an object with several names is
+-- written once and then referred to by the number of its case. Also returns a list of the values that cannot
+-- be saved; functions that are parts of results are not in it.
 local function gather()
   local cases, left, number = {}, {}, {}
   own.visit(function(path, value, class, owner)
@@ -185,7 +188,8 @@ local function gather()
   return cases, left
 end
 
--- Runs a function of the store; its errors are reported as errors of the user's call about the global `name`.
+-- Calls a function of the store. Its errors are reported as errors of the user's call `where` and of the
+-- global `name`.
 local function as(where, name, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
@@ -212,7 +216,7 @@ local words = { wear = "run", joint_wear = "run", model = "model", joint = "mode
   result = "result" }
 local order = { "run", "model", "study", "contact", "result" }
 
--- Returns a text such as "2 runs, 1 model, 3 other values"; parts of results are not counted.
+-- Returns a text such as "2 runs, 1 model, 3 other values". Parts of results are not counted.
 local function summary(cases)
   local count, others, parts = {}, 0, {}
   for _, each in ipairs(cases) do
@@ -251,8 +255,8 @@ local function check_path(where, path)
   check.fail(where, "expected the name of a file, got " .. check.shown(path))
 end
 
--- save(path) -> a text that lists the saved values. A session saved at this path is replaced, other files are refused;
--- the file is written completely or not at all.
+-- session.save(path) saves the session and returns a text that lists the saved values. An earlier session in
+-- this file is replaced; other files are refused. After an error the old file is unchanged.
 function session.save(path)
   if path == nil then path = last end
   check_path("session.save", path)
@@ -281,7 +285,8 @@ local function check_kind(file, path)
   end
 end
 
--- Returns the functions of runs, by the names of the runs: { w = { k = f } }.
+-- Returns the user's functions for the run `name` from a table of functions by run, such as { w = { k = f }
+-- }.
 local function functions_of(given, name)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -290,7 +295,8 @@ local function functions_of(given, name)
   return given[name]
 end
 
--- Returns the description of a case of a file, without its value.
+-- Returns the description of a case of a file: number, settings, path, name and class. The value itself is
+-- not created.
 local function described(file, id)
   local given = file:values(id, "settings")
   local path = read_path(given)
@@ -298,7 +304,8 @@ local function described(file, id)
   return { id = id, given = given, path = path, name = name, class = given.kind }
 end
 
--- Creates the model of a run after the run.
+-- Returns the descriptions of all cases in the order of creation: values that refer to another case, such as
+-- the model of a run, are last.
 local function in_order(file)
   local first, later = {}, {}
   for _, case in ipairs(file:cases()) do
@@ -309,7 +316,8 @@ local function in_order(file)
   return table.move(later, 1, #later, #first + 1, first)
 end
 
--- Returns true if the parts of a value have the types of its class.
+-- Functions by kind of value. Each returns true if the settings of a case have the types that this kind
+-- needs.
 local sound = {
   string = function(given) return type(given.is) == "string" end,
   boolean = function(given) return type(given.is) == "boolean" end,
@@ -326,7 +334,8 @@ local function is_sound(given)
     and (not sound[given.kind] or sound[given.kind](given))
 end
 
--- The file is untrusted: a value must have a free name, in a table that the file has created before, and a known class.
+-- Raises ARC_FORMAT if a case is not a valid value of a session. The file is untrusted: a value must have a
+-- known class and a free name, and be in a table that the file has created before.
 local function check_place(file, each, values, tables)
   local given, path = each.given, each.path
   local inside = table.move(path, 1, #path - 1, 1, {})
@@ -338,9 +347,9 @@ local function check_place(file, each, values, tables)
     each.id, each.name), "FORMAT")
 end
 
--- Creates all values of a file, without changing the session.
+-- Creates all values of a file; the globals of the session are not changed yet.
 local function read(file, functions)
-  local values, cases, missing, tables, owners = {}, {}, {}, {}, {} -- tables, owners: by path
+  local values, cases, missing, tables, owners = {}, {}, {}, {}, {} -- tables and owners are indexed by path
   for _, each in ipairs(in_order(file)) do
     local given = each.given
     check_place(file, each, values, tables)
@@ -362,8 +371,8 @@ local function read(file, functions)
   return cases, missing
 end
 
--- Creates the globals from the cases of a file: fills tables, and creates results and contacts from their parts, the
--- inner ones first.
+-- Returns the globals made from the cases of a file. It fills the tables and creates results and contacts
+-- from their parts, the innermost first.
 local function assemble(cases)
   local globals, made = {}, {}
   for _, each in ipairs(cases) do put(globals, each.path, each.value) end
@@ -381,7 +390,7 @@ local function assemble(cases)
   return globals
 end
 
--- Refuses to overwrite unsaved values.
+-- Raises an error if a global with unsaved values would be overwritten.
 local function refuse_loss(cases)
   local new = {}
   for _, each in ipairs(cases) do new[each.path[1]] = true end
@@ -394,8 +403,9 @@ local function refuse_loss(cases)
   end
 end
 
--- open(path [, functions]) -> a text that lists the opened values: all of them as globals, or none after an error.
--- Functions of the runs are not stored: session.open(path, { w = { k = f } }) sets them again.
+-- session.open(path [, functions]) creates all values of a file as globals and returns a text that lists
+-- them. After an error no global is created. The file contains no functions of runs: session.open(path, { w =
+-- { k = f } }) sets them again.
 function session.open(path, functions)
   check_path("session.open", path)
   local cases, missing = as("session.open", nil, function()
@@ -414,7 +424,8 @@ end
 
 -- --- leaving -------------------------------------------------------------------------------------
 
--- Returns true if the name is free or belongs to this session.
+-- Returns the suggested file name: the last file of this session, or else the first name session.archard,
+-- session-2.archard, ... that does not exist yet.
 function session.suggested()
   if last then return last end
   for i = 1, math.huge do

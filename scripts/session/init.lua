@@ -1,4 +1,4 @@
--- The global table `session`; session/file.lua has the functions.
+-- The global table `session`. Its functions are in session/file.lua.
 
 local lazy = require "archard.lib.lazy"
 

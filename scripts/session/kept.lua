@@ -1,5 +1,5 @@
--- Objects that a session saves by their parts: results are tables of plain values and of other saved objects; a contact
--- is created again by its original calls.
+-- Objects that a session saves by their parts. Results are tables of plain values and of other saved objects.
+-- A contact is saved as the calls that created it.
 
 local check = require "archard.lib.check"
 local quiet = require "archard.lib.quiet"
@@ -11,7 +11,7 @@ local debug, rawget, setmetatable, tostring, type = debug, rawget, setmetatable,
 
 local kept = {}
 
--- The module with the metatable of each class of results.
+-- Names of the modules that define the metatables of the classes of results.
 local modules = { calibration = "archard.study.calibrate", convergence = "archard.study.converge",
   failure = "archard.uncertainty.failure", fitted = "archard.fit.result", form = "archard.profile.form",
   fretting_map = "archard.study.fretting_map", map = "archard.map.made", profile = "archard.profile.made",
@@ -32,7 +32,7 @@ end
 
 -- --- contacts -------------------------------------------------------------------------------------
 
--- Returns the definitions of contact{} and of the moves after it, the first one first.
+-- Returns the definition of a contact{} call and of the moves after it, in the order of the calls.
 local function calls_of(contact)
   local calls, one = {}, record(contact)
   while one do
@@ -62,15 +62,16 @@ local function made_contact(parts)
   return made
 end
 
--- Returns the fields with which a contact of a joint is solved again; it has no earlier steps.
+-- Returns the arguments with which the contact of a joint is solved again. Such a contact has no earlier
+-- moves.
 local function joint_contact_parts(contact)
   return { model = contact.model, given = { load = contact.load, direction = contact.direction } }
 end
 
 -- --- both -----------------------------------------------------------------------------------------
 
--- parts(value) -> class, table of its parts; class, nil, reason for a contact that cannot be created again; nil for
--- other values.
+-- kept.parts(value) returns the class and the table of parts of a result or contact. For a contact that
+-- cannot be created again it returns class, nil and the reason; for other values nil.
 function kept.parts(value, class)
   if class == "joint_contact" then return class, joint_contact_parts(value) end
   if class == "contact" and type(value) == "userdata" and not tostring(value):find "%(closed%)$" then
@@ -82,7 +83,7 @@ end
 
 function kept.is_class(name) return name == "contact" or name == "joint_contact" or modules[name] ~= nil end
 
--- Creates the object of a class from its parts; for tables, the table of parts becomes the object.
+-- Creates an object of a class from its parts. A result is the table of parts itself, with its metatable.
 function kept.made(class, parts)
   if class == "joint_contact" then return quiet(function() return parts.model:contact(parts.given) end) end
   if class ~= "contact" then return made_result(class, parts) end
@@ -98,8 +99,8 @@ local saved = setmetatable({}, { __mode = "k" })
 
 function kept.note_saved(value) saved[value] = true end
 
--- Returns true if a file contains the object: the session's file, or the file of a measured trace
--- or map.
+-- Returns true if a file contains the object. A measured trace or map counts as saved in the file it was read
+-- from.
 function kept.is_saved(value) return saved[value] or (type(value) == "table" and rawget(value, "path") ~= nil) end
 
 return kept

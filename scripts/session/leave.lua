@@ -1,11 +1,12 @@
--- The question on leaving the prompt while runs, results or contacts are in no file. cli/repl.c asks it.
+-- The question that the prompt asks on leaving if runs, results or contacts are unsaved. cli/repl.c calls
+-- this module.
 
 local own = require "archard.session.own"
 local session = require "archard.session.file"
 
 local leave = {}
 
--- Returns the question, or nil if nothing would be lost.
+-- Returns the text of the question, or nil if all values are saved.
 function leave.question()
   local unsaved = own.unsaved()
   if not unsaved[1] then return nil end
@@ -16,7 +17,8 @@ function leave.question()
     table.concat(names, ", "), session.suggested())
 end
 
--- Returns the meaning of an answer: true to leave, false to stay, nil if it is neither.
+-- Returns true if the answer means to leave, false to stay, nil if it means neither. The answer "yes" first
+-- saves the session.
 function leave.answer(line)
   local letter = line:lower():match("^%s*(%a)")
   if letter == "n" then return true end

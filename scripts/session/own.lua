@@ -1,4 +1,4 @@
--- The globals of the session: all except those that existed at its start.
+-- The globals of the session: all globals except the globals that existed at its start.
 
 local debug, math, next, rawequal, rawget, table, tostring, type =
   debug, math, next, rawequal, rawget, table, tostring, type
@@ -14,14 +14,15 @@ local own = {}
 local there = { _ = true, arg = true }
 for name in next, globals do there[name] = true end
 
--- Returns true for globals of the program. Some of them may be created after this file was loaded.
+-- Returns true for the name of a global of the program. Some of these globals are created after this file was
+-- loaded.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
--- Returns true if the name is reserved for a global of the program.
+-- own.is_taken(name) returns true if the name is reserved for a global of the program.
 own.is_taken = is_ours
 
--- Returns the class of an object of archard, such as "wear" or "study", else the type of the value;
--- "program" for parts of the program.
+-- Returns the class of a value: the class of an object of archard, such as "wear" or "study", "program" for
+-- parts of the program, or else the Lua type.
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)
@@ -32,7 +33,7 @@ function own.class(value)
   return rawequal((require "archard")[address], value) and "program" or address
 end
 
--- Returns a list of { name=, value=, class= } in the order of names.
+-- Returns the globals of the session as a list of { name=, value=, class= }, sorted by name.
 function own.list()
   local list = {}
   for name, value in next, globals do
@@ -49,8 +50,8 @@ local function is_plain(value)
   return type(value) == "table" and (metatable == nil or (type(metatable) == "table" and metatable.__plain))
 end
 
--- Returns true for a list of numbers that are exact as doubles. Such a list counts as one value,
--- whatever its length.
+-- Returns true for a list of numbers that are exact as doubles. Such a list is saved as one value, whatever
+-- its length.
 local function is_list(value)
   local count = #value
   for i = 1, count do
@@ -71,10 +72,10 @@ local function sorted_keys(value)
   return keys
 end
 
--- Calls visit(path, value, class, owner) for all globals and the values in their tables, in order.
--- path is the list of keys, such as { "w" } or { "runs", 1 }. owner is the result or contact that
--- the value is a part of, or nil. The parts of a value are visited once, unless visit returns false
--- for the value.
+-- Calls visit(path, value, class, owner) for all globals and for the values in their tables, in order. `path`
+-- is the list of keys, such as { "w" } or { "runs", 1 }. `owner` is the result or contact that contains the
+-- value, or nil. The parts of a value are visited only once, and not at all if visit returns false for the
+-- value.
 function own.visit(visit)
   local seen = {}
   local look
@@ -94,7 +95,7 @@ function own.visit(visit)
     if visit(path, value, kind or "table", owner) == false or again then return end
     if parts or not kind then look_inside(path, parts or value, kind and value or owner) end
   end
-  local rank = { {}, {}, {} } -- an object with several names has that of a global, else the one in a table
+  local rank = { {}, {}, {} } -- an object with several names is visited first as a global, then inside a table, then as part of a result
   for _, each in ipairs(own.list()) do
     local list = kept.parts(each.value, each.class) and rank[3] or is_plain(each.value) and rank[2] or rank[1]
     list[#list + 1] = each
@@ -104,7 +105,7 @@ function own.visit(visit)
   end
 end
 
--- Returns the printable form of a path, such as "runs[1].first".
+-- Returns a path as text that can be printed, such as "runs[1].first".
 function own.spoken(path)
   local parts = { path[1] }
   for i = 2, #path do parts[i] = spelling.index(path[i]) end
@@ -117,8 +118,8 @@ local function is_unsaved(value, class)
   return kept.is_class(class) and not kept.is_saved(value)
 end
 
--- Returns the runs after the first update, the results and the contacts that no file contains in
--- their present state: a list of { path=, value=, class= }.
+-- Returns the objects whose present state is in no file: runs after the first update, results and contacts.
+-- Each is { path=, value=, class= }.
 function own.unsaved()
   local list, seen = {}, {}
   own.visit(function(path, value, class)
@@ -126,7 +127,7 @@ function own.unsaved()
       seen[value] = true
       list[#list + 1] = { path = path, value = value, class = class }
     end
-    return class == "table" -- parts of a result are saved with it
+    return class == "table" -- the parts of a result are saved with the result
   end)
   table.sort(list, function(a, b) return own.spoken(a.path) < own.spoken(b.path) end)
   return list

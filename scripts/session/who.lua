@@ -1,11 +1,12 @@
--- who(): lists the globals of the session, one line each.
+-- who(): lists the globals of the session, one per line.
 
 local names = require "archard.names"
 local own = require "archard.session.own"
 local pretty = require "archard.lib.pretty"
 local term = require "archard.term"
 
--- Short descriptions that distinguish objects of a class; other values have the first line of their printed form.
+-- Functions by class. Each returns a short text that distinguishes objects of this class. Values of other
+-- classes are shown by the first line of their printed form.
 local tell = {}
 
 function tell.wear(w)
@@ -31,7 +32,7 @@ local function cut(text, room)
     and text:sub(1, utf8.offset(text, room - 2) - 1) .. "..." or text
 end
 
--- Returns the lines as text.
+-- Returns the list of globals as text, cut to the width of the terminal.
 local function lines()
   local rows, wide, class_wide = own.list(), 0, 0
   for _, each in ipairs(rows) do

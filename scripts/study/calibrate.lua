@@ -1,5 +1,6 @@
--- Computes k and alpha from measured wear: from volumes directly (Eqs. 1, 12), with the spread of repeated measurements
--- or as tables over the sliding distance (study/volumes.lua); from depths by repeated simulations (study/depths.lua).
+-- Computes k and alpha from measured wear. Volumes give them directly (Eqs. 1, 12), with the spread of
+-- repeated measurements or as tables over the sliding distance (study/volumes.lua). Depths need repeated
+-- simulations (study/depths.lua).
 
 local check = require "archard.lib.check"
 local depths = require "archard.study.depths"
@@ -20,7 +21,7 @@ local fields = { volume = pair, depth = pair, load = check.positive, accuracy = 
   distance = check.kind("a number > 0 or a list of increasing numbers", function(v)
     return check.positive.test(v) or distances.test(v)
   end) }
--- With measured depths, most fields of wear{} are accepted; alpha, loading and worn are not.
+-- With measured depths the fields of wear{} are accepted too, except alpha, loading and worn.
 for _, setting in ipairs(require "archard.settings".wear) do
   fields[setting.name] = fields[setting.name] or check.any "a field of wear{}"
 end
@@ -41,8 +42,8 @@ local function measurements(name, given)
   return list
 end
 
--- Reads the measurements of both bodies as two lists of equal length; the pair i belongs to test i. A plain 0 means
--- that the wear of this body was too small to measure in every test.
+-- Reads the measurements of both bodies as two lists, in which values with the same index belong to the same
+-- test. The plain number 0 means that the wear of a body was too small to measure in every test.
 local function read_pair(name, given)
   check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
     name .. ".")
@@ -63,7 +64,7 @@ local function filled(count, value)
   return list
 end
 
--- Expands a plain 0 to the length of the other body's list.
+-- Expands the shorter of two lists, which has a single value, to the length of the other list.
 local function even(cylinder, plate)
   local count = math.max(#cylinder, #plate)
   if #cylinder < count then cylinder = filled(count, cylinder[1]) end
@@ -90,7 +91,7 @@ end
 
 -- --- from volumes at several distances -------------------------------------------------------------
 
--- Returns the volumes of one body: a list of tests, each a list with one volume per distance.
+-- Returns the volumes of one body as a list of tests; each test is a list with one volume per distance.
 local function read_tests(name, given, count)
   if given == 0 then return { filled(count, 0) } end
   local tests = type(given) == "table" and type(given[1]) == "table" and given or { given }
@@ -104,7 +105,7 @@ local function read_tests(name, given, count)
   return tests
 end
 
--- Returns the volumes of all tests at distance number `i`.
+-- Returns the volumes of all tests at the distance with index `i`.
 local function column(tests, i)
   local list = {}
   for t, test in ipairs(tests) do list[t] = test[i] end
@@ -153,7 +154,7 @@ end
 
 local not_of_wear = { volume = true, depth = true, accuracy = true, confidence = true, error = true }
 
--- Measured depths can be used only together with the load and the sliding distance of the test.
+-- Raises an error if the load or the sliding distance of the test is missing: measured depths need both.
 local function need_test(given)
   if given.load and (given.distance or given.cycles) then return end
   check.fail(where, "with measured depths, give the fields 'load' [N] and 'distance' [mm] (or 'cycles') of the test")
@@ -186,7 +187,8 @@ local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
   "simulated_depth", "measured_depth", "runs" } }
 
--- Returns a line with the value of one quantity and, if known, its spread and its confidence range.
+-- Returns a text line with the value of a quantity and, if they are known, its spread and its confidence
+-- range.
 local function number_line(self, name, format, text)
   local value, spread = self[name], self.spread[name]
   local low, high = (self.low or {})[name], (self.high or {})[name]
@@ -206,7 +208,7 @@ local function add_numbers(lines, self)
   end
 end
 
--- Adds the table over the sliding distance, a line for each interval.
+-- Adds to `lines` the table of k and alpha over the sliding distance, with one line for each interval.
 local function add_course(lines, self)
   lines[#lines + 1] = "  distance [mm]   k [mm2/N]                        alpha"
   local k, alpha = self.band.k, self.band.alpha
@@ -247,9 +249,9 @@ local function find(given)
   return type(given.distance) == "table" and from_courses(given) or from_volumes(given)
 end
 
--- calibrate{ volume={cylinder=,plate=}, load=, distance= } -> k, k_cylinder, k_plate, alpha
--- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } -> the same as tables
--- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } -> k, alpha
+-- calibrate{ volume={cylinder=,plate=}, load=, distance= } returns k, k_cylinder, k_plate, alpha.
+-- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } returns the same as tables.
+-- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } returns k and alpha.
 return function(given)
   check.definition(where, given, fields)
   if (given.volume == nil) == (given.depth == nil) then

@@ -1,5 +1,5 @@
--- A case of a study: its settings and, once it has run, its results, read from the run file on first use. It has the
--- methods of a wear object that plots use.
+-- A case of a study: its settings and, after it has run, its results, which are read from the run file on
+-- first use. A case has the methods of a wear object that plots need.
 
 local check = require "archard.lib.check"
 local joint_bodies = require "archard.joint.bodies"
@@ -31,20 +31,20 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
--- Returns the engine's warning in this case, or nil.
+-- Returns the warning of the engine for this case, or nil.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
   return text and check.plain(tostring(text))
 end
 
--- Returns the definition of a case's model, from which archard.measure reads the names of its
--- bodies; a joint is not built.
+-- Returns the definition of a case's model, from which archard.measure reads the names of the bodies. For a
+-- joint it returns the module archard.joint.bodies, so the joint need not be built.
 function case.named(self)
   local model = self.definition.model
   return model and model.cup and joint_bodies or model
 end
 
--- Returns the last row of the history, or nil.
+-- Returns the last row of the history by column name, or nil if there is no history.
 function computed.last(self)
   local history = self.history
   if not history then return nil end
@@ -88,8 +88,8 @@ end
 
 local methods = {}
 
--- Returns the stored surface of a body at the last stored distance <= `distance` [mm]; without
--- `distance`, the final surface.
+-- Returns the stored surface of a body at the last stored distance that is not beyond `distance` [mm].
+-- Without `distance` it returns the final surface.
 local function surface(self, where, body, distance)
   local names = measure.bodies(self.model)
   local called = rawequal(body, nil) and names.upper or naming.body(where, { model = { bodies = names } }, body)
@@ -123,7 +123,7 @@ function methods:pressure(body, distance)
   return strict.table({ x = found.x, p = found.p, distance = found.distance }, "case:pressure")
 end
 
--- Returns the distances [mm] at which surfaces are stored.
+-- Returns the list of sliding distances [mm] at which surfaces are stored.
 function methods:distances()
   local list = {}
   for _, each in ipairs(self.surfaces) do
@@ -132,13 +132,13 @@ function methods:distances()
   return list
 end
 
--- Returns the sum of both wear depths at each position, Eq. (31).
+-- Returns the sum of both wear depths at each position, Eq. (31). `distance`: [mm], see surface().
 function methods:combined(distance)
   local where = "case:combined"
   return measure.combined(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- Returns the cylinder's share of the sum of both depths, Eq. (30), at positions with wear.
+-- Returns the share of the cylinder in the sum of both depths, Eq. (30), at positions with wear.
 function methods:local_partition(distance)
   local where = "case:local_partition"
   return measure.local_partition(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
@@ -149,12 +149,13 @@ function methods:wear() return joint_file.wear(self.study:store(), self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
--- Names of all fields and methods of a case, including fields without a value.
+-- Names of all fields and methods of a case, including fields that have no value.
 local own = { id = true, label = true, status = true, message = true, seconds = true, settings = true, study = true }
 local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
 
--- Looks up the given settings before the stored definition, which also contains the defaults.
+-- Looks up a field. The given settings have priority over the stored definition, which also contains
+-- defaults.
 function case.__index(self, name)
   local value = methods[name]
   if value ~= nil then return value end
@@ -190,7 +191,7 @@ function case.__tostring(self)
     last.volume_cylinder + last.volume_plate)
 end
 
--- Makes a case from a row of the store and its nested settings.
+-- Creates a case from a row of the run file and its nested settings.
 function case.new(study, row, given)
   row.study, row.settings = study, given
   return setmetatable(row, case)

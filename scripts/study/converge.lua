@@ -1,5 +1,6 @@
--- study.converge: searches for the element size, the cycles per update and the increments per cycle that a model needs.
--- One case is searched in this process; several cases are run as a study with workers (search.lua).
+-- study.converge: searches for the element size, the cycles per update and the increments per cycle that a
+-- model needs. A single case is searched in this process; several cases are run as a study with workers
+-- (search.lua).
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -25,8 +26,8 @@ local function pick(given, fields)
   return picked
 end
 
--- Splits `given` into the fields that can be written to a run file and the functions, by name. A
--- run file cannot contain functions; the search of a single case uses no run file.
+-- Splits `given` into plain fields and functions, both by name. A run file cannot contain functions, but the
+-- search of a single case uses no run file.
 local function without_functions(given)
   local plain, functions = merged(given), {}
   for name, value in pairs(given) do
@@ -47,8 +48,8 @@ local function flat_cases(study, given)
   return flat
 end
 
--- Reads a study object and options, or one table with the fields of both. Returns the flat cases, the options and the
--- name of the study.
+-- Reads the arguments: a study object and options, or one table with the fields of both. Returns the flat
+-- settings of the cases, the options and the name of the study.
 local function read(study, given, options)
   local metatable = type(given) == "table" and getmetatable(given)
   if metatable and metatable.__name == "study" then
@@ -119,7 +120,7 @@ local function number(format, value)
   return value and format:format(value) or "-"
 end
 
--- Returns true if the values of a list never increase.
+-- Returns true if value(item) never increases along a list.
 local function falls(list, value)
   for i = 2, #list do
     if value(list[i]) > value(list[i - 1]) then return false end
@@ -145,7 +146,7 @@ local function mesh_lines(mesh)
   return table.concat(lines, "\n")
 end
 
--- Returns the jump, with "≥" if no larger jump was tried; see notes.
+-- Returns the jump as text, with "≥" in front if no larger jump was tried; see notes_of().
 local function shown_jump(found)
   return (found.capped and "≥" or "") .. number("%g", found.jump)
 end
@@ -173,7 +174,8 @@ end
 
 -- --- limits of the search --------------------------------------------------------------------------
 
--- Texts for the bound that excluded a larger jump, by its name in found.bound.
+-- Functions by the name of the bound in found.bound. Each returns the text that explains which bound excluded
+-- a larger jump.
 local bounds = {
   stability = function(found)
     return ("jump %g is the largest value tried below the stability limit of %.4g cycles"):format(found.jump,
@@ -227,8 +229,8 @@ local function row_of(rows, alpha, stroke)
   end
 end
 
--- Returns rows of texts: alpha; then for each stroke the paper's jump, the computed jump and the
--- increments.
+-- Returns Table 1 as rows of texts. Columns: alpha, then for each stroke the paper's jump, the computed jump
+-- and the increments.
 local function paper_rows(rows)
   local paper = require "archard.study.paper"
   local result = { { "α" } }
@@ -254,14 +256,14 @@ end
 local methods = {}
 local class = { __name = "convergence", __methods = methods, __fields = { "mesh", "cases" } }
 
--- Returns Table 1 of the paper with the computed values beside it, as rows of texts; nil for other
--- studies.
+-- Returns Table 1 of the paper beside the computed values, as rows of texts. Returns nil if the cases are not
+-- the cases of the paper.
 function methods:table_1()
   if not row_of(self.cases, 0.5, 0.11) or #self.cases < 20 then return nil end
   return paper_rows(self.cases)
 end
 
--- Returns notes on the cases whose search ended at a bound, as a list of texts.
+-- Returns a list of texts about the cases whose search ended at a bound.
 function methods:notes() return notes_of(self.cases) end
 
 function class.__tostring(self)
@@ -281,7 +283,7 @@ end
 
 strict.class(class)
 
--- (study module, study object or table of fields, options) -> { mesh=, cases= }
+-- Called as converge(study module, study object or table of fields, options). Returns { mesh=, cases= }.
 return function(study, given, options)
   local flat, read_options, name = read(study, given, options)
   for _, case in ipairs(flat) do refuse_loading(case) end

@@ -1,5 +1,6 @@
--- Searches for the k and alpha whose simulated largest depths equal the measured depths: Broyden's method on ln k and
--- alpha, with the sum of both depths and the cylinder's share of this sum as targets.
+-- Computes the k and alpha for which the simulated largest depths equal the measured depths. The search is
+-- Broyden's method in the unknowns ln k and alpha; its targets are the sum of both depths and the cylinder's
+-- share of this sum.
 
 local check = require "archard.lib.check"
 local run_counter = require "archard.lib.run_counter"
@@ -9,13 +10,13 @@ local depths = {}
 
 local where = "calibrate"
 local first_k = 1e-8        -- [mm2/N], initial value of the search
-local largest_k = 1e-5      -- [mm2/N], larger than for any sliding pair: the depths are in another unit
-local most_runs, farthest = 40, 5 -- runs of one search; largest step of ln k
-local agreement = 0.05      -- relative tolerance of the sum of both depths if k is given
+local largest_k = 1e-5      -- [mm2/N], larger than for any sliding pair; a larger result means that the depths have another unit
+local most_runs, farthest = 40, 5 -- largest number of runs in one search; largest step of ln k
+local agreement = 0.05      -- relative tolerance of the simulated sum of both depths if the user gives k
 
 -- --- one run ---------------------------------------------------------------------------------------
 
--- Returns the sum of both depths [mm] and the cylinder's share of it for k and alpha.
+-- Simulates a run with k and alpha. Returns the sum of both depths [mm] and the cylinder's share of this sum.
 local function simulate(fields, k, alpha, counter)
   local of_run = { alpha = alpha, k = k }
   for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
@@ -25,9 +26,10 @@ local function simulate(fields, k, alpha, counter)
   return run.depth.cylinder + run.depth.plate, run.depth_partition
 end
 
--- Refuses depths that need an unrealistically large k, because their unit is probably not mm.
+-- Raises an error if the measured depths need an unrealistically large k, because their unit is then probably
+-- not mm.
 local function check_unit(sum, simulated, k)
-  local needed = k * (sum / simulated) ^ 1.5 -- a scar of depth h has a volume of about h^1.5
+  local needed = k * (sum / simulated) ^ 1.5 -- the volume of a scar is proportional to about h^1.5
   if needed <= largest_k then return end
   check.fail(where, ("field 'depth': their sum of %.4g mm would need a k of about %.1g mm2/N: expected "
     .. "depths in mm (are they in um?)"):format(sum, needed))
@@ -35,13 +37,13 @@ end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Returns the initial inverse Jacobian of both residuals: ln of the depths is proportional to 2/3
--- ln k, the share to alpha. An unknown with a fixed value has a row and a column of zeros.
+-- Returns the initial inverse Jacobian of the two residuals. The logarithm of the depths grows as 2/3 ln k,
+-- and the share is proportional to alpha. An unknown with a fixed value has a row and a column of zeros.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end
 
--- Makes Broyden's update of the inverse `h` for a step `dx` that changed the residuals by `df`.
+-- Applies Broyden's update to the inverse Jacobian `h`, for a step `dx` that changed the residuals by `df`.
 local function update(h, dx, df)
   local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
   local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
@@ -52,7 +54,7 @@ local function update(h, dx, df)
   end
 end
 
--- Returns the next step; alpha changes by at most nine tenths of its distance to 0 or 1.
+-- Returns the next step of ln k and alpha. Alpha changes by at most nine tenths of its distance to 0 or 1.
 local function step_from(x, h, f)
   local of_k = -(h[1][1] * f[1] + h[1][2] * f[2])
   local of_alpha = -(h[2][1] * f[1] + h[2][2] * f[2])
@@ -60,9 +62,9 @@ local function step_from(x, h, f)
     math.max(-0.9 * x[2], math.min(of_alpha, 0.9 * (1 - x[2]))) }
 end
 
--- Finds k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: {
--- ln k, alpha }; options: fields of wear{}, fixed (the given k, if any), accuracy. Returns { k=,
--- alpha=, sum= simulated [mm], runs=, x= }.
+-- Searches k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: { ln k,
+-- alpha }; options: fields (of wear{}), fixed (a given k, or nil), accuracy, counter. Returns { k=, alpha=,
+-- sum= (simulated, [mm]), runs=, x= }.
 local function search(target, start, options)
   local within = target.share > 0 and target.share < 1
   local seeks = { not options.fixed, within }
@@ -87,14 +89,15 @@ end
 
 -- --- all measurements ------------------------------------------------------------------------------
 
--- Checks that a given k reproduces the measured depths.
+-- Raises an error if a given k does not reproduce the measured depths.
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
   check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, the measured sum is %.4g mm; without "
     .. "this field k is computed too"):format(found.sum, sum))
 end
 
--- Returns the standard deviations of k and alpha over the tests, with a search for each test.
+-- Returns the standard deviations of k and alpha over the tests, from a separate search for each test, and
+-- the number of runs.
 local function spreads(cylinder, plate, from, options)
   local k, alpha, runs = {}, {}, 0
   for i, c in ipairs(cylinder) do
@@ -104,9 +107,9 @@ local function spreads(cylinder, plate, from, options)
   return { k = not options.fixed and statistics.deviation(k) or nil, alpha = statistics.deviation(alpha) }, runs
 end
 
--- Finds k and alpha from measured depths. cylinder, plate: depths of both bodies [mm], lists of
--- equal length; options: fields (of wear{}; a given k is not changed), accuracy. Returns the fields
--- of a calibration.
+-- Computes k and alpha from measured depths. cylinder, plate: depths of both bodies [mm], lists of equal
+-- length. options: accuracy and fields (of wear{}; a given k is not changed). Returns the fields of a
+-- calibration.
 function depths.find(cylinder, plate, options)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local share = c / (c + p)

@@ -1,5 +1,6 @@
--- study:figures: draws the results of a study. The paper's studies are drawn as the paper's figures, which come with
--- the examples (examples/paper/figures.lua); for other studies the final shapes, pressures and histories are drawn.
+-- study:figures: draws the results of a study. The studies of the paper are drawn like the figures of the
+-- paper, by examples/paper/figures.lua. For other studies the final shapes, the pressures and the histories
+-- are drawn.
 
 local archard = require "archard"
 local check = require "archard.lib.check"
@@ -14,10 +15,10 @@ local figures = {}
 
 -- --- figures of any study ------------------------------------------------------------------------
 
-local most_curves = 8 -- number of colours of a picture
+local most_curves = 8 -- largest number of curves in a picture, which is the number of its colours
 
--- Returns a title such as "α = 0.25, s = 0.11 mm" if all varied settings are numbers, else the
--- label of the case.
+-- Returns the title of a case, such as "α = 0.25, s = 0.11 mm", if all varied settings are numbers. Otherwise
+-- it returns the label of the case.
 local function title_of(case)
   local parts = {}
   for _, name in ipairs(case.study.varied) do
@@ -43,7 +44,7 @@ local function share_of(curves, cases)
   return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
 end
 
--- Returns half the width shown [mm]: the widest contact, worn or unworn, plus a margin.
+-- Returns half the width of the picture [mm]: the widest contact, worn or unworn, plus a margin.
 local function reach_of(curves, widen)
   local reach = 0
   for _, curve in ipairs(curves) do
@@ -55,7 +56,8 @@ local function reach_of(curves, widen)
   return 1.3 * reach
 end
 
--- Returns the figure of profiles, which joints do not have.
+-- Returns the figure of final profiles and pressures and the text of share_of(), or nil for joints, which
+-- have no profiles.
 local function final_state(cases)
   local curves = finished(cases)
   if #curves == 0 or not curves[1].case.hertz then return nil end
@@ -78,7 +80,7 @@ local function histories(cases)
     panels.course(pressure, 1, of, curves, { yrange = { 0 } }) } }, share
 end
 
--- draw(cases) -> the figure, or nil; and the text "8 of 9 cases" if some cases are not drawn.
+-- The figures of a general study. draw(cases) returns the figure, or nil, and the text of share_of().
 local general = {
   { name = "final", title = "Final state", draw = final_state,
     caption = "Worn shapes and pressures at the end of the runs.", shows = "" },
@@ -105,7 +107,7 @@ local function set_of(study)
   return require "archard.lib.examples_folder".parts("study:figures", "paper")("figures")[study.name]
 end
 
--- Returns a caption, which is a string or a function of the drawn cases.
+-- Returns a caption, which is given as a string or as a function of the drawn cases.
 local function words(given, cases)
   return type(given) == "function" and given(cases) or given
 end
@@ -123,7 +125,8 @@ local function make_folder(dir)
   if not fine then check.fail("study:figures", ("%s: %s"):format(dir, why), "IO") end
 end
 
--- draw(study, { dir=, term= }) -> list of { name=, title=, caption=, shows=, files= } of the drawn figures.
+-- figures.draw(study, { dir=, term= }) draws the figures of a study. Returns a list of { name=, title=,
+-- caption=, shows=, files= } for the drawn figures.
 function figures.draw(study, options)
   options = options or {}
   check.fields("study:figures", options, fields)

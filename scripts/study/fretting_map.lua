@@ -1,12 +1,11 @@
--- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips
--- partially or slips grossly, from periodic cycles under an alternating tangential force, and the
--- borders between these regimes. plot/fretting_map.lua draws the map.
---
--- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined
--- to begin when the slip annulus reaches a given share of the width; a share this small is usually
--- narrower than one element. The width of the stick zone is therefore computed at forces up to
--- sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the force
--- divided by the sliding force. For the Hertz contact this equals s, with n = 2 for cylinders and 3
+-- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips partially
+-- or slips grossly, and the borders between these regimes. The computation uses periodic cycles under an
+-- alternating tangential force. plot/fretting_map.lua draws the map.
+-- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin
+-- when the slip annulus reaches a given share of the width. An annulus this small is usually narrower than
+-- one element, so the border is found by a fit: the width of the stick zone is computed at forces up to
+-- sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the force divided
+-- by the sliding force. For the Hertz contact the fitted expression equals s, with n = 2 for cylinders and 3
 -- for balls (Cattaneo and Mindlin).
 
 local check = require "archard.lib.check"
@@ -17,9 +16,9 @@ local strict = require "archard.strict"
 local where = "study.fretting_map"
 
 local usual = { friction = 0.6, annulus = 0.1 }
-local levels, last_level = 18, 0.9 -- number of force levels; the last one as a share of the sliding force
+local levels, last_level = 18, 0.9 -- number of force levels of the fit; largest level as a share of the sliding force
 local sliding = 1 - 1e-6
-local steps = 4 -- increments of half a cycle; the shear has little effect on the pressure
+local steps = 4 -- increments of half a cycle; few are enough, since the shear has little effect on the pressure
 
 local fields = { load = check.any "a list", motion = check.any "a list", friction = check.positive, annulus = check.share }
 for _, setting in ipairs(require "archard.settings".contact) do
@@ -27,7 +26,7 @@ for _, setting in ipairs(require "archard.settings".contact) do
 end
 for _, own in ipairs{ "x", "load_angle", "average" } do fields[own] = nil end
 
--- Checks that each number is larger than the previous one.
+-- Raises an error if a field is not a list of increasing numbers > 0.
 local function check_growing(given, name, unit)
   local list = given[name]
   if not check.list.test(list) or #list == 0 then
@@ -43,9 +42,9 @@ end
 
 -- --- steady cycles -------------------------------------------------------------------------------
 
--- Returns the width of the stick zone at an end of a cycle, divided by the contact width; nil if
--- all nodes of one side stick, as the mesh cannot resolve the slip there. In 3-D it is the root of
--- the share of the area.
+-- Returns the width of the stick zone at an end of a cycle, divided by the contact width. In 3-D it is the
+-- root of the sticking share of the area. Returns nil if all nodes up to an edge stick, because the mesh then
+-- cannot resolve the slip.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
   if type(zones) == "number" then return zones < 1 and math.sqrt(zones) or nil end
@@ -54,7 +53,8 @@ local function share_of(contact)
   return sum / (edges.right - edges.left)
 end
 
--- Computes both ends of a cycle between +share and -share of the friction limit.
+-- Computes a cycle of the tangential force between +share and -share of the friction limit. Returns the
+-- contacts at its two ends.
 local function cycle(pressed, share)
   local force = share * pressed.friction * pressed.load
   local function go(from, to) return check.as(where, from.move, from, { tangential = to, increments = steps }) end
@@ -67,8 +67,9 @@ local function amplitude(pressed, share)
   return (there.x - back.x) / 2
 end
 
--- Returns the amplitude from which the whole contact slips. Forces on maps of cells are exact to
--- 1e-5 of the sliding force, so in 3-D it is extrapolated from 99 % by Mindlin's 1 - (1 - s)^(2/3).
+-- Returns the motion amplitude [mm] from which the whole contact slips. In 3-D forces are exact only to 1e-5
+-- of the sliding force; the amplitude is therefore extrapolated from 99 % of this force by Mindlin's 1 - (1 -
+-- s)^(2/3).
 local function gross_amplitude(pressed)
   if type(pressed.stick) ~= "number" then return amplitude(pressed, sliding) end
   local near = 0.99
@@ -79,7 +80,7 @@ end
 
 local function exponent_of(contact) return type(contact.stick) == "number" and 3 or 2 end
 
--- Adds one end of a cycle to the normal equations of b1 and b2.
+-- Adds the contact at one end of a cycle to the normal equations for b1 and b2.
 local function add_end(sums, share, contact)
   local width = share_of(contact)
   if not width then return end
@@ -88,8 +89,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- Returns the force, as a share of the sliding force, at which the slip annulus reaches `annulus`
--- of the width; `sliding` if the annulus stays smaller until sliding begins.
+-- Returns the force at which the slip annulus reaches the share `annulus` of the width, divided by the
+-- sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do
@@ -112,7 +113,7 @@ local function regime_of(self, i, motion)
   return motion >= self.partial_from[i] and "partial" or "stick"
 end
 
--- Adds the row of one load.
+-- Computes one load and appends it to the map as a row.
 local function add_load(self, given, load)
   local i = #self.load + 1
   local pressed = check.as(where, contact, merged(given, { load = load }))

@@ -1,5 +1,5 @@
--- Merges the run files of a study's shares into one file. The store refuses files of different studies and cases that
--- are finished in two files with different results.
+-- Merges the run files of the shares of a study into one file. The store refuses files of different studies,
+-- and cases that are finished in two files with different results.
 
 local stores = require "archard.store"
 local check = require "archard.lib.check"
@@ -18,7 +18,7 @@ local function refuse_gaps(path, ids)
     #ids, shown))
 end
 
--- Omits files without cases: their programs were killed during the start.
+-- Returns the files that have cases. A file without cases is from a program that was killed during its start.
 local function begun(files)
   local list = {}
   for _, file in ipairs(files) do
@@ -30,7 +30,8 @@ local function begun(files)
     and ", nor do the other files" or ""))
 end
 
--- open(path) reads a study, write(study, store) stores its definitions.
+-- Called as merge(files, path, open, write): writes the merged study to `path`. open(path) must read a study,
+-- write(study, store) must store its definitions.
 return function(files, path, open, write)
   files = begun(files)
   local first = open(files[1])

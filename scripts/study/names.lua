@@ -1,13 +1,13 @@
--- Checks the names of a case's settings against the help entries of wear{}, model{}, bodies and material{}, so that a
--- misspelt name is reported before any run.
+-- Checks the names of a case's settings against the help entries of wear{}, model{}, the bodies and
+-- material{}. A misspelt name is then reported before any run.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
 local merged = require "archard.lib.merged"
 
-local tree -- tree of the known names; a name with an empty table has no names to check below it
+local tree -- tree of the known names; the names below an empty table are not checked
 
--- Adds the names of a path, such as "mesh.size", to the tree `at`.
+-- Adds the names in a path, such as "mesh.size", to the tree `at`.
 local function plant(at, path)
   for part in path:gmatch("[^.]+") do
     at[part] = at[part] or {}
@@ -15,7 +15,8 @@ local function plant(at, path)
   end
 end
 
--- Adds the fields of a body that are not help entries: layers and materials.
+-- Returns the names of a body and its material. The fields layers and materials have no help entries and are
+-- added here.
 local function grow_body(body, material)
   for name in pairs(body) do
     if name:match "^layer%d" then body[name] = nil end
@@ -49,19 +50,19 @@ local function refuse(where, at, prefix, name)
   check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(at))))
 end
 
--- Raises an error for an unknown name, such as "model.mesh.sise".
+-- Raises an error if a setting has an unknown name, such as "model.mesh.sise".
 local function refuse_unknown(where, name)
   local at, prefix = tree, ""
   for part in name:gmatch("[^.]+") do
     if next(at) == nil then return end
-    if not math.tointeger(tonumber(part)) then -- an integer is a position in a list of blocks
+    if not math.tointeger(tonumber(part)) then -- an integer is an index in a list
       if not at[part] then refuse(where, at, prefix, part) end
       at, prefix = at[part], prefix .. part .. "."
     end
   end
 end
 
--- Checks the flat settings of every case.
+-- Checks the names in the flat settings of every case.
 return function(where, cases)
   tree = tree or grow()
   local seen = {}

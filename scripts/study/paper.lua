@@ -1,4 +1,4 @@
--- Cases of the paper: Table 1 with its cycles per update, and the runs of its convergence study.
+-- Cases of the paper: Table 1 with its cycles per update, and the runs of the convergence study.
 
 local paper = {}
 
@@ -7,7 +7,8 @@ paper.strokes = { 0.11, 0.22, 0.44, 20 }
 paper.stroke_names = { "a", "2a", "4a", "2R" }
 paper.increments = 100
 
--- Cycles per update by alpha, then stroke. The case without a number needs no finite elements.
+-- Cycles per update, a row for each alpha and a column for each stroke. The missing number belongs to the
+-- case that needs no finite elements.
 paper.jumps = {
   { 75, 50, 30 },
   { 100, 40, 25, 1 },
@@ -16,18 +17,19 @@ paper.jumps = {
   { 100, 50, 30, 1 },
 }
 
--- Returns an upper estimate of the depth of the first update [mm], Eq. (28). p is in MPa. With the
--- last stroke, over the whole plate, a cycle is one stroke instead of two.
+-- Returns an upper estimate of the depth of the first update [mm], Eq. (28). `p` is in MPa, `k` in mm²/N,
+-- `stroke` in mm. A cycle has two strokes, except for the last stroke, over the whole plate, where it has
+-- one.
 function paper.first_depth(jump, k, p, stroke)
   local strokes = stroke == paper.strokes[4] and 1 or 2
   return jump * k * p * strokes * stroke
 end
 
--- The shortest ripples, of the length of an element, grow first: on smaller elements than the
--- paper's, the cycles per update are reduced in proportion.
+-- Element size of the paper. Ripples as short as an element grow first; on smaller elements the cycles per
+-- update are therefore reduced in proportion.
 local paper_size = 0.020 -- mm
 
--- Returns the settings of the 20 cases on elements of `size` [mm].
+-- Returns the settings of the 20 cases of Table 1 for elements of `size` [mm].
 function paper.cases(size)
   local cases, share = {}, math.min(1, (size or paper_size) / paper_size)
   for row, alpha in ipairs(paper.alphas) do
@@ -39,8 +41,8 @@ function paper.cases(size)
   return cases
 end
 
--- Returns cases for the mesh dependence of the results: stroke a, all alpha > 0, element sizes
--- [mm].
+-- Element sizes [mm] of paper.mesh_cases(), which returns cases that show the mesh dependence: stroke a and
+-- all alpha > 0.
 paper.sizes = { 0.020, 0.010, 0.005 }
 
 function paper.mesh_cases()
@@ -57,8 +59,8 @@ function paper.mesh_cases()
   return cases
 end
 
--- Returns the cases of Fig. 8: stroke a, alpha 0.5, at 1000 cycles, with { increments, jump }, for
--- both rules of integration.
+-- The runs of Fig. 8 as { increments, jump }. paper.trial_cases() returns them with stroke a, alpha 0.5 and
+-- 1000 cycles, for both rules of integration.
 paper.trials = { { 40, 50 }, { 40, 100 }, { 40, 200 }, { 200, 50 }, { 200, 100 }, { 200, 200 },
   { 16, 100 }, { 100, 100 } }
 

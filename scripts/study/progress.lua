@@ -1,5 +1,5 @@
--- Progress display of a study: on a terminal one line for each running case and one for all,
--- redrawn in place; elsewhere no output, or with "lines" a line for each finished case.
+-- Progress display of a study. On a terminal it shows one line for each worker and one for the whole study,
+-- redrawn in place. Elsewhere it shows nothing or, in mode "lines", a line for each finished case.
 
 local one_run = require "archard.lib.progress"
 local term = require "archard.term"
@@ -11,9 +11,9 @@ progress.__index = progress
 
 local pause = 0.1 -- seconds between two redraws
 
--- Creates the display of a study. mode: nil (draws on a terminal), false (never), "lines" (a line
--- per finished case on standard output), or a function(event) with { case=, failure=, done=, total=
--- } after each case.
+-- Creates the display of a study. mode: nil (draws on a terminal), false (no display), "lines" (prints a line
+-- for each finished case on standard output), or a function that is called after each case with { case=,
+-- failure=, done=, total= }.
 function progress.new(workers, total, done, mode)
   return setmetatable({ workers = workers, total = total, done = done, first = done, failed = 0,
     mode = mode, shown = mode == nil and term.movable("stderr"), started = term.clock(),
@@ -52,7 +52,8 @@ function progress:total_line(now, width)
     bar((self.done + part) / self.total, 20), self.done, self.total, failed, duration(left)), width)
 end
 
--- Returns the lines for a terminal of `width` columns at time `now`; tests call it too.
+-- Returns the lines of the display for a terminal of `width` columns at time `now` [s]. Tests call this
+-- function too.
 function progress:text(now, width)
   local lines = { self:total_line(now, width) }
   for i = 1, self.workers do
@@ -74,7 +75,7 @@ function progress:draw()
   self.lines = #lines
 end
 
--- Clears the drawn lines.
+-- Clears the drawn lines and ends the display.
 function progress:close()
   if self.lines > 0 then io.stderr:write(("\r\27[%dA\27[J"):format(self.lines)) end
   self.lines, self.shown = 0, false

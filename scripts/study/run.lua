@@ -1,5 +1,5 @@
--- Computes the cases of a run file in worker processes (worker.lua): distributes the cases, collects the results and
--- updates the display.
+-- Computes the cases of a run file in worker processes (worker.lua): assigns the cases, collects the results
+-- and updates the display.
 
 local process = require "archard.process"
 local check = require "archard.lib.check"
@@ -20,7 +20,8 @@ end
 local run = {}
 run.__index = run
 
--- Sends worker i its next case; if no case is left, requests it to store its computed cases.
+-- Sends worker `i` the next case. If no case is left, it requests the worker to store the cases it has
+-- computed.
 function run:feed(i)
   local case = self.queue[self.next]
   self.busy[i] = case
@@ -47,8 +48,9 @@ function run:fail(i, case, message)
   self:over(i, case, message)
 end
 
--- Handles the end of a worker process. Its current case fails; its computed but not stored cases are queued again. If
--- it ended while storing, those cases fail too, as storing them again would fail again.
+-- Handles the end of a worker process. The current case fails, and computed cases that are not stored are
+-- queued again. If the process ended while storing, those cases fail as well, because storing them would fail
+-- again.
 function run:handle_exit(i, event)
   local case, computed = self.busy[i], self.computed[i]
   local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
@@ -91,11 +93,12 @@ function run:handle_event(event)
   self:feed(event.worker)
 end
 
-local usual_keep = 60 -- seconds
+local usual_keep = 60 -- default of options.keep [s]
 
--- store: open for writing. options: workers, keep (seconds between intermediate saves of a long case), chosen
--- (function(id) -> true for the cases to compute; nil: all), progress. Returns the list { id=, label=, message= } of
--- the failed cases, the same list of the cases with warnings, and the number of cases computed.
+-- Computes the waiting cases of `store`, a run file open for writing. options: workers; keep (seconds between
+-- intermediate saves of a long case); chosen (function(id) -> true for the cases to compute; nil: all);
+-- progress. Returns a list { id=, label=, message= } of the failed cases, a list of the same form of the
+-- cases with warnings, and the number of computed cases.
 return function(store, options)
   store:release()
   local queue, finished = waiting(store, options.chosen)

@@ -1,6 +1,7 @@
--- Searches for the settings of a wear run, as in Sec. 4.4: the element size from the unworn contact, then the cycles
--- per update and the increments per cycle from the smoothness and symmetry of the surfaces after some updates. Returns
--- search(given, on_progress); `given` has the fields of wear{} and, as `converge`, limits that replace the ones below.
+-- Searches for the settings of a wear run, following Sec. 4.4 of the paper: first the element size from the
+-- unworn contact, then the cycles per update and the increments per cycle from the smoothness and symmetry of
+-- the surfaces after some updates. search(given, on_progress) returns the results. `given` has the fields of
+-- wear{}; given.converge may contain limits that replace the limits below.
 
 local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
@@ -9,21 +10,22 @@ local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- mesh: error of the largest pressure against Hertz [share]
-  -- sawtooth of the pressure in the middle of the contact [share of p_center], minus that of small steps
+  -- smooth: largest sawtooth of the pressure in the middle of the contact [share of p_center], beyond the
+  -- sawtooth that occurs with small steps
   smooth = 0.005,
-  symmetric = 1e-3,    -- difference between a profile and its mirror image [share of the depth]
-  profile = 0.005,     -- increments: difference of the profiles from many increments [share]
-  updates = 100,       -- most updates of a trial; fewer if the run ends earlier
+  symmetric = 1e-3,    -- largest difference between a profile and its mirror image [share of the depth]
+  profile = 0.005,     -- increments: largest difference from profiles with many increments [share of the depth]
+  updates = 100,       -- largest number of updates of a trial
   first_depth = 1e-4,  -- initial guess of the jump: depth of the first update, Eq. (28) [mm]
 }
 
-local usual_increments = 200 -- during the search for the jump
+local usual_increments = 200 -- increments per cycle during the search for the jump
 
 local search = { limits = limits }
 
 -- --- the mesh --------------------------------------------------------------------------------------
 
--- Rounds to one significant digit.
+-- Rounds a number > 0 to one significant digit.
 local function rounded(value)
   local unit = 10 ^ math.floor(math.log(value, 10))
   return math.floor(value / unit + 0.5) * unit
@@ -35,18 +37,18 @@ local function with_size(model_given, size)
   return model
 end
 
-local fewest_elements = 8 -- across the contact; with fewer, the pressure agrees with Hertz only by chance
+local fewest_elements = 8 -- smallest number of elements across the contact; with fewer, the pressure agrees with Hertz only by chance
 
--- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit` for two
--- successive sizes, the larger of them with enough elements across the contact. Returns the list { size=, elements=,
--- p_max=, error=, change= } of the sizes tried, and the entry of the larger size, or nil if no size was good; error and
--- change (from the size before) are shares of the Hertz pressure.
+-- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit`
+-- for two successive sizes; the larger size must have enough elements across the contact. Returns the list of
+-- sizes tried, { size=, elements=, p_max=, error=, change= }, and the entry of the larger size, or nil if no
+-- size was good. `error` and `change` (from the previous size) are divided by the Hertz pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
   local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
-    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- the first sizes are coarse on purpose
+    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- the first sizes are coarse on purpose, so warnings are suppressed
     local before = steps[i - 1]
     steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
       error = c.p_max / h.p_max - 1,
@@ -64,8 +66,8 @@ end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
--- Returns the sawtooth of the pressure in the middle of the contact; the peaks at its edges are
--- physical.
+-- Returns the sawtooth of the pressure in the middle of the contact, divided by p_center; at most 1. The
+-- edges are left out, because pressure peaks there are physical.
 local function roughness(run)
   local pressure = run:pressure("upper")
   local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
@@ -86,7 +88,7 @@ local function asymmetry(run)
   return worst
 end
 
--- Returns the largest difference between the profiles of two runs, as a share of the depth.
+-- Returns the largest difference between the profiles of two runs, divided by the largest depth of run `b`.
 local function difference(a, b)
   local worst = 0
   for _, body in ipairs{ "upper", "lower" } do
@@ -101,13 +103,14 @@ end
 
 -- --- trials ----------------------------------------------------------------------------------------
 
--- Kinks that move through the contact, and coarse meshes, also make the pressure rough. The roughness of a trial is
--- therefore reduced by that of a reference run with steps so small that ripples cannot grow.
+-- Runs that test a jump and a number of increments. Coarse meshes and kinks that move through the contact
+-- also make the pressure rough. The roughness of a trial is therefore reduced by the roughness of a reference
+-- run, whose steps are too small for ripples to grow.
 
 local trial = {}
 trial.__index = trial
 
-local stages = 5 -- number of evaluations of the stability limit in the reference run
+local stages = 5 -- how often the reference run evaluates the stability limit
 
 function trial:new_run(jump, increments)
   return wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
@@ -117,8 +120,8 @@ local function course_jump(self, unworn_limit)
   return math.min(self.guess / 2, 0.4 * unworn_limit, self.cycles / 40)
 end
 
--- Runs the reference run. Sets self.course to its list of { distance, roughness } and self.stable to its lowest
--- stability limit.
+-- Computes the reference run. Sets self.course to its list of { distance, roughness } and self.stable to its
+-- lowest stability limit [cycles].
 local function run_course(self)
   local run <close> = self:new_run(self.guess, usual_increments)
   self.stable = run:stability().jump_limit
@@ -133,7 +136,7 @@ local function run_course(self)
     if i % every == 0 then self.stable = math.min(self.stable, run:stability().jump_limit) end
     if i % 10 == 0 then self.report(0.3 * i / most) end
   end
-  -- roughness caused by a coarse mesh appears at different distances in different runs
+  -- the roughness of a coarse mesh appears at different distances in different runs
   self.allowed = math.max(self.limit.smooth, self:own_roughness(0, math.huge) / 4)
 end
 
@@ -152,8 +155,8 @@ local function new_trial(given, limit, on_progress)
   return self
 end
 
--- Returns the largest roughness of the reference run between two distances, including the next
--- point on each side.
+-- Returns the largest roughness of the reference run between the distances `from` and `to` [mm], including
+-- the next point on each side.
 function trial:own_roughness(from, to)
   local course, worst = self.course, 0
   for i, point in ipairs(course) do
@@ -165,8 +168,8 @@ function trial:own_roughness(from, to)
   return worst
 end
 
--- Makes a trial of at most limit.updates updates. Returns its run and its largest roughness beyond
--- the reference run.
+-- Computes a run of at most limit.updates updates. Returns the run and its largest roughness beyond the
+-- reference run.
 function trial:run(jump, increments)
   local run = self:new_run(jump, increments)
   local worst, span = 0, jump * self.strokes * self.stroke
@@ -181,8 +184,8 @@ function trial:run(jump, increments)
   return run, worst
 end
 
--- Returns true if a jump gives smooth and symmetric surfaces; false also if the engine refuses a
--- step. Also returns roughness, asymmetry and number of updates.
+-- Returns true if a jump gives smooth and symmetric surfaces. Returns false if it does not, or if the engine
+-- refuses a step. Also returns roughness, asymmetry and number of updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)
   local even, updates = 1, 0
@@ -200,7 +203,8 @@ function trial:good(jump, increments)
   return smooth and symmetric, worst, even, updates
 end
 
--- Returns the ladder of round values: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
+-- Round values of the jump: rung(i) is 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ... rung_of(value) returns the
+-- index of the largest round value <= value.
 local steps = { 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5 }
 local function rung(i) return steps[i % #steps + 1] * 10.0 ^ (i // #steps) end
 local function rung_of(value)
@@ -209,8 +213,8 @@ local function rung_of(value)
   return i
 end
 
--- Searches downward for the largest good jump of the ladder, from the stability limit or, if smaller, a tenth of all
--- cycles. Sets the fields of `found` that describe it.
+-- Searches downward for the largest good jump among the round values. The search starts at the stability
+-- limit or at a tenth of all cycles, whichever is smaller. Sets the fields of `found` that describe the jump.
 function trial:largest_jump(found, increments)
   local highest = self.cycles / 10
   local i = rung_of(math.min(highest, self.stable))
@@ -227,8 +231,8 @@ function trial:largest_jump(found, increments)
   end
 end
 
--- Returns the smallest number of increments with smooth and symmetric profiles equal to those with
--- `many`.
+-- trial:fewest_increments() returns the smallest number of increments in the ladder for which the profiles
+-- are smooth, symmetric and equal to the profiles with `many` increments.
 local many, ladder = 400, { 200, 100, 64, 40, 32, 20, 16, 10, 8, 4 }
 search.most_increments, search.fewest_increments, search.ladder = many, ladder[#ladder], ladder
 
@@ -255,16 +259,24 @@ local function without_limits(given)
   return copy
 end
 
--- found: jump (nil: none was good), limit (the lowest stability limit; nil: none), capped (true if no larger jump was
--- tried) and bound (the reason: "stability", or "cycles" for a tenth of the cycles), judged (number of updates of the
--- trial), increments (nil if the plate does not slide), roughness, smooth (the allowed roughness, if larger than the
--- limit), asymmetry, lopsided (asymmetry of the smooth runs, if it is the reason that no jump was good), change (of the
--- profiles with these increments), first_depth [mm], trials, and the lists jumps and roughnesses of all trials.
+-- Fields of `found`:
+-- jump: nil if no jump was good
+-- limit: the lowest stability limit [cycles]; nil if there is none
+-- capped: true if no larger jump was tried; bound: the reason, "stability" or "cycles" (a tenth of all
+-- cycles)
+-- judged: number of updates of the trial
+-- increments: nil if the plate does not slide
+-- roughness, asymmetry: of the trial with the best jump
+-- smooth: the allowed roughness, if it is larger than the limit
+-- lopsided: asymmetry of the smooth runs, if it is the reason that no jump was good
+-- change: difference of the profiles with these increments
+-- first_depth: depth of the first update [mm]
+-- trials: number of trials; jumps, roughnesses: lists for all trials
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
   local found = {}
   self:largest_jump(found, usual_increments)
-  -- a smaller jump does not reduce this asymmetry
+  -- a smaller jump does not reduce this asymmetry, but more increments may
   if not found.jump and self.lopsided then self:largest_jump(found, many) end
   found.lopsided = not found.jump and self.lopsided or nil
   if found.jump then

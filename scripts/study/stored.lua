@@ -1,5 +1,5 @@
--- Reads a study from its run file. The file may be untrusted: every value that other modules use is checked here, once;
--- the store has checked the rows.
+-- Reads a study from its run file, which may be untrusted. Every value that other modules use is checked here
+-- once; the store has already checked the rows.
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
@@ -8,7 +8,8 @@ local function damaged(where, store, what, ...)
   check.fail(where, ("%s: the file is damaged: " .. what):format(store.path, ...), "FORMAT")
 end
 
--- Refuses settings inside a value ("alpha.x" beside "alpha") and numbers that are not finite.
+-- Raises an error for a setting inside a value ("alpha.x" beside "alpha") and for a number that is not
+-- finite.
 local function check_case(where, store, id, flat)
   for name, value in pairs(flat) do
     local owner = name:match "^(.*)%."
@@ -22,7 +23,7 @@ local function check_case(where, store, id, flat)
   end
 end
 
--- Returns the flat settings of the cases; their ids must be 1, 2, ...
+-- Returns the flat settings of the cases. Their ids must be 1, 2, ...
 local function cases_of(where, store)
   local list = {}
   for i, case in ipairs(store:cases()) do
@@ -58,7 +59,8 @@ local function task_of(where, store)
   return task
 end
 
--- A program killed during its start leaves an empty file, which is read as a study without cases.
+-- An empty file is read as a study without cases. A program that is killed during its start writes such a
+-- file.
 local function read(where, store)
   local kind = store:info("kind")
   if not kind and #store:cases() == 0 then return { flat = {} } end
@@ -70,5 +72,5 @@ local function read(where, store)
     flat = flat, sample = sample_of(where, store, flat) }
 end
 
--- (where, store) -> the study as { name=, snapshots=, task=, flat=, sample= }
+-- Called as read(where, store). Returns the study as { name=, snapshots=, task=, flat=, sample= }.
 return function(where, store) return check.as(where, read, where, store) end

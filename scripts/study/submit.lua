@@ -1,8 +1,8 @@
--- Runs a study as a job array: the cases are split into shares, each computed by its own process into its own run file,
--- started by Slurm or GNU parallel. The program follows the job, merges the shares into the study's run file and
--- restarts interrupted shares. A folder beside the run file contains the script, run files and logs of the shares and a
--- note of the job; it is removed after merging. If this program is killed, the next submit of the same study follows
--- the job or merges its results and continues.
+-- Runs a study as a job array. The cases are split into shares; Slurm or GNU parallel starts a process for
+-- each share, which writes its own run file. The program follows the job, merges the shares into the study's
+-- run file and restarts interrupted shares. A folder beside the run file contains the script, the run files
+-- and logs of the shares and a note of the job; it is removed after merging. If this program is killed, the
+-- next submit of the same study follows the job, or merges its results and continues.
 
 local check = require "archard.lib.check"
 local definitions = require "archard.study.definitions"
@@ -32,7 +32,8 @@ local engines = { slurm = require "archard.slurm.array", parallel = require "arc
 
 -- --- folder of a job -----------------------------------------------------------------------------
 
--- Describes a job and its files; `name` is the engine's job name, once started.
+-- Returns a table with the properties and file names of a job. `name` is the engine's name of the job, or nil
+-- before the start.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
     script = folder .. "/share.sh", note = folder .. "/job", blank = folder .. "/blank.archard",
@@ -44,7 +45,8 @@ local function write_note(job)
   files.write(where, job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
 end
 
--- Reads the job from the note in the folder; nil if the note is missing, incomplete or not written by an engine.
+-- Returns the job described by the note in the folder. Returns nil if the note is missing, incomplete or of
+-- an unknown engine.
 local function noted(folder)
   local word, count, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)\n$")
   local engine, shares = engines[word], count and math.tointeger(tonumber(count))
@@ -53,12 +55,13 @@ local function noted(folder)
   return describe(folder, word, shares, name ~= "-" and name or nil)
 end
 
--- Removes a run file with the journal and the lock that a killed program may have left.
+-- Removes a run file, and the journal and lock file that a killed program may have left.
 local function remove_store(path)
   for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
 end
 
--- Removes all files of this and earlier jobs from the folder, also journals without a run file, but no other files.
+-- Removes all files of this and earlier jobs from the folder, also journals without a run file, and then the
+-- folder. Other files in the folder are not removed.
 local function clear(job)
   local names = process.files(job.folder) or {}
   for _, name in ipairs(names) do
@@ -72,7 +75,7 @@ end
 
 -- --- following -----------------------------------------------------------------------------------
 
--- Returns the number of cases finished by a share, from the last line of its log.
+-- Returns the number of cases that a share has finished, from the last line of its log.
 local function gone_through(path)
   local file <close> = io.open(path, "r")
   if not file then return 0 end
@@ -88,7 +91,7 @@ local function counted(job)
   return sum
 end
 
--- Returns a progress display of a job; `mode` has the values of the option progress of study:run.
+-- Returns the progress display of a job. `mode` has the same values as the option progress of study:run.
 local function display(total, mode)
   local last
   local bar = mode == nil and progress.new{ total = total, label = "study", unit = "cases" }
@@ -105,9 +108,9 @@ local function display(total, mode)
   }
 end
 
-local patience = 30 -- most failed queries of the engine in a row
+local patience = 30 -- largest number of successive failed queries of the engine
 
--- Waits until the job has ended; the interval between queries grows.
+-- Waits until the job has ended. The interval between queries of the engine grows.
 local function follow(job, total, mode)
   local shown <close> = setmetatable(display(total, mode), { __close = function(self) self.close() end })
   local pause, silent = 0.2, 0
@@ -128,7 +131,8 @@ end
 
 -- --- merging -------------------------------------------------------------------------------------
 
--- Merges a share's finished cases. Another submit of the same study may merge it at the same time.
+-- Merges the finished cases of a share. A missing file is no error: another submit of the same study may have
+-- merged it.
 local function take(store, job, path)
   local fine, why = pcall(store.merge, store, path)
   if fine or not text_file.exists(path) then return end
@@ -137,7 +141,7 @@ local function take(store, job, path)
     job.folder), why.code)
 end
 
--- Merges the shares of an ended job; each file is removed after it has been merged.
+-- Merges the shares of an ended job, and removes each file after it has been merged.
 local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
@@ -167,7 +171,8 @@ local function absolute(path)
     text ~= "" and text or "no output (is the limit of open files too low?)"), "IO")
 end
 
--- Returns the script of a share; the share's number comes from Slurm or is an argument.
+-- Returns the shell script of a share. The number of the share is in SLURM_ARRAY_TASK_ID or is the argument
+-- of the script.
 local function script_of(job, whole)
   local program = process.program() or check.fail(where, "the path of this program is unknown", "IO")
   local chunk = itself.chunk("study.share", whole, job.folder, job.shares, job.workers)
@@ -175,7 +180,7 @@ local function script_of(job, whole)
     .. "export ARCHARD_SHARE\nexec %s\n"):format(shell.line{ program, "-e", chunk })
 end
 
--- Writes a run file with the definitions and no results, which each share copies.
+-- Writes a run file with the definitions and no results. Each share starts from a copy of this file.
 local function write_blank(self, path)
   remove_store(path)
   local store <close> = definitions.open(where, path, "create")
@@ -197,8 +202,8 @@ local function start(self, job, whole)
   write_note(job)
 end
 
--- Returns the reason of a job without results: the last line of a share's log, else the first line
--- of the engine's log.
+-- Returns the reason why a job has no results: the last line of a share's log, or else the first line of the
+-- engine's log.
 local function last_words(job)
   for i = 1, job.shares do
     local line = (text_file.read(job.log(i)) or ""):match("([^\n]+)%s*$")
@@ -210,7 +215,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Returns the cases to compute; failed cases are tried again.
+-- Returns the cases to compute. Failed cases are set to "waiting" and computed again.
 local function prepare(whole)
   local store <close> = definitions.open(where, whole, "write")
   for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end
@@ -218,14 +223,14 @@ local function prepare(whole)
   return of_status(store, "waiting")
 end
 
--- Describes a new job for `waiting` cases.
+-- Returns a new job for `waiting` cases (a number).
 local function new_job(folder, options, waiting)
   local job = describe(folder, options.engine, math.min(options.shares, waiting))
   job.workers, job.options = options.workers or 1, options.options or {}
   return job
 end
 
--- Runs the waiting cases as one job and merges its results. Returns the job and the number of cases
+-- Runs the waiting cases as one job and merges the results. Returns the job and the number of cases that are
 -- still waiting. Raises an error if no case was finished.
 local function round(self, options, folder, whole, waiting)
   local job = new_job(folder, options, waiting)
@@ -241,7 +246,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- Returns the cases in `asked` that have warnings.
+-- Returns the cases of the list `asked` that have warnings, each as { id=, label=, message= }.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do
@@ -260,7 +265,8 @@ local function finish(self, store, asked)
   end
 end
 
--- Follows a running job of an earlier submit, or merges an ended one. Returns false if the job still runs.
+-- Waits for the job of an earlier submit, if there is one, and merges its results. Returns false if
+-- options.wait is false and the job is still running.
 local function earlier(self, folder, whole, options)
   local job = noted(folder)
   if not job then return true end
@@ -296,14 +302,14 @@ local function rounds(self, options, folder, whole)
   finish(self, store, asked)
 end
 
--- (study, options) -> the study; self.file is its run file.
+-- submit.run(study, options) runs the study as jobs and returns the study; study.file is its run file.
 function submit.run(self, options)
   options.engine = options.engine or "local"
   options.shares = options.shares or process.processors()
   local whole = absolute(self.file)
   local folder = whole .. ".shares"
   if options.engine ~= "local" then check_engine(options) end
-  definitions.for_run(where, self, whole):close() -- from here on the run file exists and belongs to this study
+  definitions.for_run(where, self, whole):close() -- the run file now exists and belongs to this study
   if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then
     return self:run{ workers = math.min(options.shares, 256), progress = options.progress }

@@ -1,4 +1,4 @@
--- Tables of a study's results as text for the terminal, CSV or Markdown.
+-- Tables of a study's results, as text for the terminal, CSV or Markdown.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -14,7 +14,7 @@ local tables = {}
 
 -- --- columns -------------------------------------------------------------------------------------
 
--- Returns the last row of the history of a finished case; nil for other cases.
+-- Returns the last row of the history of a finished case. Returns nil for other cases.
 local function last_of(case) return case.status == "done" and case.last or nil end
 
 local function of_last(name, factor)
@@ -24,7 +24,7 @@ local function of_last(name, factor)
   end
 end
 
--- Columns: title, unit, format, function for the value.
+-- Columns with results, each { title, unit, format, function(case) -> value }.
 local measured = {
   { "updates", "", "%d", of_last "update" },
   { "p_center", "MPa", "%.2f", of_last "p_center" },
@@ -41,8 +41,8 @@ local measured = {
   { "seconds", "s", "%.2f", function(case) return case.seconds end },
 }
 
--- Returns the names of the bodies of a study's finished cases; the usual names if they differ
--- between cases.
+-- Returns the names of the bodies of a study's finished cases. If the names differ between cases, it returns
+-- the default names.
 local function bodies_of(study)
   local names
   for _, case in ipairs(study:cases()) do
@@ -53,7 +53,7 @@ local function bodies_of(study)
   return names or measure.bodies()
 end
 
--- Returns true if some finished case has a value, which may be NaN, or if no case is finished.
+-- Returns true if a finished case has a value, which may be NaN. Also returns true if no case is finished.
 local function is_measured(study, value_of)
   local finished = false
   for _, case in ipairs(study:cases()) do
@@ -63,7 +63,7 @@ local function is_measured(study, value_of)
   return not finished
 end
 
--- Returns the measured columns that the cases have, with the names of the bodies.
+-- Returns the columns for which cases have values. Titles contain the names of the bodies.
 local function measured_of(study)
   local list, bodies = {}, bodies_of(study)
   local named = { depth_cylinder = "depth_" .. bodies.upper, depth_plate = "depth_" .. bodies.lower }
@@ -73,8 +73,8 @@ local function measured_of(study)
   return list
 end
 
--- Returns the beginning of a warning without the name of the function, such as "the contact reaches
--- the cup's rim".
+-- Returns the beginning of a warning, without the name of the function, such as "the contact reaches the
+-- cup's rim".
 local function shortened(warning) return warning:gsub("^[%l_]+:%l+: ", ""):match("^[^:(]*[^:(%s]") or warning end
 
 local function columns_of(study)
@@ -118,13 +118,13 @@ local function heads(columns, with_unit)
   return row
 end
 
--- Short column titles for the terminal; the units are in a separate row.
+-- Short column titles for the terminal. Units are in a separate row.
 local short = { depth_cylinder = "h_cyl", half_width = "half_w",
   alpha_tilde = "a~", seconds = "time", updates = "upd." }
 
 local forms = {}
 
--- Columns omitted on a narrow terminal, the first one first.
+-- Columns that are omitted on a narrow terminal, in the order of omission.
 local spare = { "p_peak", "half_width", "p_max", "seconds", "updates", "volume", "jump" }
 
 local function without(columns, name)
@@ -135,7 +135,8 @@ local function without(columns, name)
   return kept
 end
 
--- Width reserved for the status column. Its long messages may exceed the width of the terminal.
+-- Width that is reserved for the status column. Long messages in this column may exceed the width of the
+-- terminal.
 local widest_status = 20
 
 local function text_of(study, columns)
@@ -191,7 +192,8 @@ end
 local endings = { csv = "csv", md = "markdown", txt = "text" }
 local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.file }
 
--- make(study, { format= }) -> the table as text for print(); with file=, the file written
+-- tables.make(study, { format=, file= }) returns the table as text for print(). With file=, it writes the
+-- table to this file.
 function tables.make(study, options)
   options = options or {}
   check.fields("study:table", options, fields)
@@ -202,8 +204,8 @@ function tables.make(study, options)
   return written.returned("study:table", options.file)
 end
 
--- Returns rows of formatted texts, the titles first, without the columns in `omitted`, for HTML
--- pages.
+-- Returns the table for HTML pages as rows of formatted texts, the titles first. The columns in `omitted` are
+-- left out.
 function tables.rows(study, omitted)
   local columns = columns_of(study)
   for _, name in ipairs(omitted or {}) do columns = without(columns, name) end

@@ -1,7 +1,7 @@
--- Runs a function whose writes into a run file are either all stored or all undone.
+-- Runs a function in a transaction of a run file: its writes are either all stored or all undone.
 
--- (store, work, argument...): calls work(argument...) in a transaction; on an error, its writes are rolled back and the
--- error is raised again.
+-- Called as transaction(store, work, argument...): calls work(argument...). On an error the writes are rolled
+-- back and the error is raised again.
 return function(store, work, ...)
   store:begin()
   local fine, why = pcall(work, ...)

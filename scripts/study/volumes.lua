@@ -1,5 +1,5 @@
--- Wear coefficients from measured volumes (Eqs. 1, 11, 12): over a whole test, or as tables over the distance from
--- volumes measured at several distances. Each test gives one pair of volumes.
+-- Computes wear coefficients from measured volumes (Eqs. 1, 11, 12), for a whole test or as tables over the
+-- distance from volumes measured at several distances. Each test has one pair of volumes.
 
 local statistics = require "archard.lib.statistics"
 
@@ -15,7 +15,7 @@ end
 
 -- --- one interval of distance ----------------------------------------------------------------------
 
--- Returns the standard deviation of each quantity over the tests; that of alpha to first order.
+-- Returns the standard deviation of each quantity over the tests. The deviation of alpha is of first order.
 local function deviations(cylinder, plate, c, p, work)
   local total = c + p
   local function of(f)
@@ -29,16 +29,17 @@ local function deviations(cylinder, plate, c, p, work)
   }
 end
 
--- Returns the standard deviations for a single test with a known error of the volumes `err` [mm3].
+-- Returns the standard deviations for a single test whose volumes have the known error `err` [mm3].
 local function known_deviations(c, p, work, err)
   local total = c + p
   return { k = math.sqrt(2) * err / work, k_cylinder = err / work, k_plate = err / work,
     alpha = total > 0 and math.sqrt(c * c + p * p) * err / total ^ 2 or nil }
 end
 
--- Computes k and alpha of an interval. cylinder, plate: volumes lost over an interval in each test;
--- work: load times distance [N mm]. Returns { mean=, spread=, low=, high= } of the quantities; low
--- and high are the confidence range of the mean, nil for a single test without `err`.
+-- Computes k and alpha of an interval of distance. cylinder, plate: volumes [mm3] lost in the interval, one
+-- per test; work: load times distance [N mm]. Returns { mean=, spread=, low=, high= }, each a table of the
+-- quantities. low and high are the confidence range of the mean; they are empty for a single test without
+-- `err`.
 function volumes.stretch(cylinder, plate, work, confidence, err)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local result = { mean = { k = (c + p) / work, k_cylinder = c / work, k_plate = p / work,
@@ -58,7 +59,7 @@ end
 
 -- --- tables over the distance ----------------------------------------------------------------------
 
--- Returns the start and end of each interval: 0 and the measured distances, inner distances twice.
+-- Returns the start and the end of each interval: 0, then each measured distance twice, the last one once.
 local function points(distance)
   local list = {}
   for i, d in ipairs(distance) do
@@ -67,8 +68,8 @@ local function points(distance)
   return list
 end
 
--- Returns the means of the intervals at `points`. In an interval without wear, alpha of the
--- previous interval is used.
+-- Returns the mean of the quantity `name` at the start and end of each interval. In an interval without wear
+-- the value of the previous interval is used.
 local function steps(mean, name)
   local list = {}
   for i, each in ipairs(mean) do
@@ -78,8 +79,8 @@ local function steps(mean, name)
   return list
 end
 
--- Returns the results of each interval between distances; volumes are lists by test of lists by
--- distance.
+-- Returns the results for each interval between the distances. cylinder[test][i] and plate[test][i] are the
+-- volumes at distance i [mm3].
 local function stretches(distance, cylinder, plate, given)
   local list = {}
   for i, d in ipairs(distance) do
@@ -93,10 +94,10 @@ local function stretches(distance, cylinder, plate, given)
   return list
 end
 
--- Computes k and alpha over the distance. given: load, confidence, error. Returns tables {
--- distance=, value= } by name, constant in each interval, so that wear{} with the tables k and
--- alpha reproduces the measured volumes; and the bands { distance=, value=, low=, high= } of these
--- means, at the middle of each interval.
+-- Computes k and alpha over the distance. given: load, confidence, error. Returns two tables by quantity. The
+-- first contains tables { distance=, value= }, constant in each interval: wear{} with these k and alpha
+-- reproduces the measured volumes. The second contains the bands { distance=, value=, low=, high= } of the
+-- means at the middle of each interval.
 function volumes.course(distance, cylinder, plate, given)
   local list, at = stretches(distance, cylinder, plate, given), points(distance)
   local mean = map(list, function(stretch) return stretch.mean end)

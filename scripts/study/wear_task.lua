@@ -1,12 +1,13 @@
--- Computes a wear run of a study: records its surfaces at given distances and saves the run to the run file at
--- intervals; a run whose process was killed is continued from there.
+-- Computes a wear run of a study. It records the surfaces at given distances and saves the run to the run
+-- file at intervals. If the process is killed, the next call continues the saved run.
 
 local joint_file = require "archard.joint.file"
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 
--- Returns a function that decides at which updates the surfaces are recorded: `count` times, first the unworn surfaces,
--- then at the first update at or after each share of the distance. The store records the final surfaces.
+-- Returns a function(distance) that returns true at the updates at which surfaces are recorded. There are
+-- `count` records: the unworn surfaces, then the first update at or after each share of the total distance.
+-- The store records the final surfaces.
 local function recorder(count, total)
   local next_look = 0
   return function(distance)
@@ -25,7 +26,7 @@ local function record(run, list)
   end
 end
 
--- Returns the surfaces recorded before the run was saved, which were saved with its state.
+-- Returns the surfaces that were recorded before the run was saved. They are stored together with its state.
 local function recorded(run, surfaces, is_due)
   local due, list, history = {}, {}, run.history
   for i, distance in ipairs(history.distance) do
@@ -37,14 +38,14 @@ local function recorded(run, surfaces, is_due)
   return list
 end
 
--- Returns the saved run and its surfaces, or nil if the run was not saved.
+-- Returns the saved run and its surfaces, or nil if the run was not saved or is finished.
 local function saved_run(store, id)
   local fine, run = pcall(joint_file.wear, store, id)
   if fine and run.update > 0 and not run.done then return run, joint_file.surfaces(store, id) end
 end
 
--- (store, id, given = fields of wear{}, snapshots = number of records, every = seconds between saves, on_progress) -> the
--- finished run, the recorded surfaces
+-- Computes a case. given: fields of wear{}; snapshots: number of records; every: seconds between saves.
+-- Returns the finished run and the recorded surfaces.
 return function(store, id, given, snapshots, every, on_progress)
   local run, surfaces = saved_run(store, id)
   run = run or wear(given)

@@ -1,7 +1,8 @@
--- A worker process of a study: reads lines "case ID" from standard input, computes the case and stores the results in
--- the run file. It prints "at ID SHARE" (progress), "computed ID" (ready for the next case); after storing, "done ID"
--- or "failed ID TEXT", before it "warned ID TEXT" if the case has a warning; and "broken TEXT" if the file cannot be
--- written. The line "store" requests to store all computed cases.
+-- A worker process of a study. It reads lines "case ID" from standard input, computes the case and stores the
+-- results in the run file; the line "store" requests to store all computed cases. It prints "at ID SHARE"
+-- (progress) and "computed ID" (ready for the next case). After storing it prints "done ID" or "failed ID
+-- TEXT", preceded by "warned ID TEXT" if the case has a warning. It prints "broken TEXT" if the file cannot
+-- be written.
 
 local stores = require "archard.store"
 local files = require "archard.files"
@@ -13,9 +14,10 @@ local warnings = require "archard.warnings"
 local wear_task = require "archard.study.wear_task"
 
 local pause = 0.2 -- seconds between two progress lines
-local longest_wait = 0.5 -- seconds that a computed case may stay in memory
+local longest_wait = 0.5 -- longest time [s] that a computed case waits in memory
 
--- Converts an error to one line of text, without its position in the program, which does not help the user.
+-- Converts an error to one line of text. The position in the program is removed, because it does not help the
+-- user.
 local function one_line(value)
   if type(value) == "table" then value.position = nil end
   return (tostring(value):gsub("%s+", " "):sub(1, 480))
@@ -30,7 +32,7 @@ end
 
 local tasks = {}
 
--- Returns the last values of the history's columns, by name.
+-- Returns the last value of each history column, by name.
 local function last_record(run)
   local values = {}
   for name, list in pairs(run.history) do values[name] = list[#list] end
@@ -45,14 +47,15 @@ function tasks.wear(store, id, on_progress, every)
   end, run
 end
 
--- Searches for the settings of a case and stores them as its results.
+-- Searches for the settings of a case. Returns a function that stores them as the results of the case.
 function tasks.converge(store, id, on_progress)
   local search = require "archard.study.search"
   local found = search(settings.nest(store:values(id, "settings")), on_progress)
   return function() store:set_values(id, "results", settings.flatten("converge", found)) end
 end
 
--- Makes a trial of a fit: stores the results that the fit compares with measurements.
+-- Computes a trial of a fit. Returns a function that stores the results that the fit compares with
+-- measurements.
 function tasks.fit(store, id, on_progress)
   local observe = require "archard.study.observe"
   local readings, run = observe.run(settings.nest(store:values(id, "settings")),
@@ -63,7 +66,7 @@ end
 
 -- --- one case after the other ------------------------------------------------------------------
 
--- Returns the progress callback of a case. Only cases longer than `pause` are marked as running.
+-- Returns the progress callback of a case. Only cases that take longer than `pause` are marked as running.
 local function progress_of(store, id)
   local last, marked = term.clock(), false
   return function(share)
@@ -76,14 +79,15 @@ local function progress_of(store, id)
   end
 end
 
--- Returns the engine's warning in this case, or nil. The search of converge exceeds limits on
--- purpose, so its warnings are ignored.
+-- Returns the engine's warning for this case, or nil. Warnings of the task "converge" are ignored, because
+-- its search exceeds limits on purpose.
 local function warning_of(store)
   local text = warnings.take()
   return store:info("task") ~= "converge" and text or nil
 end
 
--- Returns { id=, seconds=, warning=, failure=, keep= (function that writes the results), run= (the wear object) }.
+-- Computes a case. Returns { id=, seconds=, warning=, failure=, keep=, run= }: keep is the function that
+-- writes the results, run the wear object.
 local function compute_case(store, id, every)
   local start = term.clock()
   warnings.take()
@@ -112,7 +116,7 @@ local function report(case)
   if case.failure then print_words("failed", case.id, case.failure) else print_words("done", case.id) end
 end
 
--- Writes all cases in one transaction, or none; returns the seconds that the commit took.
+-- Writes all cases in one transaction or, on an error, none. Returns the time [s] of the commit.
 local function write_cases(store, cases)
   local written
   transaction(store, function()
@@ -124,14 +128,14 @@ local function write_cases(store, cases)
   return seconds
 end
 
--- Stores computed cases. As each commit waits for the disk, short cases are stored together, so that at most a tenth of
--- the time is spent waiting.
+-- Queue of computed cases. Each commit waits for the disk. Short cases are therefore stored together, which
+-- limits the waiting to a tenth of the time.
 local result_queue = {}
 result_queue.__index = result_queue
 
 function result_queue:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
 
--- Stores all cases together; if this fails, for example on a full disk, one by one.
+-- Stores all cases together. If this fails, for example on a full disk, the cases are stored one by one.
 function result_queue:store()
   local cases = self.cases
   self.cases = {}
@@ -159,9 +163,8 @@ local function handle_line(results, line)
   results:add(case)
 end
 
--- every: seconds between saves of a long case. folder, least: folder of the sandboxed script and
--- number of bytes that must stay free on the disk, which also apply to the worker; "" without a
--- sandbox.
+-- The worker. every: seconds between saves of a long case. folder: folder of the sandbox that also confines
+-- the worker, or "" without a sandbox; least: number of bytes that must stay free on the disk.
 return function(path, every, folder, least)
   if folder ~= "" then files.confine(folder, least) end
   local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
