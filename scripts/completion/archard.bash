@@ -1,4 +1,4 @@
-# Completion of archard(1) in bash: options, example scripts, scripts and run files.
+# Completes the command line of archard(1) in bash: options, example scripts, Lua scripts and run files.
 _archard() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} i
   COMPREPLY=()

@@ -1,5 +1,6 @@
 #compdef archard
-# Completion of archard(1) in zsh: options as the program itself lists them, scripts, files.
+# Completes the command line of archard(1) in zsh: the options that the program lists with --help, scripts and
+# files.
 local -a flags
 local line
 for line in ${(f)"$($words[1] --help 2>/dev/null)"}; do

@@ -12,7 +12,8 @@ local array = { program = "sbatch" }
 
 function array.is_name(text) return text:find "^%d+;?[%w_-]*$" ~= nil end
 
--- In --output, Slurm replaces %, and treats all characters as plain if the path contains a backslash.
+-- Slurm replaces % in --output. If the path contains a backslash, Slurm replaces nothing, so such paths are
+-- refused.
 function array.start(job)
   if job.folder:find("\\", 1, true) then return nil, "Slurm writes no logs to a folder with a backslash in its name" end
   local log = ("%s/%%a-of-%d.log"):format(job.folder:gsub("%%", "%%%%"), job.shares)
@@ -23,7 +24,7 @@ function array.start(job)
   local said, fine = shell.ask(shell.line(words))
   local name = fine and said:match("%f[^%z\n](%d+;?[%w_-]*)$")
   if not name then return nil, said end
-  return name -- with several clusters, the name includes the cluster: "4242;north"
+  return name -- with several clusters, the name includes the cluster, such as "4242;north"
 end
 
 local function ask(name)
@@ -33,8 +34,8 @@ local function ask(name)
   return shell.ask(shell.line(words))
 end
 
--- Returns a text such as "2 running, 6 pending" from one line for each share; nil if no line
--- contains a state.
+-- Counts the shares by state, from one line for each share. Returns a text such as "2 running, 6 pending", or
+-- nil if no line contains a state.
 local function count(lines)
   local states, order = {}, {}
   for state in lines:gmatch("%f[^%z\n](%u[%u_]+)%s*%f[%z\n]") do
@@ -45,7 +46,8 @@ local function count(lines)
   return order[1] and table.concat(order, ", ")
 end
 
--- Returns the state of a job; nil also if Slurm no longer has a record of it.
+-- Returns the states of the shares of a job. Returns nil if all have ended or if Slurm no longer has a record
+-- of the job.
 function array.state(job)
   local said, fine = ask(job.name)
   if not fine then

@@ -1,5 +1,5 @@
--- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options,
--- on several machines with common files. The interface is described in slurm/array.lua.
+-- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options, on
+-- several machines with a common file system. slurm/array.lua describes the interface.
 
 local shell = require "archard.lib.shell"
 local text_file = require "archard.lib.text_file"
@@ -8,11 +8,12 @@ local parallel = { program = "parallel" }
 
 function parallel.is_name(text) return text:find "^%d+$" ~= nil end
 
--- Quotes a path for a command of GNU parallel, which replaces {}, {#} and {= Perl =} (and also
--- \xAF<, which it converts to the last of these). An inserted empty string prevents this.
+-- Quotes a path for a command of GNU parallel. GNU parallel replaces {}, {#} and {= Perl =}, and also \xAF<,
+-- which it converts to the last form. An empty string after the first character prevents the replacement.
 local function literal(path) return (shell.quote(path):gsub("[{\xAF]", "%0''")) end
 
--- Starts the job in a new session, so that it continues after this program and Ctrl-C does not reach it.
+-- Starts the job in a new session. The job then continues after this program ends, and Ctrl-C does not reach
+-- it.
 function parallel.start(job)
   local words = { "setsid", "parallel" }
   table.move(job.options, 1, #job.options, 3, words)
@@ -25,8 +26,9 @@ function parallel.start(job)
   return said
 end
 
--- Checks the command line of the process, as another process may have got its number. It is empty for a moment while
--- one program replaces another, and after the end of the process.
+-- Returns "running" or nil. The command line of the process is checked, because another process may have got
+-- its number. The command line is empty for a moment while one program replaces another, and after the end of
+-- the process.
 function parallel.state(job)
   local status = text_file.read(("/proc/%s/status"):format(job.name))
   local words = text_file.read(("/proc/%s/cmdline"):format(job.name))

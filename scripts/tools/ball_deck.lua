@@ -1,12 +1,12 @@
--- Writes a ball on a flat as a deck for CalculiX: a quarter of both bodies (x, z >= 0), bricks of
--- 20 nodes that are fine at the contact. Both bodies are blocks, and the lower side of the upper
--- block has the heights of the ball, so they differ from half-spaces only by their finite size.
--- Lengths in mm, N, MPa; y is up.
+-- Writes a ball on a flat as an input deck for CalculiX: a quarter of both bodies (x, z >= 0), meshed with
+-- bricks of 20 nodes that are fine at the contact. Both bodies are blocks, and the lower side of the upper
+-- block has the heights of the ball. The bodies therefore differ from half-spaces only by their finite size.
+-- Lengths in mm, forces in N, stresses in MPa; y is up.
 
 local deck = {}
 
--- Returns positions from 0 on: `count` equal steps up to `fine`, then steps that grow by `growth`
--- until `far`, with the middles of all steps.
+-- Returns positions from 0 on: `count` equal steps up to `fine`, then steps that grow by the factor `growth`
+-- until `far`. The midpoints of all steps are included.
 local function graded(fine, count, growth, far)
   local at, step, all = { 0 }, fine / count, {}
   for i = 1, count do at[#at + 1] = i * step end
@@ -21,16 +21,16 @@ local function graded(fine, count, growth, far)
   return all
 end
 
--- Returns corners and middles of edges of a brick on a lattice with two steps per element, in
--- CalculiX' order; y is the second axis.
+-- Corners and edge midpoints of a brick on a lattice with two steps per element, in CalculiX order. y is the
+-- second axis.
 local order = {
   { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 2 },
   { 1, 0, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 0, 1, 0 }, { 1, 0, 2 }, { 2, 1, 2 }, { 1, 2, 2 }, { 0, 1, 2 },
   { 0, 0, 1 }, { 2, 0, 1 }, { 2, 2, 1 }, { 0, 2, 1 },
 }
 
--- Writes a body: `surface` (x, z) -> y, layers towards `far` (above 0 for the upper body). Nodes
--- and elements are numbered from `node` and `element` on.
+-- Writes the nodes and elements of a body. surface(x, z) returns the y of its surface; the layers extend to
+-- `far` above it (upper body) or below it. Numbers of nodes and elements start after `node` and `element`.
 local function write_body(file, name, plan, layers, surface, side, far, node, element)
   local number = {}
   local function key(i, j, k) return (i * 1000 + j) * 1000 + k end
@@ -83,9 +83,9 @@ local function write_contact(file, name, body, reach, side)
   end
 end
 
--- Writes an Abaqus deck of a case. case: upper, lower (x, z) -> y [mm]; E, nu by body; load;
--- expected approach; half_width of the contact; far [mm]. Returns the number of nodes of the ball
--- and of both bodies.
+-- Writes an Abaqus deck of a case. case: upper and lower, functions (x, z) -> y [mm]; E [MPa] and nu of both
+-- bodies; load [N]; approach (expected), half_width of the contact and far [mm]. Returns the number of nodes
+-- of the ball and of both bodies.
 function deck.write(path, case)
   local file <close> = assert(io.open(path, "w"))
   local fine, growth = 1.3 * case.half_width, 1.9

@@ -1,6 +1,6 @@
--- make bench: costs of archard in one run. CPU seconds of one thread; peak memory as the kernel
--- counts it. Arguments: "quick" omits the finer meshes; "sizes" prints and plots how the cost grows
--- with the number of surface nodes, down to 2.5 um (some minutes).
+-- Measures the costs of archard in one run (make bench). Times are CPU seconds of one thread; memory is the
+-- peak that the kernel reports. Arguments: "quick" omits the finer meshes; "sizes" prints and plots how the
+-- cost grows with the number of surface nodes, down to elements of 2.5 um (some minutes).
 
 local function peak_memory()
   local file = io.open("/proc/self/status")
@@ -9,7 +9,7 @@ local function peak_memory()
   return kb and tonumber(kb) / 1024
 end
 
--- Returns the processor seconds of the calling thread.
+-- Returns the CPU seconds of the calling thread.
 local function own_seconds()
   local file <close> = assert(io.open "/proc/thread-self/schedstat")
   return tonumber(file:read("a"):match "^%d+") / 1e9
@@ -26,7 +26,7 @@ local function line(what, value, unit, goal, note)
   io.write(string.format("  %-52s %9s %-4s %s\n", what, value, unit, goal and ("goal " .. goal) or note or ""))
 end
 
--- Returns the microseconds per solution in a long run at frozen geometry, including all overhead.
+-- Returns the microseconds per contact solution in a long run with frozen geometry, including all overhead.
 local function solution_cost(model, finer)
   local w = wear{ model = model, geometry = "frozen", jump = 100 / finer }
   w:run{ distance = 132, progress = false }
@@ -35,8 +35,8 @@ local function solution_cost(model, finer)
   return 1e6 * seconds / (w.solutions - before)
 end
 
--- Returns the microseconds per increment in a wear run at frozen geometry, in cycles of 40
--- increments: the best of five.
+-- Returns the microseconds per increment in a wear run with frozen geometry and 40 increments per cycle, the
+-- best of five runs.
 local function cycle_cost(model, fields)
   local best = math.huge
   for _ = 1, 5 do
@@ -48,7 +48,8 @@ local function cycle_cost(model, fields)
   return best
 end
 
--- Returns the microseconds per increment of a motion under a force in a number of increments.
+-- Returns the microseconds per increment of contact:move{} under a tangential force, with a given number of
+-- increments.
 local function motion_cost(model, increments)
   local c = contact{ model = model, friction = 0.6 }:move{ tangential = 48 }
   local best, repeats = math.huge, math.ceil(400 / increments)
@@ -61,8 +62,8 @@ local function motion_cost(model, increments)
   return best
 end
 
--- Prints the cost of increments with friction between similar bodies, and its ratio to increments
--- without friction. The two halves of a cycle are not mirror images here.
+-- Prints the cost of increments with friction between similar bodies, and its ratio to increments without
+-- friction. The motion is not symmetric, so the halves of a cycle are not mirror images.
 local function friction_costs(model)
   local to_and_fro = { x = { -0.025, 0.0251, -0.025 }, increments = 40 }
   local plain = cycle_cost(model, { loading = to_and_fro })
@@ -76,8 +77,8 @@ local function friction_costs(model)
   compare("c:move under a force, 20 increments", motion_cost(model, 20))
 end
 
--- Runs the 20 cases with Table 1's parameters; N-bar is divided by `finer`, as ripples grow faster
--- on finer meshes.
+-- Runs the 20 cases with the parameters of Table 1. The cycles per update are divided by `finer`, because
+-- ripples grow faster on finer meshes.
 local function twenty_cases(model, geometry, finer)
   local solutions = 0
   local seconds = timed(function()
@@ -112,7 +113,7 @@ local function measure(size, finer, goals)
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
 end
 
--- Returns the cost of the same run on finer meshes, one row of the table of sizes.
+-- Returns a row of the table of sizes: the cost of the reference case on a mesh with elements of `size` [mm].
 local function cost_at(size)
   local finer = 0.02 / size
   local building, m = timed(function() return model_of(size) end)
@@ -127,8 +128,7 @@ local function cost_at(size)
   return row
 end
 
--- Returns the exponent with which the cost grows with the number of surface nodes, between the two
--- finest meshes.
+-- Returns the exponent with which a cost grows with the number of surface nodes, from the two finest meshes.
 local function growth(rows, what)
   local a, b = rows[#rows - 1], rows[#rows]
   return math.log(b[what] / a[what]) / math.log(b.nodes / a.nodes)
@@ -158,8 +158,7 @@ local function sizes()
   plot(curves)
 end
 
--- Measures the elapsed time of many small cases, as in studies of thousands of cases, with one
--- worker per processor.
+-- Measures the elapsed time of a study with many small cases, with one worker per processor.
 local function studies()
   local term, workers = require "archard.term", require "archard.process".processors()
   local file, loads = os.tmpname(), {}
@@ -178,7 +177,7 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
--- Draws, runs and stores samples of the reference case, and evaluates their statistics.
+-- Measures a sampled study of the reference case: its run, storage and statistics.
 local function samples(count, geometry)
   local term, workers = require "archard.term", require "archard.process".processors()
   local file = os.tmpname()
@@ -196,7 +195,7 @@ local function samples(count, geometry)
   line("bands and quantiles from them", string.format("%.2f", asked), "s")
 end
 
--- Computes sensitivities from one run and its repetitions with small changes.
+-- Measures sensitivities, which are computed from one run and its repetitions with small changes.
 local function sensitivities()
   for _, jump in ipairs{ 100, "auto" } do
     local w = wear{ jump = jump }
@@ -207,7 +206,7 @@ local function sensitivities()
   end
 end
 
--- Fits one pair of profiles and one set of generated data.
+-- Measures fits to a pair of profiles and to a set of generated data.
 local function fitting()
   local truth, data = wear{ k = 1.3e-8, alpha = 0.4, stroke = 0.22, jump = 50 }, {}
   truth:run{ progress = false }
@@ -221,7 +220,7 @@ local function fitting()
   line(("a fit of k and alpha to a pair of profiles, %d runs"):format(found.runs), string.format("%.2f", seconds), "s", "5")
 end
 
--- Runs McColl's fretting case at its published length, in gross slip.
+-- Measures McColl's fretting case in gross slip at its published length.
 local function fretting()
   local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
     stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
@@ -230,12 +229,12 @@ local function fretting()
   line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
 end
 
--- Runs the paper's pair defined by body.cylinder{} and body.block{}, and by a Gmsh file of its
--- mesh. The latter has no wear box, so that unknowns are eliminated in another order and mirror
--- images save no half strokes.
+-- Measures the paper's pair of bodies, defined by model{}, by body.cylinder{} and body.block{}, and by a Gmsh
+-- file of its mesh. The mesh from the file has no wear box: its unknowns are eliminated in another order, and
+-- mirror images save no half strokes.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
-  model{ radius = 9 } -- the last model is cached
+  model{ radius = 9 } -- replaces the last model, which is cached
   local paths = {
     { name = "model{ radius=10 }", make = function() return model{ radius = 10 } end },
     { name = "body.cylinder on body.block", make = function()
@@ -243,13 +242,13 @@ local function general_paths()
     end },
     { name = "the same mesh from Gmsh", make = function() return model{ radius = 10, mesh = text } end },
   }
-  local function best(f) -- the best of several alternating runs, which reduces the effect of other load
+  local function best(f) -- best of several alternating runs, which reduces the effect of other load on the machine
     for _ = 1, 7 do
       for _, path in ipairs(paths) do f(path) end
     end
   end
   best(function(path)
-    path.model = nil -- otherwise a cached model would be returned
+    path.model = nil -- the cached model would be returned otherwise
     collectgarbage()
     local seconds, m = timed(path.make)
     path.model, path.building = m, math.min(path.building or math.huge, seconds)
@@ -271,7 +270,8 @@ local function general_paths()
   end
 end
 
--- Runs a million cycles of walking with 400 contacts: both bodies of a metal joint, and a liner.
+-- Measures a million cycles of walking with 400 contacts: wear of both bodies of a metal joint, and wear of a
+-- liner.
 local function joints()
   io.write("\nballs in sockets, 1e6 cycles of walking\n")
   local function walk(what, goal, definition, k, alpha)
@@ -289,8 +289,8 @@ local function joints()
   walk("the same on springs", "0.1", liner, 1e-9, 0)
 end
 
--- Measures half-spaces in three dimensions: contacts that fill most of N x N cells, a history of
--- wear, and its memory.
+-- Measures half-spaces in three dimensions: contacts that fill most of N x N cells, the wear history, and its
+-- memory.
 local function half_spaces(quick)
   io.write("\nhalf-spaces in three dimensions\n")
   local half = hertz{ geometry = "3-D", load = 10 }.half_width
@@ -329,7 +329,7 @@ local function half_spaces(quick)
   end
 end
 
--- Returns the elapsed milliseconds from the program's start to its end, the best of ten.
+-- Measures the time [ms] from the start of the program to its end, the best of ten.
 local function starting()
   local term, best = require "archard.term", math.huge
   for _ = 1, 10 do

@@ -1,11 +1,13 @@
--- Runs a deck in CalculiX and reads its results; for make peer and the tests. Lengths in mm, MPa, N.
+-- Runs an input deck in CalculiX and reads the results, for `make peer` and the tests. Lengths in mm,
+-- stresses in MPa, forces in N.
 
 local ccx = {}
 
--- Returns true if the program is installed.
+-- Returns true if CalculiX is installed.
 function ccx.there() return os.execute("command -v ccx >/dev/null 2>&1") == true end
 
--- Runs NAME.inp in a folder, on one thread. Returns true on success, the output, and the CPU seconds.
+-- Runs NAME.inp in a folder on one thread. Returns true on success, the output of CalculiX, and the CPU
+-- seconds.
 local function run(folder, name)
   local pipe = assert(io.popen(("cd '%s' && OMP_NUM_THREADS=1 ccx %s 2>&1; times"):format(folder, name)))
   local said = pipe:read("a")
@@ -15,15 +17,15 @@ local function run(folder, name)
   return said:find("Job finished", 1, true) and not said:find("*ERROR", 1, true), said, seconds
 end
 
--- Returns the numbers of a line after the number of the node; each has twelve columns.
+-- Returns the node number and the values of a result line. Each value has twelve columns.
 local function numbers_in(line)
   local values = {}
   for at = 14, #line - 11, 12 do values[#values + 1] = tonumber(line:sub(at, at + 11)) end
   return tonumber(line:sub(4, 13)), values
 end
 
--- Returns the results of the last step by block (DISP, STRESS, CONTACT) and node; NODES has the
--- positions.
+-- Reads the results of the last step from an .frd file. Returns the blocks DISP, STRESS, CONTACT and NODES
+-- (the positions), each by node number.
 local function read_frd(path)
   local blocks, block = {}, nil
   for line in io.lines(path) do
@@ -43,8 +45,8 @@ local function read_frd(path)
   return blocks
 end
 
--- Returns the last force on the cylinder and the last displacement of the base in the printed file,
--- along y.
+-- Returns the last force on the cylinder and the last displacement of the base, both along y, from the .dat
+-- file.
 local function prints_in(path)
   local file = assert(io.open(path))
   local text = file:read("a")
@@ -60,7 +62,7 @@ local function mises(s)
   return math.sqrt(((x - y) ^ 2 + (y - z) ^ 2 + (z - x) ^ 2) / 2 + 3 * (xy * xy + yz * yz + zx * zx))
 end
 
--- Returns the largest von Mises stress of each body; `owner` maps a node to its body.
+-- Returns the largest von Mises stress of each body. owner(node) returns the body of a node.
 local function largest_mises(stress, owner)
   local largest = {}
   for node, s in pairs(stress) do
@@ -70,7 +72,7 @@ local function largest_mises(stress, owner)
   return largest
 end
 
--- p_center is the pressure at x = 0, where the loaded surface has a node.
+-- Returns the contact pressure at x = 0, where the loaded surface has a node, and the largest pressure.
 local function pressures(blocks)
   local center, largest = 0 / 0, 0
   for node, c in pairs(blocks.CONTACT) do
@@ -81,8 +83,8 @@ local function pressures(blocks)
   return center, largest
 end
 
--- Returns stresses normal to the surface at the nodes of the lower body below x = z = 0, as a list
--- of { y=, syy= }, the deepest first.
+-- Returns the stresses normal to the surface at the nodes of the lower body below x = z = 0, as a list of {
+-- y=, syy= }. The deepest node is first.
 local function below_axis(blocks, cylinder)
   local list = {}
   for node, s in pairs(blocks.STRESS) do
@@ -93,9 +95,9 @@ local function below_axis(blocks, cylinder)
   return list
 end
 
--- (folder, name, nodes of the cylinder, nodes of both bodies) -> { p_center=, p_max=, mises={
--- cylinder=, plate= }, force=, approach=, seconds=, increments=, axis= }; or nil and the output of
--- CalculiX
+-- Solves a deck. cylinder, both: number of nodes of the cylinder and of both bodies. Returns { p_center=,
+-- p_max=, mises={ cylinder=, plate= }, force=, approach=, seconds=, increments=, axis= }, or nil and the
+-- output of CalculiX.
 function ccx.solve(folder, name, cylinder, both)
   local done, said, seconds = run(folder, name)
   if not done then return nil, said end

@@ -1,7 +1,7 @@
--- Counts how often the true values are in the 95 % ranges of fits to noisy data, and measures the
--- time of a fit.
+-- Counts how often the true values are within the 95 % ranges of fits to noisy data, and measures the time of
+-- a fit.
 --
---   archard scripts/tools/fit_trials.lua [trials, 100]
+--   archard scripts/tools/fit_trials.lua [TRIALS]      default: 100
 local trial = dofile("tests/verify/lib/fit_trials.lua")
 local count = tonumber(arg[1]) or 100
 

@@ -1,13 +1,13 @@
--- Prints a hash of all results of the paper's 20 cases: every column of every update, and the
+-- Prints a hash of all results of the paper's 20 cases: every history column at every update, and the
 -- surfaces.
 --
 --   archard scripts/tools/golden.lua WORKERS [broken]
 --
--- `broken`: each case is saved after three updates and continued from the file.
+-- With `broken`, each case is saved after three updates and continued from the file.
 
 local workers, broken = math.tointeger(arg[1]) or 1, arg[2] == "broken"
 
--- Computes the FNV-1a hash of 64 bits.
+-- Adds bytes to a 64-bit FNV-1a hash and returns the new hash.
 local function add(sum, bytes)
   for i = 1, #bytes do sum = (sum ~ bytes:byte(i)) * 1099511628211 end
   return sum
@@ -21,7 +21,7 @@ end
 local function of_run(sum, w)
   local history = w.history
   for _, column in ipairs(require "archard.settings".columns) do
-    if column.name ~= "area" and column.name ~= "half_width_z" then -- of 3-D alone
+    if column.name ~= "area" and column.name ~= "half_width_z" then -- these columns exist only in 3-D
       sum = add_numbers(sum, history[column.name])
     end
   end

@@ -9,8 +9,8 @@ local function format_of(header)
   return assert(file:read "a":match("#define ARC_STORE_FORMAT (%d+)"), "no format in " .. header)
 end
 
--- Reads the columns from the lines " name [unit] text" of the entry: names of columns end in the
--- unit.
+-- Returns the columns of the history as items of the page, read from the lines " name [unit] text" of the
+-- help entry. In run files the name of a column ends with its unit.
 local function columns()
   local items = {}
   for name, text in help.entry("wear.history").text:gmatch("\n  ([%w_]+) +([^\n]+)") do

@@ -8,12 +8,12 @@ local show = require "archard.help.show"
 local out = {}
 local function put(...) out[#out + 1] = table.concat({ ... }) end
 
--- Escapes text for roff: leading dots and backslashes.
+-- Escapes a text for roff: backslashes, and dots and quotes at the beginning of a line.
 local function escape(text)
   return (text:gsub("\\", "\\e"):gsub("^([.'])", "\\&%1"):gsub("\n([.'])", "\n\\&%1"))
 end
 
--- Begins a new line for every sentence and after every 76 characters.
+-- Writes a text in lines of at most 76 characters; every sentence begins on a new line.
 local function put_filled(text)
   text = text:gsub("%s+", " ")
   local line = ""
@@ -48,7 +48,7 @@ local function put_text(text)
   if literal then put(".Ed") end
 end
 
--- Formats text on the line of an item so that it is not read as a macro.
+-- Returns a line with a list item. The text is escaped so that roff does not read it as a macro.
 local function item(text)
   local words = {}
   for word in escape(text):gmatch("%S+") do
@@ -85,7 +85,7 @@ local function options_of(address)
   return list
 end
 
--- Lists the members of an object and of its fields, such as wear.depth.cylinder.
+-- Returns the members of an object and of its fields, such as wear.depth.cylinder.
 local function members_of(address, kind)
   local list = {}
   for _, entry in ipairs(help.all()) do

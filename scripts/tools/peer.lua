@@ -1,8 +1,8 @@
--- make peer: runs the exported decks in CalculiX and compares the results with archard's. Both use
--- linear elements of the same kind on the same nodes; CalculiX enforces contact by a penalty,
--- archard exactly. Times are CPU seconds of one thread; an increment of archard is one of a wear
--- run, with its share of wear and new geometry. A ball on a flat in three dimensions follows, with
--- bricks of 20 nodes (ball.lua).
+-- make peer: solves exported decks in CalculiX and compares the results with archard's results. Both programs
+-- use the same linear elements on the same nodes. CalculiX enforces contact by a penalty, archard exactly.
+-- Times are CPU seconds of one thread; an increment of archard is an increment of a wear run, including its
+-- share of wear and new geometry. ball.lua adds a ball on a flat in three dimensions, with bricks of 20
+-- nodes.
 
 local here = arg[0]:match("^.*/")
 local ccx = dofile(here .. "ccx.lua")
@@ -26,7 +26,7 @@ local function ours(c)
     mises = { cylinder = largest(stress.cylinder.mises), plate = largest(stress.plate.mises) } }
 end
 
--- Returns the total normal force on the nodes of the cylinder.
+-- Returns the total normal force on the cylinder [N], integrated from the contact pressure.
 local function force_on(c)
   local x, p = c:pressure("cylinder").x, c:pressure("cylinder").p
   local sum = 0
@@ -40,8 +40,8 @@ local function theirs(folder, name, c)
   return assert(ccx.solve(folder, name, meshes.cylinder.nodes, meshes.cylinder.nodes + meshes.plate.nodes))
 end
 
--- Runs one case in both programs; returns both results, and the seconds per increment of archard's
--- run.
+-- Solves one case in both programs and returns both results. `seconds` is the time per increment of archard's
+-- wear run.
 local function case(folder, title, c, seconds)
   local a, b = ours(c), theirs(folder, "deck", c)
   a.force, a.seconds = force_on(c), seconds

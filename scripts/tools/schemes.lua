@@ -1,13 +1,12 @@
--- Compares explicit and implicit updates in the 20 cases of Table 1 at several element sizes:
--- errors, updates, contact solutions and seconds, as a Markdown table with a row for the five
--- alphas of a stroke.
+-- Compares explicit and implicit updates in the 20 cases of Table 1 at several element sizes. Prints errors,
+-- updates, contact solutions and seconds as a Markdown table, with one row for the five alphas of a stroke.
 --
 --   archard scripts/tools/schemes.lua [size in um ...]      default: 20, 10 and 5
 --
--- Errors are the largest at any stored update and those at the end, of the worst of the five cases.
--- The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
--- N-bar, scaled with the element size (ripples grow faster on finer meshes), and interpolated to
--- the distances of the updates.
+-- Each row has the largest error at any stored update and the error at the end, of the worst of the five
+-- cases. The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
+-- cycles per update and interpolated to the distances of the updates. The cycles per update are proportional
+-- to the element size, because ripples grow faster on finer meshes.
 
 local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"
@@ -17,7 +16,7 @@ local schemes = {
   { "implicit, tolerance = 1e-3", function() return { scheme = "implicit", tolerance = 1e-3 } end },
 }
 
--- Makes one run of a case.
+-- Runs a case. Returns the run and its CPU seconds.
 local function run(case, model, fields)
   fields.stroke, fields.alpha, fields.model = case.stroke, case.alpha, model
   local w = wear(fields)
@@ -26,13 +25,13 @@ local function run(case, model, fields)
   return w, os.clock() - start
 end
 
--- Makes explicit runs whose errors are linear in the length of their updates, so that they cancel
--- in twice the finer minus the coarser result.
+-- Runs a case explicitly with two lengths of the updates. The errors are linear in this length, so they
+-- cancel in twice the finer minus the coarser result.
 local function reference(case, model)
   return { coarse = run(case, model, { jump = case.jump / 5 }).history, fine = run(case, model, { jump = case.jump / 10 }).history }
 end
 
--- Returns errors of a column in percent: the largest at any update, and the error at the end. A
+-- Returns two errors of a history column in percent: the largest at any update, and the error at the end. A
 -- body without wear has no error.
 local function errors(history, column, true_runs)
   local worst, off = 0, 0
@@ -45,8 +44,8 @@ local function errors(history, column, true_runs)
   return worst, off
 end
 
--- Returns the largest values of several cases, for updates and solutions also the smallest, and the
--- seconds of all.
+-- Runs a case and adds its results to a row: the largest errors, the smallest and largest numbers of updates
+-- and solutions, and the sum of the seconds.
 local function add(row, case, model, scheme, true_runs)
   local w, seconds = run(case, model, scheme[2](case.jump))
   for _, name in ipairs{ "depth_cylinder", "depth_plate", "p_center" } do

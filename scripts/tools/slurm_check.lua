@@ -1,9 +1,9 @@
--- Runs a study through Slurm and the same study in this process, compares their bits and prints the
--- cases per minute.
+-- Runs a study through Slurm and in this process, checks that the results are identical to the bit, and
+-- prints the cases per minute.
 --
 --   scripts/slurm/node build/archard scripts/tools/slurm_check.lua [CASES] [SHARES] [FOLDER]
 --
--- Cases are small (elements of 40 um, five updates), so that the overhead dominates.
+-- The cases are small (elements of 40 um, five updates), so the overhead dominates.
 
 local count, shares = tonumber(arg[1]) or 1000, tonumber(arg[2]) or 8
 local folder = arg[3] or os.tmpname()
@@ -12,7 +12,7 @@ assert(require "archard.process".make_folder(folder))
 local content = dofile((arg[0]:match("^(.*)scripts/tools/") or "") .. "tests/lua/lib/content.lua")
 local clock = require "archard.term".clock
 
--- Returns cases with varying partition factor and load.
+-- Returns a study whose cases differ in alpha and load.
 local function small_cases()
   local cases = {}
   for i = 1, count do cases[i] = { alpha = (i - 1) % 101 / 100, load = 80 + 40 * (i - 1) / count } end

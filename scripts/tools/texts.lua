@@ -1,12 +1,12 @@
--- Lists the texts of the sources that have three words or more: blocks of comments, and string
--- literals (help, messages) except those of tests.
+-- Lists the texts in the sources that have three or more words: comments, and string literals (help,
+-- messages) outside of tests.
 --
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua list
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua draw NUMBER SEED
 --   git ls-files src include scripts tests | archard scripts/tools/texts.lua count WORD...
 --
--- `list` prints each text after its file and line; `draw` prints NUMBER of them, drawn at random;
--- `count` prints how often each Lua pattern occurs as a whole word, in comments and in literals.
+-- `list` prints each text after its file and line. `draw` prints NUMBER texts chosen at random. `count`
+-- prints how often each Lua pattern WORD occurs as a whole word, in comments and in literals.
 
 local texts = {}
 
@@ -18,7 +18,7 @@ local function add(kind, file, line, text)
   texts[#texts + 1] = { kind = kind, file = file, line = line, text = text }
 end
 
--- Returns the literal whose opening quote is at `at`, as its text and the position after it.
+-- Reads the literal whose opening quote is at position `at`. Returns its text and the position after it.
 local function quoted(source, at)
   local quote, stop = source:sub(at, at), at + 1
   while source:sub(stop, stop) ~= quote and stop <= #source do
@@ -27,9 +27,9 @@ local function quoted(source, at)
   return source:sub(at + 1, stop - 1):gsub("\\n", " "):gsub("\\(.)", "%1"), stop + 1
 end
 
--- For each language: a function that returns the kind, the text and the end of the token at `at`;
--- the characters that can begin a token; and the pattern that may separate two literals of one
--- text.
+-- Languages by file ending. token(source, at) returns the kind, the text and the end of the token at `at`;
+-- `first` is a set of characters that can begin a token; `joint` is the pattern of the code that may separate
+-- two literals of one text.
 local languages = {}
 
 local function c_token(source, at)
@@ -56,8 +56,8 @@ local function lua_token(source, at)
 end
 languages.lua = { token = lua_token, first = "[-'\"%[]", joint = "^%s*%.%.%s*$" }
 
--- Adds a token, or joins it to the last one: comments on consecutive lines are one comment, and
--- adjacent literals are one literal.
+-- Appends a token to the list, or joins it to the last token: comments on consecutive lines are one comment,
+-- and adjacent literals are one literal.
 local function append(list, token, between, joint)
   local last = list[#list]
   local joins = last and last.kind == token.kind

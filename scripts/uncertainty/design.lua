@@ -1,5 +1,5 @@
--- Makes the cases of a sampled study: the values of each case depend only on the distributions, the design and the
--- seed. Correlations apply to the normal scores of the fields, so that each field keeps its distribution.
+-- Makes the cases of a sampled study. The values of each case depend only on the distributions, the design
+-- and the seed. Correlations apply to the normal scores of the fields, so each field keeps its distribution.
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
@@ -12,7 +12,8 @@ local design = {}
 
 -- --- the fields ----------------------------------------------------------------------------------
 
--- Returns the uncertain fields { name=, distribution= } sorted by path. flat: the base settings.
+-- Returns the uncertain fields { name=, distribution= }, sorted by path. `flat` contains the flat settings of
+-- the base case.
 local function fields_of(where, given, flat)
   local list, there = {}, {}
   local function add(name, distribution)
@@ -66,7 +67,7 @@ local function check_correlation(where, i, item)
   end
 end
 
--- Returns the correlation matrix for { {"k", "alpha", -0.5}, ... }; nil without correlations.
+-- Returns the correlation matrix from a list { {"k", "alpha", -0.5}, ... }, or nil without correlations.
 local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -92,7 +93,8 @@ local function correlation_of(where, fields, given, flat)
   return matrix
 end
 
--- Returns the lower triangular Cholesky factor of the matrix.
+-- Returns the lower triangular Cholesky factor of a correlation matrix. Raises an error if the matrix is not
+-- positive definite.
 local function cholesky(where, matrix)
   local lower = {}
   for i = 1, #matrix do
@@ -113,7 +115,7 @@ local function cholesky(where, matrix)
   return lower
 end
 
--- Returns the number of cases for each point of the design.
+-- Returns the number of cases per point of the design.
 local function cases_each(sample) return sample.indices and #sample.fields + 2 or 1 end
 
 local function check_count(where, sample)
@@ -139,7 +141,8 @@ local function check_design(where, sample, given)
   end
 end
 
--- read(where, given): given has base, sample, n, design, seed, indices. Returns the sample's definition.
+-- design.read(where, given) returns the definition of the samples. `given` has the fields base, sample, n,
+-- design, seed and indices.
 function design.read(where, given)
   local flat = settings.flatten(where, given.base or {})
   local sample = { n = given.n or 1024, design = given.design or "sobol", seed = given.seed or 1,
@@ -152,7 +155,8 @@ end
 
 -- --- values --------------------------------------------------------------------------------------
 
--- Returns the values of all fields at point i. columns: cumulative probabilities.
+-- Returns the values of all fields at point `i` of the design. columns[f][i] is a cumulative probability of
+-- field f.
 local function values_at(sample, columns, i)
   local values, score = {}, {}
   for f, field in ipairs(sample.fields) do
@@ -168,8 +172,8 @@ local function values_at(sample, columns, i)
   return values
 end
 
--- Returns the cases of one point for Saltelli's design: a first set of values, a second one, and
--- for each field the first set with this field from the second set.
+-- Adds the cases of one point in Saltelli's design: a first set of values, a second set, and for each field
+-- the first set with the value of this field from the second set.
 local function with_exchanges(sample, columns, i, cases)
   local second, count = {}, #sample.fields
   for f = 1, count do second[f] = columns[count + f] end
@@ -183,7 +187,7 @@ local function with_exchanges(sample, columns, i, cases)
   end
 end
 
--- Returns all cases: n, or n (fields + 2) with indices.
+-- Returns all cases of the design: n cases or, with indices, n (fields + 2).
 function design.cases(sample)
   local dimensions = #sample.fields * (sample.indices and 2 or 1)
   local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
@@ -199,7 +203,7 @@ end
 
 -- --- text in a run file --------------------------------------------------------------------------
 
--- Returns the definition of the samples as text for the run file; the values are stored with the
+-- Returns the definition of the samples as text for the run file. The sampled values are stored with the
 -- cases.
 function design.text(sample)
   local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
@@ -210,7 +214,8 @@ function design.text(sample)
   return table.concat(lines, "\n")
 end
 
--- Parses the fields from the lines after the first one; nil if a line is invalid or a field is repeated.
+-- Parses the lines after the first line into fields. Returns nil if a line is invalid or a field occurs
+-- twice.
 local function parse_fields(lines)
   local fields, known = {}, {}
   if not lines:find "^\n" then return nil end
@@ -222,7 +227,7 @@ local function parse_fields(lines)
   return fields
 end
 
--- Parses the text of design.text; nil if it is invalid.
+-- Parses a text of design.text. Returns the definition of the samples, or nil if the text is invalid.
 function design.parse(text)
   local kind, n, seed, indices, lines = text:match "^(%a+) n=(%d+) seed=(%d+) indices=(%a+)(.*)$"
   local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
@@ -233,7 +238,7 @@ function design.parse(text)
   return sample.fields and sample.fields[1] and sample
 end
 
--- Describes how the cases of a run file differ from the design, or nil if they agree.
+-- Returns a text that describes how the cases of a run file differ from the design, or nil if they agree.
 function design.missing(sample, flat)
   local count = sample.n * cases_each(sample)
   if count ~= #flat then return ("its samples need %d cases, the file has %d"):format(count, #flat) end

@@ -1,5 +1,5 @@
--- s:failure{}: probability that a result exceeds a limit, during the run or before a distance, from the share of the
--- samples that exceed it.
+-- s:failure{} returns the probability that a result exceeds a limit, during the run or before a distance. It
+-- is estimated as the share of samples that exceed the limit.
 
 local check = require "archard.lib.check"
 local history_at = require "archard.lib.history_at"
@@ -15,7 +15,7 @@ local class = strict.class{ __name = "failure", __fields = { "of", "above", "bel
 local fields = { of = check.text, above = check.number, below = check.number, before = check.positive,
   confidence = check.share }
 
--- Returns a function that is true for values beyond the limit.
+-- Returns a function(value) that returns true for values beyond the limit.
 local function test_of(given)
   if (given.above == nil) == (given.below == nil) then
     check.fail(where, ("fields 'above' and 'below': expected one of them, got %s"):format(
@@ -33,8 +33,8 @@ local function check_reached(history, before)
   end
 end
 
--- Returns true if a row of the history up to a distance, or the value at this distance, is beyond
--- the limit.
+-- Returns true if the result is beyond the limit in a row of the history up to the distance `before` [mm], or
+-- at this distance. Without `before`, all rows are checked.
 local function passes(history, name, past, before)
   check_reached(history, before)
   for i, d in ipairs(history.distance) do

@@ -1,4 +1,4 @@
--- The fields of study{} that are only allowed with samples.
+-- Fields of study{} that are allowed only together with `sample`.
 
 local check = require "archard.lib.check"
 

@@ -1,10 +1,10 @@
--- Chooses one mesh for all samples, that of the case with the median values, if the user gave no
--- mesh. A separate mesh for each sample would double the run time and add mesh differences to the
--- results.
+-- Chooses one mesh for all samples if the user gave no mesh: the mesh of the case with the median values. A
+-- separate mesh for each sample would double the run time and add differences between meshes to the results.
 
 local settings = require "archard.definition.settings"
 
--- Settings that change the mesh size; largest ratio of mesh sizes for one common mesh.
+-- largest_change: largest ratio of element sizes for which one common mesh is used. may_change(name): true
+-- for settings that change the size of the mesh.
 local largest_change = 1.5
 local function may_change(name) return name == "load" or name:match("^model%.") ~= nil end
 
@@ -16,7 +16,7 @@ local function has_own(flat)
   return false
 end
 
--- Returns the element size of a case [mm].
+-- Returns the element size [mm] that a case has by default.
 local function size_of(flat)
   local run <close> = wear(settings.nest(flat))
   return run.model.mesh.size
@@ -26,7 +26,7 @@ local function with(flat, values)
   return settings.join("study", flat, values)
 end
 
--- Returns the largest ratio of element sizes over the samples of one field.
+-- Returns the largest factor, at least 1, by which the samples of one field change the element size.
 local function change_of(flat, middle, size, name)
   local low, high = flat[1][name], flat[1][name]
   for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end
@@ -49,8 +49,8 @@ local function find_size(sample, flat)
   return change <= largest_change and size or nil
 end
 
--- Sets the element size in the flat settings of all cases. Changes nothing if a case cannot be made, which the run will
--- report, or if the contacts differ too much for one mesh.
+-- Sets a common element size in the flat settings of all cases. Changes nothing if a case cannot be created,
+-- because the run reports this error, or if the contacts differ too much for one mesh.
 return function(sample, flat)
   local matters = false
   for _, field in ipairs(sample.fields) do matters = matters or may_change(field.name) end

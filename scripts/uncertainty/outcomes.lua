@@ -1,5 +1,5 @@
--- Results of the cases of a sampled study at common distances, in the order of the design. Failed cases are omitted and
--- counted.
+-- Reads the results of a sampled study at common distances, in the order of the design. Failed cases are left
+-- out and counted.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -10,7 +10,8 @@ local measure = require "archard.measure"
 
 local outcomes = {}
 
--- Returns the unit of a column, or "" if it has none; depths and volumes have the names of bodies.
+-- Returns the unit of a history column, or "" if it has none. Columns of depths and volumes may contain names
+-- of bodies.
 function outcomes.unit(name)
   local of_bodies = { depth = "mm", volume = "mm3" }
   for _, column in ipairs(columns) do
@@ -19,14 +20,14 @@ function outcomes.unit(name)
   return of_bodies[name:match "^%l+"] or ""
 end
 
--- Returns the usual columns of a run or case: wear depths, by the names of its bodies, and a
--- pressure.
+-- Returns the default columns for a run or case: the wear depths of its bodies and a pressure.
 function outcomes.usual(run)
   local bodies = measure.bodies(run.model)
   return { "depth_" .. bodies.upper, "depth_" .. bodies.lower, run.history.p_center and "p_center" or "p_peak" }
 end
 
--- Checks one column name of a history or a list of names and returns a list; bodies may have their own names.
+-- Checks a name of a history column or a list of names, and returns a list. Names may contain the user's
+-- names of bodies.
 function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
@@ -39,7 +40,7 @@ function outcomes.names(where, of, history)
   return list
 end
 
--- Returns the cases of the run file, all of which must have run.
+-- Returns the rows of all cases in the run file. Raises an error if a case has not run.
 function outcomes.rows(study, where)
   if not study.sample then
     check.fail(where, ("study %s has no samples: create it with study{ sample={...} }"):format(study.name))
@@ -54,14 +55,14 @@ function outcomes.rows(study, where)
   return rows
 end
 
--- Returns true if a case is a sample of the distributions. With indices, only the first two cases
--- of each point are.
+-- Returns true if the case with this number is a sample of the distributions. With indices, only the first
+-- two cases of each point are samples.
 function outcomes.is_sample(study, number)
   return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
 end
 
--- Returns for each row whether it is used, and the number of failed cases. With indices, all cases
--- of one point must be finished.
+-- Returns a list with true for each row that is used, and the number of failed cases. With indices, a row is
+-- used only if all cases of its point have finished.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
   for first = 1, #rows, group do
@@ -75,14 +76,15 @@ local function counted(study, rows)
   return kept, left_out
 end
 
--- Returns the history of a finished case; a damaged file may have none.
+-- Returns the history of a finished case. Raises ARC_FORMAT if it is missing, which means that the file is
+-- damaged.
 local function history_of(store, where, id)
   local history = joint_file.history(store, id)
   if history then return history end
   check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
 end
 
--- Returns the first case of a study with a result; its history must exist.
+-- Returns the first finished case of a study. Raises an error if there is none or if its history is missing.
 function outcomes.first(study, where)
   for i, row in ipairs(outcomes.rows(study, where)) do
     if row.status == "done" and history_of(study:store(), where, row.id) then return study:cases()[i] end
@@ -90,8 +92,8 @@ function outcomes.first(study, where)
   check.fail(where, "fewer than two cases have results")
 end
 
--- each(study, where, visit): calls visit(number, history, index) for every case used; returns the number of failed
--- cases and of cases used.
+-- Calls visit(number, history, index) for every case used: `number` counts the used cases, `index` is the
+-- number of the case in the study. Returns the number of failed cases and the number of cases used.
 function outcomes.each(study, where, visit)
   local rows = outcomes.rows(study, where)
   local kept, failed = counted(study, rows)
@@ -106,7 +108,7 @@ function outcomes.each(study, where, visit)
   return failed, number
 end
 
--- Returns the given distances, or 50 equal steps up to the end of the shortest case.
+-- Returns the given distances, or 50 evenly spaced distances up to the end of the shortest case [mm].
 local function grid(at, shortest)
   if at then return at end
   local list = {}
@@ -122,8 +124,9 @@ local function shortest_of(study, where)
   return shortest
 end
 
--- read(study, where, names, at) -> { distance=, n=, failed=, index=, values= }: values[name][g][i] is the value of the
--- i-th used case at distance g; index[i] is its number in the study.
+-- outcomes.read(study, where, names, at) returns { distance=, n=, failed=, index=, values= }.
+-- values[name][g][i] is the value of the i-th used case at distance g; index[i] is the number of this case in
+-- the study.
 function outcomes.read(study, where, names, at)
   local shortest = shortest_of(study, where)
   local result = { distance = grid(at, shortest), values = {}, index = {} }

@@ -1,15 +1,17 @@
--- Derivatives of a function with many results by central differences with decreasing steps. Each difference is
--- extrapolated with the next smaller one (Richardson); for each result, the extrapolated value that differs least from
--- its neighbours is used: larger steps average over kinks of the function, smaller ones are dominated by noise.
+-- Derivatives of a function with many results, by central differences with decreasing steps. Each difference
+-- is extrapolated with the difference of the next smaller step (Richardson). For each result, the
+-- extrapolated value that differs least from its neighbours is used: larger steps average over kinks of the
+-- function, and smaller steps are dominated by noise.
 
 local levels, shrink = 8, 5
 
--- Makes the Richardson extrapolation of two differences with an error of second order.
+-- Returns the Richardson extrapolation of two differences whose errors are of second order in the step.
 local function extrapolated(wide, narrow)
   return (shrink * shrink * narrow - wide) / (shrink * shrink - 1)
 end
 
--- Returns the value of the list that differs least from its neighbours, and this difference.
+-- Returns { value=, error= }: the value of the list that differs least from its neighbours, and this
+-- difference.
 local function flattest(list)
   local best = { value = list[1], error = math.huge }
   for i = 2, #list - 1 do
@@ -19,8 +21,8 @@ local function flattest(list)
   return best
 end
 
--- derive(differences, step): differences(h) returns the list of (f(x + h) - f(x - h)) / (2 h); step
--- is the largest h. Returns a list of { value=, error= }.
+-- Called as derive(differences, step). differences(h) returns a list of (f(x + h) - f(x - h)) / (2 h), one
+-- for each result; `step` is the largest h. Returns a list of { value=, error= }.
 return function(differences, step)
   local lists, before = {}, differences(step)
   for m = 1, #before do lists[m] = {} end

@@ -1,4 +1,4 @@
--- Repeats a finished run from its definition, unchanged or with one number changed, for sensitivities.
+-- Repeats a finished run from its definition, unchanged or with one changed number, for sensitivities.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -16,10 +16,11 @@ local function loading_of(blocks)
   return blocks
 end
 
--- Fields that may be 0 in a definition; 0 in other fields means that they were not given.
+-- Fields that may be 0 in a definition. For other fields, 0 means that the user did not give the field.
 local zeros = { alpha = true, friction = true, refresh = true }
 
--- Removes k and alpha from the definition if bodies have their own coefficients; adds the flat settings of the model.
+-- Adds the flat settings of the model to the definition. Removes k and alpha if a body has its own wear
+-- coefficient.
 local function take_coefficients(definition)
   definition.flat = settings.flatten(where, { model = definition.model })
   for path, value in pairs(definition.flat) do
@@ -27,7 +28,7 @@ local function take_coefficients(definition)
   end
 end
 
--- Returns the definition of a run of the engine.
+-- Returns the definition of a run that the engine computed.
 local function of_engine(run)
   local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }
@@ -50,15 +51,16 @@ function repeated.definition(run)
   return repeated.with_steps(run, definition)
 end
 
--- Returns the number of cycles of that step of a history which begins at a distance [mm].
+-- Returns the number of cycles of the history step that begins at a distance [mm].
 local function step_from(history, distance)
   local i = 2
   while history.distance[i + 1] and history.distance[i] <= distance * (1 + 1e-9) do i = i + 1 end
   return history.cycle[i] - history.cycle[i - 1]
 end
 
--- A run with automatic steps is repeated with the same steps, implicitly, as they may be long: new automatic steps for
--- every changed number would cover small changes with noise.
+-- Returns the definition with which a run is repeated. A run with automatic steps is repeated with the same
+-- steps; new automatic steps for every changed number would hide small changes in noise. The repetition is
+-- implicit, because the steps may be long.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
   definition.tolerance, definition.steps_chosen = nil, run.history
@@ -66,7 +68,7 @@ function repeated.with_steps(run, definition)
   return repeated.in_parts(definition, 1)
 end
 
--- Returns the definition with each step divided into `parts`.
+-- Returns the definition with each step of the original run divided into `parts` equal steps.
 function repeated.in_parts(definition, parts)
   local history = definition.steps_chosen
   return merged(definition, { jump = function(state) return step_from(history, state.distance) / parts end })
@@ -74,7 +76,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- Returns the indices of the history's rows at the distances, which must all exist.
+-- Returns the indices of the history rows at the distances [mm]. Each distance must have a row.
 local function rows_at(history, distances)
   local rows, at = {}, 1
   for i, d in ipairs(distances) do
@@ -84,7 +86,7 @@ local function rows_at(history, distances)
   return rows
 end
 
--- Returns the definition without the fields that wear{} does not accept.
+-- Returns a copy of the definition without the fields that wear{} does not accept.
 local function wear_fields(definition)
   local copy = merged(definition)
   copy.steps_chosen, copy.flat = nil, nil
@@ -104,8 +106,9 @@ local function run_to(definition, distances, names)
   return list
 end
 
--- run(definition, distances, names) -> a flat list: for each column its values at the distances, where the repeated run
--- also ends a step. Warnings are suppressed, as the original run has reported them.
+-- repeated.run(definition, distances, names) returns a flat list: for each column its values at the
+-- distances, at which the repeated run also ends a step. Warnings are suppressed, because the original run
+-- has already reported them.
 function repeated.run(definition, distances, names)
   return quiet(run_to, definition, distances, names)
 end

@@ -1,5 +1,5 @@
--- s:uncertainty{}: mean, deviation and quantiles of the samples' results over the distance, the contribution of each
--- field, and the convergence of the estimates.
+-- s:uncertainty{} returns mean, deviation and quantiles of the results of all samples over the distance, the
+-- contribution of each field, and the convergence of the estimates.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -20,7 +20,7 @@ local fields = { of = check.any "names", quantiles = check.list_of(check.share, 
 
 -- --- estimates from samples ----------------------------------------------------------------------
 
--- Returns the indices of samples of the distributions among the used cases.
+-- Returns the indices of the used cases that are samples of the distributions.
 local function samples_of(study, count)
   local list = {}
   for i = 1, count do
@@ -35,7 +35,7 @@ local function picked(values, positions)
   return list
 end
 
--- Adds the estimates from one list of samples at index g of the columns.
+-- Adds the estimates from one list of samples to the columns of `result`, at row `g`.
 local function add_estimates(result, g, list, quantiles, reach)
   local sorted = sampled.sorted(list)
   result.mean[g], result.deviation[g], result.mean_error[g] = sampled.moments(list, reach)
@@ -54,7 +54,7 @@ local function columns_for(quantiles)
   return result
 end
 
--- Returns the estimates at the last distance from increasing numbers of samples.
+-- Returns the estimates at the last distance for increasing numbers of samples.
 local function convergence(list, quantiles, reach)
   local result, counts, n = columns_for(quantiles), {}, #list
   while n >= 8 and #counts < 5 do
@@ -70,7 +70,7 @@ end
 
 -- --- contribution of each field ------------------------------------------------------------------
 
--- Returns every group-th value, beginning with value number `first`.
+-- Returns every group-th value of a list, beginning with index `first`.
 local function strided(values, first, group)
   local list = {}
   for i = first, #values, group do list[#list + 1] = values[i] end
@@ -95,7 +95,7 @@ local function columns_by_name(names)
   return list
 end
 
--- Returns the rank correlations between each field and the last values.
+-- Returns the rank correlation of each field with the values at the last distance.
 local function rank_correlations(study, names, index, positions, last)
   local result = {}
   for _, name in ipairs(names) do
@@ -163,8 +163,8 @@ local function add_rows(lines, rows)
   for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
--- Returns the relative changes of mean, deviation and outermost quantile by the second half of the
--- samples.
+-- Returns a text with the relative changes of the mean, the deviation and the outermost quantile when the
+-- number of samples was last doubled.
 local function convergence_line(self, name)
   local course = self[name].convergence
   local n = #course.n
@@ -191,7 +191,7 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
--- Returns a note if n is not a power of 2, for which Sobol's points are evenly distributed.
+-- Returns a note if n is not a power of 2. Sobol's points are evenly distributed only for powers of 2.
 local function uneven(sample)
   local power = 2 ^ math.floor(math.log(sample.n, 2) + 1e-9)
   if sample.design ~= "sobol" or sample.n == power then return nil end
@@ -199,7 +199,7 @@ local function uneven(sample)
     math.tointeger(power), math.tointeger(2 * power))
 end
 
--- make(study, { of=, at=, quantiles=, confidence= })
+-- s:uncertainty{ of=, at=, quantiles=, confidence= }
 return function(study, given)
   given = check.definition(where, given or {}, fields)
   local first = outcomes.first(study, where)

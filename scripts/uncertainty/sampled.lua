@@ -11,7 +11,7 @@ function sampled.sorted(list)
   return copy
 end
 
--- Returns a quantile of sorted samples, linear between two samples.
+-- Returns a quantile of sorted samples, interpolated linearly between two samples.
 function sampled.quantile(sorted, share)
   local at = 1 + share * (#sorted - 1)
   local low = math.floor(at)
@@ -19,11 +19,11 @@ function sampled.quantile(sorted, share)
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 end
 
--- Returns the half width of a two-sided confidence range in standard deviations.
+-- Returns the half width of a two-sided confidence range, in standard deviations.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- Returns the samples that bound the true quantile with a confidence, from the binomial
--- distribution of their ranks.
+-- Returns the two samples between which the true quantile lies with the confidence of `reach`, from the
+-- binomial distribution of the ranks.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
   local margin = reach * math.sqrt(n * share * (1 - share))
@@ -31,13 +31,13 @@ function sampled.quantile_range(sorted, share, reach)
   return sorted[math.max(low, 1)], sorted[math.min(high, n)]
 end
 
--- Returns mean, standard deviation, and half width of the confidence range of the mean.
+-- Returns the mean, the standard deviation, and the half width of the confidence range of the mean.
 function sampled.moments(list, reach)
   local mean, deviation = statistics.mean(list), statistics.deviation(list)
   return mean, deviation, reach * deviation / math.sqrt(#list)
 end
 
--- Returns the confidence range of a probability observed in `count` of n samples (Clopper and
+-- Returns the confidence range of a probability that was observed in `count` of n samples (Clopper and
 -- Pearson).
 function sampled.share_range(count, n, confidence)
   local out = (1 - confidence) / 2
@@ -46,7 +46,7 @@ function sampled.share_range(count, n, confidence)
   return low, high
 end
 
--- Returns Spearman's rank correlation; nil if one of the lists is constant.
+-- Returns Spearman's rank correlation of two lists, or nil if one of them is constant.
 function sampled.rank_correlation(a, b)
   local value = random.rank_correlation(a, b)
   return value == value and value or nil

@@ -1,6 +1,6 @@
--- w:sensitivity{ of=, to= }: derivatives and elasticities of results by numbers of the definition over the whole
--- history, with their errors. Smooth results are differentiated by uncertainty/plateau.lua, results that change in
--- steps from node to node by uncertainty/slope.lua.
+-- w:sensitivity{ of=, to= } returns derivatives and elasticities of results with respect to numbers of the
+-- definition, over the whole history and with their errors. uncertainty/plateau.lua differentiates smooth
+-- results, uncertainty/slope.lua results that change in steps from node to node.
 
 local aligned = require "archard.lib.aligned"
 local changer = require "archard.uncertainty.changer"
@@ -31,7 +31,7 @@ local function names_of(name, given, usual)
   return list
 end
 
--- Returns the distances of the history without the start.
+-- Returns the distances of the history [mm], without the start of the run.
 local function distances_of(run)
   local list = {}
   for i, d in ipairs(run.history.distance) do
@@ -49,11 +49,11 @@ local function values_of(run, names)
   return list
 end
 
--- Returns the relative tolerance between the run and its repetition: automatic steps were corrected
--- by their error estimate, which repeated steps are not; distances of steps have rounding errors.
+-- Returns the relative tolerance between a run and its repetition. Automatic steps are corrected by their
+-- error estimate, but repeated steps are not. In other runs the distances of steps have rounding errors.
 local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 1e-9 end
 
--- Checks that the definition reproduces the run; else it cannot be used for changed runs.
+-- Raises an error if the definition does not reproduce the run, because it is then useless for changed runs.
 local function check_repeats(run, definition, distances)
   local state = outcomes.usual(run)
   if state[3] == "p_peak" then state[3] = nil end -- the largest pressure of a cycle changes from step to step
@@ -68,9 +68,9 @@ end
 
 -- --- one number ----------------------------------------------------------------------------------
 
-local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
+local first_step, smallest_step = 0.03, 0.0004 -- smallest_step and first_step are relative changes of the number
 
-local counting -- run counter of the current call
+local counting -- counter of the runs in the current call
 
 local function results_at(self, definition)
   self.runs = self.runs + 1
@@ -78,7 +78,8 @@ local function results_at(self, definition)
   return repeated.run(definition, self.distance, self.of)
 end
 
--- Returns a function of h with the central differences; `changed` may change the definition further.
+-- Returns a function(h) that returns the central differences. `changed`, if given, changes the definition of
+-- each run further.
 local function differences_for(self, value, set, changed)
   local function results(at)
     local definition = set(at)
@@ -92,15 +93,16 @@ local function differences_for(self, value, set, changed)
   end
 end
 
--- Returns derivatives with a fixed change h and every step of the run divided into `parts`.
+-- Returns the central differences for a change h, with every step of the run divided into `parts`.
 local function with_parts(self, value, set, h, parts)
   return differences_for(self, value, set, function(definition)
     return repeated.in_parts(definition, parts)
   end)(h)
 end
 
--- Automatic steps cause an error of the derivative, which is corrected with runs in many parts. The remaining error is
--- bounded by twice the change of the last halving plus a quarter of the correction.
+-- Numbers of parts for refined runs. Automatic steps cause an error of the derivative, which runs with
+-- divided steps correct. The remaining error is bounded by twice the change of the last halving plus a
+-- quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
 local function step_error(whole, coarse, fine)
@@ -122,10 +124,11 @@ end
 
 -- --- results that change in steps ----------------------------------------------------------------
 
--- Limits: largest relative change of the number; runs on each side of it; ripple.
+-- Largest relative change of the number; number of runs on each side; ripple above which a slope is used.
 local widest, side, rippled = 0.24, 8, 0.03
 
--- Returns the results of all runs, the outermost first, as these fail at the end of a range.
+-- Returns the points and results of all runs. The outermost runs are first, because they fail if the number
+-- would leave its valid range.
 local function wide_runs(self, value, set, share)
   local points, lists = {}, {}
   for j = side, 0, -1 do
@@ -146,7 +149,8 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- Replaces the derivatives of results that change in steps by slopes over a wide range, at most `over`.
+-- Replaces the derivatives of results that change in steps by slopes over a wide range. `over` is the largest
+-- relative change of the number.
 local function replace_rippled(self, value, set, definition, found, over)
   local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do
@@ -164,7 +168,8 @@ local function replace_rippled(self, value, set, definition, found, over)
   end
 end
 
--- Returns derivatives by a number; the first step is reduced if a run fails at the end of a range.
+-- Returns the derivatives with respect to one number. The first step is reduced if a run fails at the end of
+-- the valid range.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
     check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
@@ -181,12 +186,13 @@ local function derivatives(self, name, value, set, definition)
     400 * step, why.message), why.code)
 end
 
--- Returns the elasticity; 0 for a result that is always 0.
+-- Returns the elasticity. It is 0 for a result that is always 0.
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
 
--- there: the results and their errors, in the order of `found`.
+-- Writes derivatives and elasticities to self[column][name]. `there` contains the results and their errors in
+-- the order of `found`.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do
@@ -203,7 +209,8 @@ local function into_columns(self, name, value, found, there)
   end
 end
 
--- Returns the unchanged results, to which elasticities refer; for automatic steps with their error.
+-- Returns the results of the unchanged run with their errors, to which elasticities refer. Only automatic
+-- steps cause an error.
 local function results_of(self, run, definition)
   local there = values_of(run, self.of)
   if not definition.steps_chosen then

@@ -1,11 +1,11 @@
--- The slope of a result over many values by least squares. Half widths and pressures change in small steps as the
--- contact's edge moves from node to node; a local derivative would be determined by the mesh, a line through runs over
--- several nodes is not.
+-- Computes the slope of a result over many values of a number by least squares. Half widths and pressures
+-- change in small steps when the contact edge moves from node to node. The mesh would determine a local
+-- derivative; a line through runs over several nodes is not affected.
 
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
 
--- Returns powers of the points as a flat list by rows.
+-- Returns the powers 0 to `degree` of all points as a flat list, point by point.
 local function powers(points, degree)
   local flat = {}
   for _, t in ipairs(points) do
@@ -14,8 +14,8 @@ local function powers(points, degree)
   return flat
 end
 
--- Fits a polynomial and returns its slope at 0 with standard error, the scatter of the values, and
--- its value at 0.
+-- Fits a polynomial. Returns its slope at 0, the standard error of the slope, the scatter of the values, and
+-- the value of the polynomial at 0.
 local function polynomial(points, values, degree)
   local n, sum, slope, variance, middle = degree + 1, 0, 0, 0, 0
   local u, s, v = least_squares.svd{ a = powers(points, degree), rows = #points, columns = n }
@@ -32,14 +32,14 @@ local function polynomial(points, values, degree)
   return slope, scatter * math.sqrt(variance), scatter, middle
 end
 
--- Factor on the error, as the deviations of neighbouring runs are correlated.
+-- Factor on the standard error, because the deviations of neighbouring runs are correlated.
 local doubt = 2
 
-local rounding = 1e-10 -- relative; a smaller scatter is rounding
+local rounding = 1e-10 -- a relative scatter below this limit is rounding
 
--- slope(points, values): values at evenly spaced points on both sides or one side of 0, in units of their range.
--- Returns { value =, error =, middle = result at 0, scatter = of a result, ripple = scatter of the slope between
--- neighbours / slope }.
+-- slope(points, values) returns { value =, error =, middle =, scatter =, ripple = }. points: evenly spaced,
+-- on one or both sides of 0, in units of their range. middle: result at 0. scatter: scatter of a result.
+-- ripple: scatter of the slope between neighbouring points, divided by the slope.
 return function(points, values)
   local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)
