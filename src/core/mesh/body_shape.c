@@ -1,4 +1,5 @@
-/* Dimensions of bodies, computed by the functions of their kinds; blocks and layers. */
+/* Dimensions of bodies, computed by the functions of their kinds. Also defines blocks and
+ * layers. */
 #include "core/mesh/body_shape.h"
 #include "core/mesh/body_name.h"
 
@@ -193,7 +194,7 @@ static const char *const block_fields[] = {"width", "height", NULL}, *const no_f
         NULL, NULL                                                                                 \
   }
 const body_shape arc_body_shape_block = RECTANGLE(block_fields);
-/* Placeholders, which are resolved to other kinds. */
+/* Placeholders. arc_body_resolve replaces these kinds by other kinds. */
 const body_shape arc_body_shape_usual = RECTANGLE(no_fields);
 const body_shape arc_body_shape_gmsh = RECTANGLE(no_fields);
 

@@ -1,46 +1,45 @@
-/* Kinds of bodies: the properties of a shape that meshes and contact estimates use. Each kind is
- * one object, and the table is generated from ARC_SOLID_LIST. No other file tests for a particular
- * kind. */
+/* Kinds of bodies: the properties of a shape that meshes and contact estimates need. Each kind
+ * is one constant body_shape; ARC_SOLID_LIST generates the table. Other files do not test for a
+ * particular kind. */
 #ifndef MESH_BODY_SHAPE_H
 #define MESH_BODY_SHAPE_H
 
 #include "archard/body.h"
 
 typedef enum body_form {
-  FORM_RECTANGLE, /* surface with heights over x, which decay towards the base */
-  FORM_POINTS,    /* surface with heights through given points */
-  FORM_WALL,      /* wall between two arcs */
-  FORM_MAP,       /* half-space with points over x and z */
+  FORM_RECTANGLE, /* body with heights over x at its surface, which decay towards its base */
+  FORM_POINTS,    /* body with heights through given points */
+  FORM_WALL,      /* wall of a ring, between two arcs */
+  FORM_MAP,       /* half-space with heights at points over x and z */
   FORM_CORE       /* solid arc, closed by a fan of triangles at its centre */
 } body_form;
 
-/* Lengths along the surface [mm]. */
+/* Limits of a kind of body, lengths along the surface [mm]. */
 typedef struct body_limits {
-  double zone; /* width of the widest zone beside which coarse columns fit, and its
-                  formula in the user's fields */
-  const char *zone_text;
-  double outer; /* half of the surface that may have fine elements */
-  double reach; /* largest half width of a contact on this body */
-  double flat;  /* half width in contact without load; 0: a point */
+  double zone;           /* width of the widest zone that has coarse columns beside it */
+  const char *zone_text; /* formula of this width in the user's fields */
+  double outer;          /* half the length of surface that may have fine elements */
+  double reach;          /* largest half width of a contact on this body */
+  double flat;           /* half width of the contact without load; 0 if it is a point */
 } body_limits;
 
-/* Functions of a kind of body; their arguments are resolved bodies. */
+/* Properties and functions of a kind of body. The arguments are resolved bodies. */
 typedef struct body_shape {
-  const char *const
-      *fields; /* settings that only this kind has, ended by NULL; x and y for a profile */
+  const char *const *fields; /* names of the settings that this kind uses, ended by NULL */
   body_form form;
-  double turn; /* for an arc: the angle of half its surface; else 0 */
-  void (*resolve)(arc_body_def *b, double radius); /* computes fields that depend on others and on
-                                                      the model's radius [mm]; NULL: none */
-  double (*radius)(
-      const arc_body_def *b);             /* radius of an arc [mm], negative if hollow; else NULL */
-  double (*depth)(const arc_body_def *b); /* depth below the surface [mm] */
+  double turn; /* angle of half the surface of an arc [rad]; 0 for other forms */
+  void (*resolve)(arc_body_def *b, double radius); /* computes fields that depend on other fields
+                                                      and on the model's radius [mm]; may be NULL */
+  double (*radius)(const arc_body_def *b); /* returns the radius of an arc [mm], negative if hollow;
+                                              NULL for other forms */
+  double (*depth)(const arc_body_def *b); /* returns the depth of the body below its surface [mm] */
   body_limits (*limits)(const arc_body_def *b);
-  double (*crest)(const arc_body_def *b);                         /* see arc_body_crest; NULL: 0 */
-  double (*inset)(const arc_body_def *b, double crest, double x); /* see arc_body_inset; NULL: 0 */
+  double (*crest)(const arc_body_def *b); /* see arc_body_crest; NULL means 0 */
+  double (*inset)(const arc_body_def *b, double crest,
+                  double x); /* see arc_body_inset; NULL means 0 */
   arc_status (*check)(const arc_body_def *b, const char *path,
-                      arc_error *error); /* check of the kind's fields; may be NULL */
-  const struct body_shape *with_hub;     /* shape with hold = "hub"; NULL: unchanged */
+                      arc_error *error); /* checks the fields of the kind; may be NULL */
+  const struct body_shape *with_hub;     /* shape with hold = "hub"; NULL if it is the same */
 } body_shape;
 
 #define ARC_BODY_SHAPE(name, word, shape) extern const body_shape arc_body_shape_##shape;
@@ -49,16 +48,17 @@ ARC_SOLID_LIST(ARC_BODY_SHAPE)
 
 const body_shape *arc_body_shape_of(const arc_body_def *b);
 body_limits arc_body_limits(const arc_body_def *b);
-/* Return true if the surface is given by points, and if the body is a solid arc. */
+/* The first function returns true if points define the surface, the second if the body is a
+ * solid arc. */
 int arc_body_has_points(const arc_body_def *b);
 int arc_body_is_core(const arc_body_def *b);
-/* Returns true if the support at x [mm] also fixes the body along x, which is everywhere or only in
- * a hub. */
+/* Returns true if the support at x [mm] also fixes the body along x. With hold = "free" only the
+ * support at |x| <= 0.15 radius does so; otherwise the support does so everywhere. */
 int arc_body_holds_sideways(const arc_body_def *b, double x);
-/* Returns true if the surface is closed, as a full circle is. */
+/* Returns true if the surface is a closed curve, such as a full circle. */
 int arc_body_is_closed(const arc_body_def *b);
 
-/* Functions that several kinds use. */
+/* Functions that several kinds have in common. */
 double arc_body_height(const arc_body_def *b);
 body_limits arc_body_limits_of_width(const arc_body_def *b);
 

@@ -1,5 +1,5 @@
 /* Reads a pair of bodies from a Gmsh file: converts node numbers to indices, builds both meshes,
- * and checks their relative position. */
+ * and checks the relative position of the bodies. */
 #include "core/mesh/gmsh_body.h"
 #include "core/mesh/gmsh_groups.h"
 
@@ -36,7 +36,8 @@ static arc_status find_corners(const msh_file *f, const numbered *list, msh_elem
   return ARC_OK;
 }
 
-/* Replaces the node numbers of corners by indices. */
+/* Replaces the node numbers in the corners of elements by indices. Error: ARC_GEOMETRY if two
+ * nodes have the same number. */
 static arc_status index_corners(msh_file *f, arc_error *error) {
   const msh_node *node = f->nodes.data;
   numbered *list = malloc(((size_t)f->nodes.count + 1) * sizeof *list);
@@ -61,8 +62,8 @@ static const double *surface_at(const arc_mesh *m, int i) {
   return &m->xy[2 * m->surface_node[i]];
 }
 
-/* Returns the height of a surface at x by linear interpolation between its nodes; NAN outside
- * the surface. The search begins at edge *i, and *i becomes the edge at x. */
+/* Returns the height of a surface at x by linear interpolation between surface nodes, or NAN
+ * outside the surface. The search begins at edge *i and sets *i to the edge at x. */
 static double height_at(const arc_mesh *m, double x, int *i) {
   while (*i + 2 < m->surface && surface_at(m, *i + 1)[0] < x) ++*i;
   const double *p = surface_at(m, *i), *q = surface_at(m, *i + 1);
@@ -70,8 +71,8 @@ static double height_at(const arc_mesh *m, double x, int *i) {
   return p[1] + (q[1] - p[1]) * ((x - p[0]) / (q[0] - p[0]));
 }
 
-/* Lowers *gap to the least gap between the surface nodes of `m` and the surface of `other`; *x
- * is its position. */
+/* Lowers *gap to the smallest gap between the surface nodes of `m` and the surface of `other`
+ * [mm], and sets *x to the position of this gap. */
 static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, double *x) {
   const double sign = m->body == ARC_CYLINDER ? 1 : -1;
   int edge = 0;
@@ -82,8 +83,8 @@ static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, dou
   }
 }
 
-/* Checks that the bodies touch. Gaps up to `limit` are allowed, as the first contact may lie
- * between nodes. */
+/* Checks that the bodies touch. The smallest gap may be up to `limit`, because the first point
+ * of contact may lie between nodes. */
 static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   double gap = INFINITY, x = 0;
   for (int b = 0; b < ARC_BODIES; b++) least_gap(mesh[b], mesh[1 - b], &gap, &x);
@@ -102,9 +103,9 @@ static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], 
       path, gap > 0 ? "are apart" : "overlap", fabs(gap), x, limit, -gap);
 }
 
-/* Fits the parabola gap = c + b x + x^2 / 2 R to the gap between both surfaces, by least squares.
- * R follows from the second Legendre polynomial about the middle, which is orthogonal to c + b x.
- */
+/* Fits the parabola gap = c + b x + x^2 / 2 R to the gap between both surfaces by least squares
+ * and returns R [mm]. R follows from the second Legendre polynomial about the middle, which is
+ * orthogonal to c + b x. */
 static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   static const double flattest = 1e6;
   const double from = fmax(surface_at(upper, 0)[0], surface_at(lower, 0)[0]);
@@ -152,7 +153,7 @@ static arc_status make_pair(msh_file *f, arc_mesh *mesh[ARC_BODIES], arc_error *
   return ARC_OK;
 }
 
-/* Builds both meshes from the text of a file. */
+/* Reads a file and builds the meshes of both bodies. After an error both meshes are NULL. */
 static arc_status read_pair(msh_file *file, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
   arc_status status = arc_msh_read(file, error);
   if (status != ARC_OK) return status;

@@ -29,7 +29,8 @@ static arc_status refuse_type(const msh_body *b, const msh_element *e) {
                   b->file->text.path, e->tag, arc_msh_role(b->mesh->body), e->type);
 }
 
-/* Collects the elements of the body in the order of the file. */
+/* Collects the elements of the body in the order of the file. Error: ARC_GEOMETRY if there are
+ * none. */
 static arc_status pick_elements(msh_body *b) {
   arc_mesh *m = b->mesh;
   const unsigned own = arc_msh_bit(m->body, MSH_BODY);
@@ -54,7 +55,7 @@ static arc_status refuse_owner(const msh_body *b, int node) {
                   b->file->text.path, n->tag, n->x[0], n->x[1]);
 }
 
-/* Numbers the nodes of the body in the order of the file. */
+/* Numbers the nodes of the body in the order of the file. A node must not belong to both bodies. */
 static arc_status number_nodes(msh_body *b, signed char *owner) {
   arc_mesh *m = b->mesh;
   const int count = b->file->nodes.count;
@@ -91,8 +92,8 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* Sets the material of each element. Elements without a named group have the body's own
- * material. */
+/* Sets the material of each element. Elements outside of named groups have the material of the
+ * body. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -111,7 +112,7 @@ static arc_status fill_materials(msh_body *b) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Returns the largest coordinate, the scale of rounding errors. */
+/* Returns the largest coordinate of the nodes [mm], which is the scale of rounding errors. */
 static double extent(const arc_mesh *m) {
   double most = 0;
   for (int k = 0; k < 2 * m->nodes; k++) most = fmax(most, fabs(m->xy[k]));
@@ -135,7 +136,7 @@ static arc_status check_plane(const msh_body *b) {
   return ARC_OK;
 }
 
-/* Returns twice the signed area of the triangle of corner c and its two neighbours. */
+/* Returns twice the signed area of the triangle formed by corner c and its two neighbours [mm2]. */
 static double jacobian_at(const arc_mesh *m, const int *e, int corners, int c) {
   const double *p = &m->xy[2 * e[c]], *q = &m->xy[2 * e[(c + 1) % corners]],
                *r = &m->xy[2 * e[(c + corners - 1) % corners]];
@@ -194,8 +195,8 @@ static int compare_positions(const void *a, const void *b) {
   return (p->node > q->node) - (p->node < q->node);
 }
 
-/* Searches for two nodes in one cell of a grid; the grid is shifted by off_x and off_y, as
- * shares of its spacing. Returns 0 if there are none. */
+/* Searches for two nodes in the same cell of a grid and writes them to `twins`. off_x and off_y
+ * shift the grid, in units of its spacing. Returns 0 if no two nodes share a cell. */
 static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y,
                       grid_cell *list, int twins[2]) {
   for (int n = 0; n < m->nodes; n++)
@@ -210,8 +211,8 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Refuses nodes at nearly equal positions. Two nodes that are closer than half the spacing of a
- * grid are in one cell of at least one of four shifted grids. */
+/* Raises ARC_GEOMETRY if two nodes have nearly equal positions. Two nodes closer than half the
+ * grid spacing are in the same cell of at least one of four shifted grids. */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;
   const double spacing = 1e-9 * extent(m);
@@ -236,7 +237,7 @@ static int root_of(int *parent, int node) {
   return node;
 }
 
-/* Returns a node that is not connected with node 0 by edges, or -1 if there is none. */
+/* Returns a node that edges do not connect with node 0, or -1 if all nodes are connected. */
 static int find_loose(const arc_mesh *m, int *parent) {
   for (int n = 0; n < m->nodes; n++) parent[n] = n;
   for (int e = 0; e < m->elements; e++)

@@ -1,12 +1,13 @@
-/* Boundary of a body from a Gmsh file: its polygon, the candidate surface, the fixed nodes. */
+/* Boundary of a body from a Gmsh file: the boundary polygon, the candidate surface and the fixed
+ * nodes. */
 #include "core/mesh/gmsh_boundary.h"
 #include "core/mesh/gmsh_groups.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Limits of the number of nodes of a contact curve: the minimum of archard's mesher, and a maximum
- * for dense compliances. */
+/* Limits of the number of nodes on a contact curve. The minimum is the same as in archard's
+ * mesher; the maximum limits the size of dense compliance matrices. */
 enum { fewest_surface = 5, most_surface = 5000 };
 
 typedef struct edge {
@@ -25,9 +26,9 @@ static const double *position(const msh_body *b, int node) {
   return &b->mesh->xy[2 * node];
 }
 
-/* --- edges of the boundary: those of one element only ----------------------------------------- */
+/* --- edges of the boundary, which belong to one element only ---------------------------------- */
 
-/* Orders edges by their two nodes, regardless of the direction of an edge. */
+/* Compares two edges by their nodes, regardless of direction, for sorting. */
 static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
@@ -72,8 +73,8 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Links the edges of the boundary. Checks that two elements that share an inner edge pass the
- * edge in opposite directions. */
+/* Links the boundary edges of the body. Error: ARC_GEOMETRY unless two elements that share an
+ * inner edge traverse the edge in opposite directions. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
@@ -90,8 +91,8 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   return status;
 }
 
-/* Builds the boundary polygon that contains the contact surface. The boundaries of holes are not
- * part of the polygon. */
+/* Writes the boundary polygon that contains the contact surface. Boundaries of holes are not
+ * part of this polygon. */
 static arc_status chain_outline(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->outline_node = malloc((size_t)m->nodes * sizeof(int));
@@ -106,8 +107,9 @@ static arc_status chain_outline(msh_body *b) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Writes the mesh numbers of the two nodes of line i of the file (-1: not a node of this body)
- * and returns the line. Returns NULL if the line is not in the set of this body. */
+/* Writes the mesh numbers of the two end nodes of line `i` of the file to `end` (-1: not a node
+ * of this body) and returns the line. Returns NULL if the line is not in the given set of this
+ * body. */
 static const msh_element *line_of(const msh_body *b, int i, msh_set set, int end[2]) {
   const msh_element *e = (const msh_element *)b->file->elements.data + i;
   if (e->dim != 1) return NULL;
@@ -131,8 +133,9 @@ static arc_status refuse_line(const msh_body *b, const msh_element *e, const cha
 
 /* --- the candidate surface -------------------------------------------------------------------- */
 
-/* Refuses an overhanging line of the contact surface. Outlines are counter-clockwise: x must
- * increase along the surface of the upper body and decrease along that of the lower body. */
+/* Rejects an overhanging line of the contact surface. The boundary polygon is counter-clockwise,
+ * so x must increase along the surface of the upper body and decrease along the surface of the
+ * lower body. */
 static arc_status check_direction(const msh_body *b, const msh_element *e, int from, int to) {
   const double *p = position(b, from), *q = position(b, to);
   const int upper = b->mesh->body == ARC_CYLINDER;
@@ -145,8 +148,8 @@ static arc_status check_direction(const msh_body *b, const msh_element *e, int f
                              "'lower' looks up");
 }
 
-/* Fills right[node], the next node of the surface by increasing x, and left[node], the previous
- * node. */
+/* Links the nodes of the contact surface: right[node] is the next node by increasing x,
+ * left[node] the previous node, -1 if there is none. */
 static arc_status link_surface(const msh_body *b, int *right, int *left) {
   arc_status status = ARC_OK;
   int end[2], count = 0;

@@ -8,19 +8,19 @@
 typedef struct msh_body {
   const msh_file *file;
   arc_mesh *mesh;
-  int *local;  /* [nodes of the file] number in the mesh, or -1 */
-  int *origin; /* [nodes] index in the file */
-  int *source; /* [elements] index in the file */
+  int *local;  /* [nodes of the file] node number in the mesh, or -1 */
+  int *origin; /* [nodes] index of the node in the file */
+  int *source; /* [elements] index of the element in the file */
   int *next;   /* [nodes] next node on the boundary, or -1 */
   arc_error *error;
 } msh_body;
 
-/* Returns the number of a mesh node in the Gmsh file. */
+/* Returns the number that a mesh node has in the Gmsh file. */
 static inline long long arc_msh_tag(const msh_body *b, int node) {
   return ((const msh_node *)b->file->nodes.data)[b->origin[node]].tag;
 }
 
-/* Determines the boundary, the candidate surface and the fixed nodes. */
+/* Determines the boundary, the candidate surface and the fixed nodes of a body. */
 arc_status arc_msh_boundary(msh_body *b);
 
 #endif

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest count accepted, four times the limit of archard's mesher; a larger number is an error of
- * the file. */
+/* Largest accepted count of items, four times the limit of archard's mesher. A larger count is
+ * an error of the file. */
 enum { most_items = 4000000 };
 
 static arc_status out_of_memory(const msh_file *f, arc_error *error) {
@@ -15,7 +15,7 @@ static arc_status out_of_memory(const msh_file *f, arc_error *error) {
 
 /* --- items and their counts ------------------------------------------------------------------- */
 
-/* Reads the line of item `i` of `count`. It is an error if the section ends earlier. */
+/* Reads the line of item `i` of `count` items. Error: ARC_FORMAT if the section ends earlier. */
 static arc_status next_item(msh_file *f, const char *what, long long i, long long count,
                             arc_error *error) {
   if (!arc_msh_line(&f->text))
@@ -31,7 +31,7 @@ static arc_status bad_item(const msh_file *f, const char *expected, arc_error *e
                       arc_msh_show(f->text.at).text);
 }
 
-/* Reads a count from the line, from 0 to `most`. */
+/* Reads a count between 0 and `most` from the current line. */
 static arc_status read_count(msh_file *f, const char *what, long long most, long long *count,
                              arc_error *error) {
   char *before = f->text.at;
@@ -40,7 +40,7 @@ static arc_status read_count(msh_file *f, const char *what, long long most, long
                       most, arc_msh_show(before).text);
 }
 
-/* Reads `n` whole numbers. */
+/* Reads `n` whole numbers from the current line. Returns 0 if one is missing. */
 static int read_wholes(msh_file *f, int n, long long *value) {
   for (int k = 0; k < n; k++)
     if (!arc_msh_whole(&f->text, &value[k])) return 0;
@@ -75,7 +75,7 @@ static arc_status read_format(msh_file *f, arc_error *error) {
                       arc_msh_show(before).text);
 }
 
-/* Reads a line: dim tag "name". */
+/* Reads a line with the name of a physical group: dim tag "name". */
 static arc_status read_name(msh_file *f, arc_error *error) {
   long long dim, tag;
   char *stop = NULL;
@@ -106,7 +106,8 @@ static arc_status read_names(msh_file *f, arc_error *error) {
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* Reads number, extent and groups of an entity; its boundary entities are not used. */
+/* Reads number, extent and physical groups of an entity. The entities of its boundary are
+ * ignored. */
 static arc_status read_entity(msh_file *f, int dim, arc_error *error) {
   long long tag, count = 0, group;
   if (!arc_msh_whole(&f->text, &tag) || !skip_reals(f, dim == 0 ? 3 : 6) ||
@@ -157,7 +158,7 @@ static arc_status read_position(msh_file *f, int index, arc_error *error) {
   return ARC_OK;
 }
 
-/* Reads the node numbers of a block, then its coordinates. */
+/* Reads a block of nodes: first all node numbers, then all coordinates. */
 static arc_status read_node_block(msh_file *f, long long count, arc_error *error) {
   const int first = f->nodes.count;
   arc_status status = ARC_OK;
@@ -170,8 +171,8 @@ static arc_status read_node_block(msh_file *f, long long count, arc_error *error
   return status;
 }
 
-/* Reads the header of a block: three numbers and the count of its items. A count above `left` is
- * an error. */
+/* Reads the header of a block: three numbers and the count of items in the block. A count above
+ * `left` is an error. */
 static arc_status read_block(msh_file *f, long long i, long long blocks, const char *what,
                              long long left, long long head[3], long long *count,
                              arc_error *error) {
@@ -181,8 +182,8 @@ static arc_status read_block(msh_file *f, long long i, long long blocks, const c
   return read_count(f, what, left, count, error);
 }
 
-/* Reads the number of blocks (version 4 only) and the number of items. The range of the item
- * numbers that follows is ignored. */
+/* Reads the number of blocks (version 4 only) and the number of items. The range of item numbers
+ * at the end of the line is ignored. */
 static arc_status read_counts(msh_file *f, const char *what, long long *blocks, long long *count,
                               arc_error *error) {
   arc_status status = next_item(f, "counts", 0, 1, error);
@@ -218,7 +219,8 @@ static arc_status read_nodes(msh_file *f, arc_error *error) {
 
 /* --- elements --------------------------------------------------------------------------------- */
 
-/* Returns the dimension of the elements of a type; 3 for solids and unknown types. */
+/* Returns the dimension of the elements of a Gmsh type. Returns 3 for solids and for unknown
+ * types. */
 static int dimension_of(long long type) {
   static const char plane[] = {2, 3, 9, 10, 16, 20, 21, 22, 23, 24, 25, 36, 37, 0};
   static const char line[] = {1, 8, 26, 27, 28, 0};
@@ -227,12 +229,14 @@ static int dimension_of(long long type) {
   return strchr(line, (char)type) ? 1 : strchr(plane, (char)type) ? 2 : 3;
 }
 
-/* Returns the number of corners that are read; 0 for elements of higher order. */
+/* Returns the number of corners that the reader stores for an element type; 0 for types of
+ * higher order. */
 static int corners_of(int type) {
   return type == MSH_LINE ? 2 : type == MSH_TRIANGLE ? 3 : type == MSH_QUAD ? 4 : 0;
 }
 
-/* Adds an element and reads its corners from the rest of the line. */
+/* Adds an element and reads its corners from the rest of the line. Elements that are not lines
+ * or areas are ignored. */
 static arc_status add_element(msh_file *f, long long tag, long long entity, long long type,
                               arc_error *error) {
   const int dim = dimension_of(type);
@@ -247,7 +251,7 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
   return ARC_OK;
 }
 
-/* Reads the line of an element of version 2.2: number, type, count of tags, tags, nodes. The
+/* Reads the line of an element in version 2.2: number, type, count of tags, tags, nodes. The
  * first tag is the physical group. */
 static arc_status read_element_2(msh_file *f, arc_error *error) {
   long long head[3], group = 0, other;
@@ -306,7 +310,7 @@ static int find_section(const char *name) {
   return s;
 }
 
-/* Returns true if the line ends the section. */
+/* Returns true if the current line ends the section. */
 static int ends(const msh_file *f, const char *name) {
   return strncmp(f->text.at, "$End", 4) == 0 && strcmp(f->text.at + 4, name) == 0;
 }
@@ -321,7 +325,7 @@ static arc_status end_section(msh_file *f, const char *name, int known, arc_erro
                       arc_msh_show(f->text.at).text);
 }
 
-/* Reads one section. *seen has a bit for each section that was read. */
+/* Reads one section of the file. *seen has a bit for each section that has been read. */
 static arc_status read_section(msh_file *f, unsigned *seen, arc_error *error) {
   char name[40];
   if (*f->text.at != '$' || strlen(f->text.at) > sizeof name)

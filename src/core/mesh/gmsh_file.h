@@ -1,5 +1,5 @@
-/* Contents of a Gmsh file: nodes, elements and groups. Counts in the file are not trusted: arrays
- * grow with the items read. */
+/* Contents of a Gmsh file: nodes, elements and groups. Arrays grow with the items that are read,
+ * because the counts in the file are not trusted. */
 #ifndef MESH_GMSH_FILE_H
 #define MESH_GMSH_FILE_H
 
@@ -14,15 +14,16 @@ typedef struct msh_group {
   char name[64];
 } msh_group;
 
-/* Set that an element belongs to: an entity of the geometry (4.1), or a physical group (2.2). */
+/* Group that elements refer to: an entity of the geometry (version 4.1) or a
+ * physical group (version 2.2). */
 typedef struct msh_entity {
   long long tag;
   int dim;
-  unsigned sets;            /* bits of the sets, see arc_msh_bit */
-  int material[ARC_BODIES]; /* index of the material among those of the body */
+  unsigned sets;            /* bits of the sets that contain the entity, see arc_msh_bit */
+  int material[ARC_BODIES]; /* index of the material in the list of each body, -1: none */
 } msh_entity;
 
-/* An entity and its physical group. */
+/* Membership of an entity in a physical group. */
 typedef struct msh_member {
   long long tag, group;
   int dim;
@@ -35,8 +36,8 @@ typedef struct msh_node {
 
 typedef struct msh_element {
   long long tag, entity;
-  long long corner[4]; /* numbers of nodes; indices after arc_msh_sort */
-  int dim, type;       /* element type of Gmsh */
+  long long corner[4]; /* node numbers; arc_mesh_read_msh replaces them by indices */
+  int dim, type;       /* dim: 1 or 2; type: element type of Gmsh */
 } msh_element;
 
 enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3 };
@@ -45,12 +46,12 @@ typedef struct msh_file {
   msh_text text;
   int version;                                /* major version of the format, 2 or 4 */
   item_list groups, members, nodes, elements; /* lists of the structs above */
-  item_list entities;                         /* entities by dimension and number */
-  int materials[ARC_BODIES];                  /* number of materials of each body */
+  item_list entities;        /* list of msh_entity, sorted by dimension and number */
+  int materials[ARC_BODIES]; /* number of materials of each body */
   char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* names of the materials */
 } msh_file;
 
-/* Parses the text of `file`, whose other members are set. On failure there is nothing to free. */
+/* Parses `file->text`; the other members are written. After an error nothing has to be freed. */
 arc_status arc_msh_read(msh_file *file, arc_error *error);
 void arc_msh_free(msh_file *file);
 

@@ -14,8 +14,8 @@ const char *arc_msh_role(arc_body body) {
   return roles[body];
 }
 
-/* Returns the part of a group's name after the name of the body; NULL if the group does not
- * belong to this body. */
+/* Returns the part of a group's name after "upper" or "lower", the role of the body. Returns
+ * NULL if the group does not belong to this body. */
 static const char *behind_role(const msh_group *g, int body) {
   const size_t n = strlen(roles[body]);
   if (strncmp(g->name, roles[body], n) != 0) return NULL;
@@ -28,8 +28,8 @@ static msh_set set_of(const char *behind) {
   return (msh_set)set;
 }
 
-/* Returns the index of a material of the body, which is added if it is new; -1 if there are too
- * many. */
+/* Returns the index of a material of the body. A new material is added to the list. Returns -1
+ * if the list is full. */
 static int enter_material(msh_file *f, int body, const char *name) {
   int m = 0;
   while (m < f->materials[body] && strcmp(f->material[body][m], name) != 0) m++;
@@ -41,7 +41,7 @@ static int enter_material(msh_file *f, int body, const char *name) {
   return m;
 }
 
-/* Stores the body, set or material that a group assigns to an entity. */
+/* Stores in an entity the body, set or material that a physical group assigns to it. */
 static arc_status note_group(msh_file *f, const msh_group *g, msh_entity *entity,
                              arc_error *error) {
   for (int body = 0; body < ARC_BODIES; body++) {
@@ -108,7 +108,8 @@ const msh_entity *arc_msh_entity_of(const msh_file *f, const msh_element *elemen
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* In version 2.2 elements refer to groups directly, so each group is its own entity. */
+/* Makes each physical group its own entity, because elements of version 2.2 refer to groups
+ * directly. */
 static arc_status groups_as_members(msh_file *f) {
   const msh_group *g = f->groups.data;
   for (int i = 0; i < f->groups.count; i++) {
@@ -119,7 +120,7 @@ static arc_status groups_as_members(msh_file *f) {
   return ARC_OK;
 }
 
-/* Merges consecutive members with the same number and dimension into one entity. */
+/* Creates the entities: consecutive members with the same number and dimension are merged. */
 static arc_status collect_entities(msh_file *f, arc_error *error) {
   const msh_member *m = f->members.data;
   msh_entity *entity = NULL;
@@ -138,7 +139,8 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
 
 /* --- missing groups --------------------------------------------------------------------------- */
 
-/* Writes the names of the groups to `text`, as many as fit into `size` bytes. */
+/* Writes the names of the groups to `text` for a message, as many as fit into `size` bytes.
+ * Returns `text`. */
 static const char *list_groups(const msh_file *f, char *text, size_t size) {
   const msh_group *g = f->groups.data;
   size_t n = 0;

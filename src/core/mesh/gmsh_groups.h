@@ -1,4 +1,4 @@
-/* Assignment of nodes and elements of a Gmsh file to bodies and sets. */
+/* Assigns the nodes and elements of a Gmsh file to bodies and sets. */
 #ifndef MESH_GMSH_GROUPS_H
 #define MESH_GMSH_GROUPS_H
 
@@ -10,10 +10,11 @@ static inline unsigned arc_msh_bit(arc_body body, msh_set set) {
   return 1u << ((int)body * MSH_SETS + (int)set);
 }
 
-/* Returns "upper" or "lower". */
+/* Returns the role of a body, "upper" or "lower". */
 const char *arc_msh_role(arc_body body);
 
-/* Assigns the groups of the file; all six are required. Errors: ARC_FORMAT, ARC_MEMORY. */
+/* Assigns the physical groups of the file to bodies and sets. All six groups are required.
+ * Errors: ARC_GEOMETRY, ARC_MEMORY. */
 arc_status arc_msh_sort_groups(msh_file *file, arc_error *error);
 /* Returns the entity of an element, or NULL for an element without a group. */
 const msh_entity *arc_msh_entity_of(const msh_file *file, const msh_element *element);

@@ -1,4 +1,4 @@
-/* Text of a Gmsh file in memory, and its division into lines and numbers. */
+/* Text of a Gmsh file in memory, read line by line and number by number. */
 #include "core/mesh/gmsh_text.h"
 
 #include <ctype.h>
@@ -22,7 +22,7 @@ arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
   return status;
 }
 
-/* Copies the text, since reading writes zero bytes at the ends of lines. */
+/* Copies the text, because reading overwrites the ends of lines with zero bytes. */
 arc_status arc_msh_copy(msh_text *t, const char *name, const char *from, size_t length,
                         arc_error *error) {
   *t = (msh_text){.path = name, .data = malloc(length + 1)};
@@ -66,7 +66,8 @@ int arc_msh_line(msh_text *t) {
   return 0;
 }
 
-/* Accepts the number that ends at `stop`, if it is a whole word. */
+/* Moves behind the number that ends at `stop`. Returns 0 if white space or the end of the line
+ * does not follow. */
 static int take(msh_text *t, char *stop) {
   if (stop == t->at || (*stop && !is_space(*stop))) return 0;
   t->at = stop;

@@ -1,4 +1,4 @@
-/* The text of a Gmsh file: lines and numbers. */
+/* Text of a Gmsh file, read line by line and number by number. */
 #ifndef MESH_GMSH_TEXT_H
 #define MESH_GMSH_TEXT_H
 
@@ -7,8 +7,8 @@
 typedef struct msh_text {
   const char *path; /* name of the file in messages */
   char *data, *end; /* the whole file, zero-terminated */
-  char *next;       /* the next line */
-  char *at;         /* rest of the current line */
+  char *next;       /* start of the next line */
+  char *at;         /* unread rest of the current line */
   long line;        /* number of the current line, from 1 */
 } msh_text;
 
@@ -19,17 +19,18 @@ arc_status arc_msh_copy(msh_text *text, const char *name, const char *from, size
                         arc_error *error);
 void arc_msh_close(msh_text *text);
 
-/* Moves to the next line that is not blank; returns 0 at the end. */
+/* Moves to the next line that is not blank. Returns 0 at the end of the text. */
 int arc_msh_line(msh_text *text);
-/* Reads a finite number that white space or the end of the line follows; returns 0 otherwise. */
+/* Reads a finite number; white space or the end of the line must follow. Returns 0 if there is
+ * no such number. */
 int arc_msh_real(msh_text *text, double *value);
 int arc_msh_whole(msh_text *text, long long *value);
 
-/* Sets an error with file, line and reason; returns ARC_FORMAT. */
+/* Sets an error that contains the file, the line and the formatted reason. Returns ARC_FORMAT. */
 arc_status arc_msh_fail(const msh_text *text, arc_error *error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Printable beginning of a text, for a message. */
+/* Returns the printable beginning of a text, for a message. */
 typedef struct msh_shown {
   char text[32];
 } msh_shown;

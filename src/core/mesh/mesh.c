@@ -1,5 +1,5 @@
-/* Mesher of both bodies: from sizes to a quadtree, from its leaves to elements, and from the half
- * body to the whole. */
+/* Mesher of a body. It builds a quadtree from the element sizes, converts the leaves to
+ * elements, and mirrors the half body to the whole body. */
 #include "core/mesh/mesh.h"
 #include "core/mesh/body_shape.h"
 #include "core/mesh/outline.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of elements; larger values are input errors. */
+/* Largest number of elements of a body. Definitions that need more are rejected. */
 enum { most_elements = 1000000 };
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
@@ -74,16 +74,18 @@ arc_mesh_def arc_mesh_default(void) {
   return def;
 }
 
-/* The half widths and depths [mm] of the two nested partitions with fine elements. With zones of
- * 1 mm (cylinder) and 1.2 mm (plate), width x depth is 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
- * x 0.5 in 4.2 x 1.5 mm for the plate. All sizes are proportional to the cylinder's zone, except
- * that the widths of the plate grow with the plate's zone, which grows with the stroke. */
+/* Half widths and depths [mm] of the two nested partitions with fine elements. Example with
+ * zones of 1 mm (cylinder) and 1.2 mm (plate): the partitions of the cylinder are 1 x 0.5 and 4
+ * x 1 mm wide and deep, those of the plate 1.2 x 0.5 and 4.2 x 1.5 mm. All sizes are
+ * proportional to the zone of the cylinder. Only the widths of the plate's partitions grow with
+ * the plate's zone, and thus with the stroke. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Returns the number of rows of the wear box: the number in the definition, or more if that box
- * would end within layers much thinner than its rows, because each layer has its own row. */
+/* Returns the number of rows of the wear box. It is larger than in the definition if the box
+ * would otherwise end within layers much thinner than its rows, because each layer has its own
+ * row. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -108,16 +110,16 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* Returns true if an interface between layers cuts a cell. */
+/* Returns true if an interface between layers passes through a cell. */
 static int straddles(const body_map *m, const quad_cell *c) {
   for (int l = 0; l < m->layers; l++)
     if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
   return 0;
 }
 
-/* Returns the coarsest level of a cell: 0 in the inner partition, at most 2 (four times the
- * finest size) in the outer partition, at most the size `far` elsewhere. A cell that an
- * interface cuts must be split. */
+/* Returns the coarsest level allowed for a cell. It is 0 in the inner partition, at most 2 (four
+ * times the finest size) in the outer partition, and limited by the size `far` elsewhere. A cell
+ * that an interface between layers cuts must be split. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
@@ -158,8 +160,8 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Largest width and depth of a body, as multiples of the element size: positions are integers in
- * units of the element size. */
+/* Largest width and depth of a body in units of the element size. Positions are integers in
+ * these units. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
@@ -185,7 +187,7 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
   const double most_rows =
-      floor(radius / 4 / def->height * (1 + 1e-9)); /* tolerance for sizes at the limit */
+      floor(radius / 4 / def->height * (1 + 1e-9)); /* tolerance for heights at the limit */
   if (def->rows < 1 || def->rows > most_rows)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -209,13 +211,14 @@ static int compare_keys(const void *a, const void *b) {
   return (p->i > q->i) - (p->i < q->i);
 }
 
-/* Returns the mirrored point of the other half; on full circles the two ends coincide. */
+/* Returns the mirror image of a logical point. On a full circle the two end points coincide. */
 static mesh_key mirrored(const body_map *m, mesh_key key) {
   const int seam = arc_body_map_closed(m) && key.i == 2 * (m->columns << m->root_level);
   return (mesh_key){seam ? key.i : -key.i, key.j};
 }
 
-/* Writes the sorted distinct keys of both halves. Returns their number, or -1. */
+/* Writes the distinct keys of both halves to *keys, in sorted order. Returns their number, or -1
+ * without memory. */
 static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   const int corners = 4 * b->count;
   mesh_key *all = malloc(2 * (size_t)corners * sizeof *all);
@@ -247,7 +250,8 @@ static double twice_area(const double *xy, const int *e) {
   return area;
 }
 
-/* Returns the layer of a cell, the one at its upper end, as cells end at interfaces. */
+/* Returns the layer of a cell, which is the layer at its upper end, because cells end at
+ * interfaces. */
 static int layer_of(const body_map *map, const mesh_key *corner) {
   int top = corner[0].j, layer = 0;
   for (int c = 1; c < 4; c++) top = corner[c].j < top ? corner[c].j : top;
@@ -255,7 +259,8 @@ static int layer_of(const body_map *map, const mesh_key *corner) {
   return layer;
 }
 
-/* Writes one element counter-clockwise; `mirror` is 1 or -1. */
+/* Writes element `at` with its corners counter-clockwise. `mirror` is -1 for the mirrored half,
+ * else 1. */
 static void place_element(arc_mesh *mesh, const body_map *map, const mesh_key *keys,
                           const mesh_key *corner, int mirror, int at) {
   int *e = &mesh->element[4 * at];
@@ -282,8 +287,8 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
   }
 }
 
-/* Orders the elements: the wear box of the whole body first, column by column from left to
- * right. */
+/* Writes all elements in order. The wear box of the whole body is first, column by column from
+ * left to right. */
 static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key *keys, int half) {
   const int box = half * mesh->rows;
   int at = 0;
@@ -300,8 +305,8 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
-/* Marks the fixed nodes: the flat of a half cylinder, the hub of a disc, the base or rim of other
- * bodies. */
+/* Returns true for a fixed node: on the flat of a half cylinder, at the hub of a disc, at the
+ * base or rim of other bodies. */
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);

@@ -1,4 +1,4 @@
-/* Boundary polygon: the chain of edges that belong to one element only. */
+/* Boundary polygon of a mesh, chained from the edges that belong to only one element. */
 #include "core/mesh/outline.h"
 #include "core/mesh/body_shape.h"
 
@@ -25,7 +25,7 @@ static int all_edges(const arc_mesh *mesh, edge *list) {
   return n;
 }
 
-/* Writes next[node], the next node on the boundary, or -1 for inner nodes. Returns a node of the
+/* Sets next[node] to the next node on the boundary, or -1 for inner nodes. Returns a node of the
  * boundary that contains the surface, or -1. */
 static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
   const int n = all_edges(mesh, list);

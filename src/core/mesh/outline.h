@@ -1,11 +1,11 @@
-/* The boundary polygon of a mesh. */
+/* Boundary polygon of a mesh. */
 #ifndef MESH_OUTLINE_H
 #define MESH_OUTLINE_H
 
 #include "archard/mesh.h"
 
-/* Chains the edges that belong to only one element into the boundary polygon. Of the two polygons
- * of a ring, the one with the surface is used. Errors: ARC_MEMORY or ARC_GEOMETRY. */
+/* Chains the edges that belong to only one element into the boundary polygon. A ring has two
+ * such polygons; the polygon with the surface is used. Errors: ARC_MEMORY, ARC_GEOMETRY. */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

@@ -37,8 +37,8 @@ static arc_status split(quadtree *tree, int at) {
   return ARC_OK;
 }
 
-/* Returns the level of the finest leaf beside an edge of a cell, from the two unit cells outside
- * the middle of the edge, one at either half. */
+/* Returns the level of the finest leaf beside an edge of a cell. It tests the two unit cells
+ * outside the edge that are next to the middle of the edge. */
 static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) {
   const int w = 1 << c->level, half = w / 2;
   int finest = c->level;
@@ -64,8 +64,7 @@ static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) 
   return finest;
 }
 
-/* Returns true if a leaf must be split because a neighbour is finer by more than one level anywhere
- * along their edge. */
+/* Returns true if a leaf must be split because a neighbour is finer by more than one level. */
 static int unbalanced(const quadtree *tree, const quad_cell *c) {
   if (c->level < 2) return 0;
   const int w = 1 << c->level, quarter = w / 4;

@@ -1,4 +1,5 @@
-/* A 2:1-balanced quadtree over a grid of square root cells, in integer units of the finest cell. */
+/* A 2:1-balanced quadtree over a grid of square root cells. Coordinates are integers in units of
+ * the finest cell. */
 #ifndef MESH_QUADTREE_H
 #define MESH_QUADTREE_H
 
@@ -6,30 +7,32 @@
 
 typedef struct quad_cell {
   int level; /* the cell is 2^level units wide and high */
-  int i, j;  /* corner of the cell nearest to the origin, in units */
-  int child; /* index of the first of four children, -1 for a leaf */
+  int i, j;  /* corner of the cell with the smallest i and j, in units */
+  int child; /* index of the first of four children; -1 for a leaf */
 } quad_cell;
 
 typedef struct quadtree {
   int root_level;      /* level of the root cells */
   int columns, lines;  /* number of root cells along i and j; root (a, b) is cell a + b * columns */
-  int count, capacity; /* all cells */
+  int count, capacity; /* number of all cells, and size of the array */
   quad_cell *cell;
 } quadtree;
 
-/* Returns the coarsest level allowed for a cell; called before each split. */
+/* Returns the coarsest level allowed for a cell. Called each time a cell is considered for
+ * splitting. */
 typedef int (*quad_level_fn)(const void *context, const quad_cell *cell);
 
-/* Splits cells until no leaf is coarser than allowed and neighbours across an edge differ by at
- * most one level. On ARC_MEMORY the tree is empty. */
+/* Splits cells until no leaf is coarser than allowed and the levels of neighbours across an edge
+ * differ by at most one. Error: ARC_MEMORY, after which the tree is empty. */
 arc_status arc_quadtree_build(quadtree *tree, int root_level, int columns, int lines,
                               quad_level_fn coarsest, const void *context);
 void arc_quadtree_free(quadtree *tree);
 
-/* Returns the leaf that contains the unit cell (i, j), or NULL outside. */
+/* Returns the leaf that contains the unit cell (i, j), or NULL for a cell outside the tree. */
 const quad_cell *arc_quadtree_leaf(const quadtree *tree, int i, int j);
 
-/* Returns the edges of a leaf that have a hanging node: bit 0 j-min, 1 i-max, 2 j-max, 3 i-min. */
+/* Returns the edges of a leaf that have a hanging node, as bits: bit 0 for j-min, 1 i-max, 2
+ * j-max, 3 i-min. */
 unsigned arc_quadtree_hanging(const quadtree *tree, const quad_cell *leaf);
 
 #endif

@@ -1,4 +1,4 @@
-/* Element quality: angles, aspect, Jacobians. */
+/* Quality of elements: angles, aspect ratio and Jacobians. */
 #include "archard/mesh.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@ static double length(const double *p, const double *q) {
   return hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-/* Returns twice the area of the corner triangle p-q-r at q, which is four times the Jacobian of a
- * bilinear quadrilateral there. */
+/* Returns twice the signed area of the triangle p-q-r. This is four times the Jacobian of a
+ * bilinear quadrilateral at corner q. */
 static double corner_jacobian(const double *p, const double *q, const double *r) {
   return (r[0] - q[0]) * (p[1] - q[1]) - (r[1] - q[1]) * (p[0] - q[0]);
 }

@@ -1,4 +1,4 @@
-/* Arcs: half cylinders, discs, rings. */
+/* Bodies with round surfaces: half cylinders, balls, discs and rings. */
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static double own_radius(const arc_body_def *b) {
   return b->radius;
 }
 
-/* --- cylinders: half discs, fixed at their flat ----------------------------------------------- */
+/* --- cylinders: half discs, fixed at the flat side -------------------------------------------- */
 
 static const char *const cylinder_fields[] = {"radius", "hold", NULL};
 
@@ -32,7 +32,7 @@ const body_shape arc_body_shape_cylinder = {cylinder_fields,
                                             NULL,
                                             &arc_body_shape_disc};
 
-/* --- balls, which have no mesh: half-spaces of two radii -------------------------------------- */
+/* --- balls: half-spaces with two radii, without a mesh ---------------------------------------- */
 
 static const char *const ball_fields[] = {"radius", "radius_z", NULL};
 

@@ -1,4 +1,4 @@
-/* Measured topographies: a surface through points over x and z, for half-spaces in 3-D. */
+/* Measured topographies: surfaces through points over x and z, for half-spaces in 3-D. */
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ enum { LEAST = 4 /* smallest number of points along an axis */ };
 
 static arc_status check_axis(const char *path, const char *name, const arc_series *s,
                              arc_error *error) {
-  static const double uneven = 1e-4; /* tolerance of the steps, relative to their mean */
+  static const double uneven = 1e-4; /* tolerance of the spacing, relative to its mean */
   const double *v = s->value;
   if (s->count < LEAST)
     return arc_fail(error, ARC_ARGUMENT, "field '%s%s': expected at least %d points, got %d", path,
@@ -48,7 +48,7 @@ static double radius(const arc_body_def *b) {
   return b->radius > 0 ? b->radius : INFINITY;
 }
 
-/* Returns no limits, as bodies in three dimensions have no mesh. */
+/* Returns infinite limits, because bodies in three dimensions have no mesh. */
 static body_limits limits(const arc_body_def *b) {
   (void)b;
   return (body_limits){.zone = INFINITY, .zone_text = "any", .outer = INFINITY, .reach = INFINITY};
@@ -59,8 +59,9 @@ const body_shape arc_body_shape_map = {fields, FORM_MAP, 0,    resolve, radius, 
 
 /* --- heights ---------------------------------------------------------------------------------- */
 
-/* Computes the weights of four points for a position between the second and the third, by cubic
- * convolution, which reproduces parabolas. */
+/* Computes the weights of four neighbouring points for a position between the second and the
+ * third. The interpolation is a cubic convolution, which reproduces parabolas. Returns the index
+ * of the first point. */
 static int weigh(const arc_series *axis, double at, double weight[4]) {
   const double first = axis->value[0], last = axis->value[axis->count - 1];
   const double u = (fmin(fmax(at, first), last) - first) / (last - first) * (axis->count - 1);
@@ -71,8 +72,8 @@ static int weigh(const arc_series *axis, double at, double weight[4]) {
   weight[2] = t * (1 + t * (4 - 3 * t)) / 2;
   weight[3] = t * t * (t - 1) / 2;
   if (t >= 0 && t <= 1) return i - 1;
-  /* In the first and last interval the parabola through the three points at that end is used; s is
-   * the position relative to the middle one of these points. */
+  /* In the first and the last interval the parabola through the three points at that end is
+   * used. s is the position relative to the middle one of these points. */
   const int k = t < 0 ? 0 : 1;
   const double s = t - k;
   weight[0] = weight[1] = weight[2] = weight[3] = 0;
@@ -99,8 +100,9 @@ void arc_body_map_extent(const arc_body_def *b, double *half_x, double *half_z, 
   *step = fmax(x->value[1] - x->value[0], z->value[1] - z->value[0]);
 }
 
-/* Computes the curvature of the heights along one axis by least squares. On a regular grid the
- * squares of x and z minus their means are orthogonal. */
+/* Returns the curvature [1/mm] of a parabola fitted to the heights along one axis by least
+ * squares, positive for a convex surface. On a regular grid the squares of x and z minus their
+ * means are orthogonal. */
 static double curvature(const arc_body_def *b, int along_z) {
   const arc_series *axis = along_z ? &b->z_series : &b->x_series;
   const int nz = b->z_series.count, n = axis->count;

@@ -1,4 +1,4 @@
-/* Measured profiles: a surface through points. */
+/* Measured profiles: surfaces through points over x. */
 #include "core/mesh/body_shape.h"
 
 #include <math.h>

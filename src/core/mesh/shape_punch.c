@@ -1,18 +1,19 @@
-/* Punches: a flat between rounded edges. */
+/* Punches: surfaces with a flat between rounded edges. */
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
 
 static const char *const fields[] = {"flat", "radius", "height", NULL};
 
-/* The default height is the model's radius, or twice the radius of the punch if this is larger. */
+/* Sets the default height and the width. The default height is the radius of the model, or twice
+ * the radius of the punch if this is larger. */
 static void resolve(arc_body_def *b, double radius) {
   if (b->height == 0) b->height = fmax(radius, 2 * b->radius);
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns the limits of the fine elements: the flat, and of its edges the same share of the radius
- * as for a cylinder. */
+/* Returns the limits of the flat plus its rounded edges. The share of each edge is the same as
+ * for a cylinder of its radius. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",

@@ -1,5 +1,6 @@
-/* Converts leaves of the quadtree to quadrilaterals, or to triangles if an edge has a hanging node.
- * Every pattern is symmetric, so that mirrored bodies have mirrored elements. */
+/* Converts leaves of the quadtree to elements: quadrilaterals, or triangles if an edge has a
+ * hanging node. All patterns are symmetric, which makes the elements of mirrored bodies mirror
+ * images. */
 #include "core/mesh/tile.h"
 
 #include <stdlib.h>
@@ -21,8 +22,8 @@ static arc_status add_triangle(mesh_builder *b, mesh_key p, mesh_key q, mesh_key
   return add(b, p, q, r, r);
 }
 
-/* Writes the corners and hanging nodes of a leaf in order; middles[e] is the index of the hanging
- * node of edge e, or -1. */
+/* Writes the corners and the hanging nodes of a leaf to `point` in circular order. Returns their
+ * number. */
 static int walk_around(const quad_cell *c, unsigned hanging, mesh_key point[8]) {
   const int w = 2 << c->level, i = 2 * c->i, j = 2 * c->j, h = w / 2;
   const mesh_key corner[4] = {{i, j}, {i + w, j}, {i + w, j + w}, {i, j + w}};
@@ -35,8 +36,8 @@ static int walk_around(const quad_cell *c, unsigned hanging, mesh_key point[8]) 
   return n;
 }
 
-/* Divides a leaf with one hanging node into three triangles around it. The order is rotated so that
- * the hanging node is the first. */
+/* Divides a leaf with one hanging node into three triangles around this node. point[middle] is
+ * the hanging node. */
 static arc_status close_one(mesh_builder *b, const mesh_key point[5], int middle) {
   for (int t = 1; t <= 3; t++) {
     const arc_status status =
@@ -46,7 +47,7 @@ static arc_status close_one(mesh_builder *b, const mesh_key point[5], int middle
   return ARC_OK;
 }
 
-/* Divides a leaf with several hanging nodes into a fan around the cell's middle. */
+/* Divides a leaf with several hanging nodes into triangles around the centre of the cell. */
 static arc_status close_fan(mesh_builder *b, const quad_cell *c, const mesh_key *point, int n) {
   const mesh_key centre = {2 * c->i + (1 << c->level), 2 * c->j + (1 << c->level)};
   for (int t = 0; t < n; t++) {
@@ -67,8 +68,8 @@ static arc_status add_leaf(mesh_builder *b, const quadtree *tree, const quad_cel
   return close_one(b, point, middle + 1);
 }
 
-/* Closes the centre of a solid arc. The last row of cells ends on a small circle, which triangles
- * connect to the centre, whose key is (0, last row + 1). */
+/* Adds a triangle between a leaf in the last row and the centre of a solid arc. The last row of
+ * cells ends on a small circle; the key of the centre is (0, last row + 1). */
 static arc_status add_core(mesh_builder *b, const quadtree *tree, const quad_cell *leaf) {
   const int last = tree->lines << tree->root_level, w = 1 << leaf->level;
   if (!b->map.core || leaf->j + w != last) return ARC_OK;

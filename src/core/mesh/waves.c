@@ -1,12 +1,12 @@
-/* Decomposition of a profile into its form, a parabola, and waves. */
+/* Decomposes a profile into its form, which is a parabola, and waves. */
 #include "core/mesh/waves.h"
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
 
 /* Form of a profile: y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, with t from -1 to 1 over the
- * points. The functions are nearly orthogonal, so that sweeps that fit one coefficient after the
- * other converge to the least-squares fit. */
+ * points. The three functions are nearly orthogonal. Sweeps that fit one coefficient after the
+ * other therefore converge to the least-squares fit. */
 typedef struct form {
   double middle, half, c[3];
 } form;
@@ -22,7 +22,7 @@ static double form_at(const form *f, double x) {
   return sum;
 }
 
-/* Returns the weight of a point in integrals over x. */
+/* Returns the weight of point `i` in integrals over x [mm]. */
 static double weight(const arc_series *y, int i) {
   const double from = y->distance[i > 0 ? i - 1 : 0],
                to = y->distance[i + 1 < y->count ? i + 1 : i];
@@ -46,13 +46,14 @@ static form form_of(const arc_series *y) {
   return f;
 }
 
-/* Returns the mean length of the waves, counted as changes between peaks and valleys that are
- * higher than a tenth of `height`, the total range. */
+/* Returns the mean length of the waves [mm]. Waves are counted as changes between peaks and
+ * valleys that are larger than a tenth of `height`, the total range of heights. */
 static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
   int turns = 0, sense = 0;
-  /* Positions of the first and the last extremum, and of the extreme point since then. */
+  /* from, to: positions of the first and the last extremum. at: position of the extreme point
+   * since the last extremum. */
   double from = 0, to = 0, at = 0;
   double last = 0;
   for (int i = 0; i < y->count; i++) {

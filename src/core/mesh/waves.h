@@ -4,11 +4,11 @@
 
 #include "archard/body.h"
 
-/* Form and waves of a profile. For other bodies the wavelength is INFINITY and the height zero. */
+/* Form and waves of a profile. Other bodies have the wavelength INFINITY and the height 0. */
 typedef struct body_waves {
-  double form;   /* radius of the best-fit parabola [mm]: negative if hollow, INFINITY if flat */
-  double length; /* wavelength [mm], INFINITY: no waves */
-  double height; /* height from valleys to peaks [mm] */
+  double form;   /* radius of the fitted parabola [mm]; negative if hollow, INFINITY if flat */
+  double length; /* wavelength [mm]; INFINITY without waves */
+  double height; /* height from valley to peak [mm] */
 } body_waves;
 body_waves arc_body_waves(const arc_body_def *body);
 
