@@ -1,4 +1,4 @@
-/* The contact object: a solved contact problem and its results. */
+/* The contact object: solves a contact problem and computes its results. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 #include "core/elastic/contact_estimate.h"
@@ -57,7 +57,7 @@ static void read_pressures(arc_contact *c) {
   }
 }
 
-/* Stores the shear tractions, and adds them to the forces on the nodes. */
+/* Computes the shear tractions of both bodies [MPa] and the forces on their nodes with shear. */
 static void read_shear(arc_contact *c) {
   if (!c->has_friction) return;
   memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->problem.nc * sizeof(double));
@@ -69,14 +69,14 @@ static void read_shear(arc_contact *c) {
   }
 }
 
-/* Returns the force along x on the cylinder [N/mm]. */
+/* Returns the sum of the forces along x on the cylinder [N/mm]. */
 static double driving_force(const arc_contact *c) {
   double sum = 0;
   for (int i = 0; i < c->count[ARC_CYLINDER]; i++) sum += c->force[ARC_CYLINDER][i];
   return sum;
 }
 
-/* Returns the sum of the normal forces [N/mm]. */
+/* Returns the sum of the normal forces on the candidates [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
   for (int k = 0; k < c->problem.count; k++) sum += c->problem.f[k];
@@ -102,7 +102,7 @@ static void read_result(arc_contact *c) {
       .iterations = c->has_friction ? c->iterations : c->problem.iterations};
 }
 
-/* Rejects settings that break the rotational symmetry. */
+/* Rejects settings that break the rotational symmetry of bodies of revolution. */
 static arc_status check_revolved(const arc_model *model, const arc_contact_def *def,
                                  arc_error *error) {
   if (arc_model_definition(model)->geometry != ARC_AXISYMMETRIC) return ARC_OK;
@@ -140,7 +140,7 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   return status;
 }
 
-/* Computes all results of the solved problem. */
+/* Computes all results of the solved problem: pressures, shear and the summary. */
 static void read_all(arc_contact *c) {
   read_pressures(c);
   read_shear(c);
@@ -155,7 +155,7 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
 }
 
-/* Rounds a zone width [mm] to three digits, upwards if possible. */
+/* Rounds a zone width [mm] to three digits: up, or down if the result would exceed `widest`. */
 static double round_zone(double zone, double widest) {
   const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
   return up <= widest ? up : floor(widest / unit) * unit;
@@ -177,9 +177,9 @@ static arc_status explain_position(const arc_contact *c, arc_error *error) {
       arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* Computes zones that are sufficient for a contact: the automatic zones, or twice the present width
- * if the automatic zones are not wider. Returns 0 if a body is too narrow for the contact and two
- * open elements on either side. */
+/* Computes the zones [mm] that a contact needs: the automatic zones or, if these are not wider
+ * than the present zones, twice the present width. Returns 0 if a body is too narrow for the
+ * contact plus two open elements on either side, or if no zone becomes wider. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;
@@ -196,7 +196,8 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
   return more;
 }
 
-/* Composes the error message for a contact beyond the zones. */
+/* Composes the message for a contact that reaches beyond the zones. Returns ARC_ZONE or
+ * ARC_ARGUMENT. */
 static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   if (!error || arc_model_is_given(c->handle.shape->handle.model)) return ARC_ZONE;
@@ -215,7 +216,7 @@ static arc_status explain_zones(const arc_contact *c, arc_error *error) {
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* Returns the load [N], or 0 if one of the bodies is worn. */
+/* Returns the load [N] of unworn bodies. Returns 0 if a body is worn. */
 static double unworn_load(const arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_shape_depth(c->handle.shape, (arc_body)b) > 0) return 0;

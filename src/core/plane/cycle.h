@@ -1,4 +1,4 @@
-/* Cycles in the plane: contact and wear at every point of a block, on two meshes. */
+/* Cycles of a run in the plane: contact and wear at every point of a block, on two meshes. */
 #ifndef PLANE_CYCLE_H
 #define PLANE_CYCLE_H
 
@@ -6,7 +6,7 @@
 #include "core/friction/friction.h"
 #include "core/wear/run.h"
 
-/* Solution at one point of the path. Arrays by body, in one block. */
+/* Solution at one point of the path. Each array has one entry per surface node of the body. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
   double *q[ARC_BODIES]; /* wear rate: p times the factors of law and position [MPa] */
@@ -14,17 +14,17 @@ typedef struct wear_point {
   double *f[ARC_BODIES]; /* local factor */
 } wear_point;
 
-/* The present block with its problems, and the last two solved points: point i is in point[i %
- * 2]. */
+/* The present block, its problems, and the last two solved points. Point i of the block is
+ * stored in point[i % 2]. */
 typedef struct wear_path {
   const wear_block *block; /* NULL until the first block */
   int problems;
   contact_problem *problem; /* [problems] */
   int nodes;                /* number of surface nodes of both bodies */
   wear_point point[2];
-  wear_point image[2]; /* mirror images of the points, if local factors differ */
+  wear_point image[2]; /* mirror images of the points, for local factors that are not symmetric */
 
-  /* with friction */
+  /* members for runs with friction */
   int has_friction;
   tangential_compliance *compliance; /* [problems] */
   friction_workspace workspace;
@@ -34,10 +34,10 @@ typedef struct wear_path {
 /* Data of a run in the plane. */
 typedef struct plane_cycle {
   wear_path path;
-  contact_problem reference; /* problem with plate at x = 0 and nominal load */
-  double *slip;              /* [4 n] slip of an increment, or mirror images */
+  contact_problem reference; /* problem with the plate at x = 0 under the nominal load */
+  double *slip;              /* [4 n] workspace: slip of an increment, or mirror images */
   double *down;  /* [n] lowering of the surface per depth of the window, see arc_shape_downward */
-  double *width; /* [n] widths of the nodes' cells in the previous window [mm] */
+  double *width; /* [n] widths of the surface cells of the nodes in the previous window [mm] */
   double *plate, *below; /* [np] depths of the plate; [nc] these depths at the cylinder's nodes */
 } plane_cycle;
 
@@ -48,8 +48,9 @@ static inline wear_path *path_of(const arc_wear *w) {
   return &plane_of(w)->path;
 }
 
-/* -d rate / d depth, along y, at constant compliance. Neighbouring points with nearly the same
- * contact form groups, which is accurate enough for Newton's method. */
+/* Jacobian -d rate / d depth, with depths along y and at constant compliance. Neighbouring
+ * points with nearly the same contact form groups that share a solution; this is accurate enough
+ * for Newton's method. */
 struct wear_tangent {
   int nc, np;
   double width;  /* range of plate positions in a group [mm]; 0: no groups */
@@ -58,74 +59,74 @@ struct wear_tangent {
 };
 
 /* --- path.c ----------------------------------------------------------------------------------- */
-/* Allocates the points. After an error (ARC_MEMORY) there is nothing to free. */
+/* Allocates the arrays of the points. Error: ARC_MEMORY, after which nothing has to be freed. */
 arc_status arc_path_create(wear_path *path, const arc_model *model, int has_friction);
 void arc_path_free(wear_path *path);
-/* Creates the problems of a block, unless it is the present block. After an error (ARC_MEMORY)
- * there is no present block. */
+/* Creates the problems of a block and makes it the present block, unless this has been done. Error:
+ * ARC_MEMORY, after which there is no present block. */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
                           arc_error *error);
-/* Sets a point to zero (no contact). */
+/* Sets all values of a point to zero, as for bodies without contact. */
 void arc_path_clear(const wear_path *path, wear_point *point);
 void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to);
 
 /* --- rate.c ----------------------------------------------------------------------------------- */
-/* Computes the wear of a window. */
+/* Computes the wear of a window of a cycle. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error);
 /* Returns the total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
-/* Returns the ratio of the wear rate on a slope to that on a level surface under the same
- * pressure. */
+/* Returns the ratio of the wear rate at node i on its slope to the wear rate on a level surface
+ * under the same pressure. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
-/* Solves only the point window->first, to check that the contact lies inside the zones. */
+/* Solves only the point window->first, to check that the contact lies within the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 
-/* Updates the problem of point `at` of the present block for a window. */
+/* Updates the problem of point `at` of the present block to the shape and depths of a window. */
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error);
-/* Computes pressures and wear rates of a point from its solved problem. */
+/* Computes the pressures and wear rates of a point from its solved problem `p`. */
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_problem *p,
                          wear_point *point, arc_error *error);
 
-/* Multiplies a point's wear rates q by the local factors. */
+/* Computes the local factors of a point and multiplies the wear rates q by them. */
 arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
                                        wear_point *point, arc_error *error);
 
-/* Adds the wear due to work at the cylinder's nodes [MPa mm], a density along x. The work is
- * multiplied by the local factors. The coupling (Eq. 15) transfers the same work to the plate. on
- * [np] is workspace. */
+/* Adds the wear due to the `work` at the cylinder's nodes [MPa mm], a density along x, to the
+ * rate of both bodies. The coupling (Eq. 15) transfers the same work to the plate. The work is
+ * multiplied by the local factors of `point`. `on` [np] is workspace. */
 void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
                     const double *work, double *on, wear_rate *rate);
 
 /* --- mirror.c --------------------------------------------------------------------------------- */
-/* Returns true if the contact in the second half of a window is the mirror image of that in the
- * first half. */
+/* Returns true if the second half of a window is the mirror image of the first half, with the
+ * same contacts. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
-/* Returns true if local factors make the wear of a window asymmetric although its contact is
- * symmetric. */
+/* Returns true if a window with symmetric contact has local factors, which may make its wear
+ * asymmetric. */
 int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window);
-/* Computes the mirror image of point `at`, the last solved point. `law` contains the point's wear
- * rate without local factors. */
+/* Computes the mirror image of point `at`, the last solved point. `law` contains the wear rate
+ * of the point without local factors. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
-/* Replaces depths [n] by the mean of the depths and their mirror image. */
+/* Replaces depths [n] by the mean of the depths and their mirror image about x = 0. */
 void arc_wear_symmetrise(const arc_wear *w, double *depth);
-/* Extends the wear of the first half of a window, and its Jacobian, to the whole window. `images`
- * is the wear of the second half, or NULL if this wear is the mirror image. */
+/* Extends the wear and the Jacobian of the first half of a window to the whole window. `images`
+ * is the wear of the second half, or NULL if it is the mirror image of the first half. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
                          wear_rate *rate);
 
 /* --- fretting.c ------------------------------------------------------------------------------- */
-/* Computes the wear of a steady cycle with friction. */
+/* Computes the wear of a periodic cycle with friction. */
 arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *progress,
                          wear_rate *rate, arc_error *error);
 
-/* Computes the fretting loop of a cycle. */
+/* Computes the fretting loop of a periodic cycle: the tangential force over the position. */
 arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progress *progress,
                               arc_loop **loop, arc_error *error);
 
 /* --- slip.c ----------------------------------------------------------------------------------- */
-/* Adds the work of the increment that ends at point `at`, with the elastic part of the slip. */
+/* Adds the work of the increment that ends at point `at`. The slip includes its elastic part. */
 void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 
 /* --- jacobian.c ------------------------------------------------------------------------------- */
@@ -134,12 +135,13 @@ void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
-/* Adds share * (-d q / d depth) of point `at`, the last solved point, to the sum of the window.
- * Points must be added in order. sliding [surface] is the sliding distance of each node of both
- * bodies if it differs from share, which is the largest sliding distance. */
+/* Adds share * (-d q / d depth) of point `at`, the last solved point, to the Jacobian of the
+ * window. Points must be added in order. `share` is the largest sliding distance of a node [mm].
+ * sliding[body] contains the sliding distance of each node, or is NULL if all nodes slide by
+ * `share`. */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const sliding[ARC_BODIES]);
-/* Completes `value` after the last problem. */
+/* Completes the Jacobian after the last point of a window. */
 void arc_wear_jacobian_finish(wear_tangent *j);
 
 /* --- plane_definition.c ----------------------------------------------------------------------- */
@@ -151,31 +153,31 @@ arc_status arc_plane_check(const arc_wear_def *def, const arc_model_def *model, 
 /* --- increments.c ----------------------------------------------------------------------------- */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts);
-/* Warns if the user's increments are too long for the contact. */
+/* Warns if the user's increments are too long for the width of the contact. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 
 /* --- revolved.c ------------------------------------------------------------------------------- */
-/* Checks the settings for bodies of revolution. Error: ARC_ARGUMENT. */
+/* Checks the settings of a run for bodies of revolution. Error: ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
-/* Returns the half width of a flat scar of a given volume [mm3] on a cylinder of this radius, or on
- * a ball. */
+/* Returns the half width [mm] of a flat scar of a given volume [mm3] on a cylinder or ball of
+ * this radius [mm]. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
-/* Returns the slip at surface node i over the slip at the reference radius: 1 unless the bodies
- * spin. */
+/* Returns the slip at surface node i divided by the slip at the reference radius. Returns 1
+ * unless the bodies spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
 /* --- measures.c ------------------------------------------------------------------------------- */
-/* Returns true for alpha = 0 and a stroke over the whole plate, where the contact never changes. */
+/* Returns true if the contact never changes: alpha = 0 and a stroke over the whole plate. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
 double arc_plane_roughness(const arc_wear *w, arc_body body);
-/* Returns the largest depth of the plate [mm]. For a track it is the mean depth over the width of
- * the contact. The record must contain volume and half width. */
+/* Returns the largest depth of the plate [mm]; for a track, the mean depth over the contact
+ * width. `record` must contain the plate's volume and the half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* Returns the area of the evenly worn surface per thickness: the plate's width [mm]; for a track 1
- * mm wide [mm2]. */
+/* Returns the area of the evenly worn surface per unit of thickness: the width of the plate
+ * [mm]. For a track it is the area of a track 1 mm wide [mm2]. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
@@ -202,58 +204,60 @@ arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
 
 /* --- remesh.c --------------------------------------------------------------------------------- */
-/* Returns true if the step failed because the contact left the meshed zone (ARC_ZONE) or the wear
- * box (ARC_GEOMETRY) and a larger mesh can help. */
+/* Returns true if a larger mesh can help after a step has failed with the error `why`: the
+ * contact has left the meshed zone (ARC_ZONE) or the wear box (ARC_GEOMETRY). */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* Returns the number of rows of a wear box that contains the evenly worn layers; 0 if the present
- * box contains them. */
+/* Returns the number of rows that the wear box needs to contain the evenly worn layers. Returns
+ * 0 if the present box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
-/* Returns true if the zones of the run fit on bodies of this radius. */
+/* Returns true if the zones that the run needs fit on bodies of this radius. */
 int arc_wear_can_grow(const arc_wear *w);
 
-/* Copies the run to larger meshes. Errors: as for arc_model_build, or `why` if the meshes cannot
+/* Copies the run to larger meshes. Errors: those of arc_model_build; `why` if the meshes cannot
  * become larger. After an error *result is NULL. */
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                          arc_wear **result, arc_error *error);
 
-/* Copies the run to the mesh that the user chose by arc_wear_set. Errors: as for arc_wear_grow;
- * ARC_ARGUMENT for imported meshes. */
+/* Copies the run to a mesh that the user chose with arc_wear_set. Errors: those of
+ * arc_model_build; ARC_ARGUMENT for imported meshes. */
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
-/* Warns about new meshes of a run, with the reason `why`. */
+/* Warns that a run has new meshes. `why` is the reason in words. */
 void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const char *why,
                             const arc_callbacks *callbacks);
 
-/* Warns that a run has larger meshes. */
+/* Warns that a run has larger meshes. Coarser meshes are not reported. */
 void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
                             const arc_callbacks *callbacks);
 
-/* Reports a failed step. If the contact left the mesh, the message explains why the run has no
- * larger mesh: because of the error `trouble` (may be empty), or because the step is too long; it
- * includes the required mesh. */
+/* Reports the error `why` of a failed step. If the contact left the mesh, the message also
+ * states why the run has no larger mesh: the error `trouble`, or, if that is empty, a step that
+ * is too long. In the second case it includes the required zones. */
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 
 /* --- rims.c ----------------------------------------------------------------------------------- */
-/* Recreates a new run on meshes that resolve the slip zones. *finer is NULL if the present meshes
- * resolve them, if the user chose the sizes, or without friction. */
+/* Recreates a new run on finer meshes that resolve its slip zones. *finer is NULL if this is
+ * unnecessary: if the present meshes resolve the zones, if the user chose the sizes, or without
+ * friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
-/* Returns the largest element size [mm] that resolves the slip zones of the last update; INFINITY
- * without slip zones. */
+/* Returns the largest element size [mm] that resolves the slip zones of the last update. Returns
+ * INFINITY without slip zones. */
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
-/* Converts the depth [mm] `due` by which node i would wear with the largest wear coefficient to the
- * depth with the coefficients of the layers below this node, from depth h on. */
+/* Converts a depth of wear [mm] at node i to the depth that the layers below the node allow,
+ * beginning at depth `h`. `due` is the depth with the largest wear coefficient. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
-/* Converts the depths of all nodes of both surfaces, cylinder first (see
- * arc_wear_through_layers). */
+/* Converts the depths of all nodes of both surfaces, cylinder first, with
+ * arc_wear_through_layers. */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
-/* Returns the wear coefficient of node i after `depth` more wear, over the largest coefficient. */
+/* Returns the wear coefficient of node i after `depth` [mm] of further wear, divided by the
+ * largest coefficient. */
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 
 #endif

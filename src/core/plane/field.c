@@ -1,4 +1,5 @@
-/* Displacements and stresses inside a body, by back-substitution from a contact solution. */
+/* Computes displacements and stresses inside a body by back-substitution from a contact
+ * solution. */
 #include "core/plane/recovery.h"
 #include "core/plane/solution.h"
 
@@ -38,14 +39,15 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Returns the shear over pressure at the last node in contact, positive along +x on the
- * cylinder. */
+/* Returns the ratio of shear to pressure at the last node in contact, on the right or left. It
+ * is positive if the shear on the cylinder is along +x. */
 static double shear_at(const arc_contact *c, int right) {
   const int last = c->problem.set[right ? c->problem.active - 1 : 0];
   return c->state.t[c->problem.lo + last] / c->problem.f[last];
 }
 
-/* Computes the tractions at the surface nodes; near smooth edges they are point values. */
+/* Computes the tractions at the surface nodes. Near smooth edges they are point values instead
+ * of means. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
   const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
   const int n = c->count[body];
@@ -83,8 +85,8 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Stores Poisson's ratio at the nodes in szz; at an interface it is that of the upper layer.
- * Elements are numbered from the surface on. */
+/* Stores Poisson's ratio at the nodes in szz. A node on an interface gets the ratio of the upper
+ * layer. Elements are numbered from the surface on. */
 static void fill_ratios(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)
@@ -95,8 +97,8 @@ static void fill_ratios(const elastic_body *body, arc_field *field) {
     }
 }
 
-/* Returns the stress normal to the section at node n, with Poisson's ratio `nu`, from the stresses
- * in the section and the hoop strain. On the axis this stress equals the radial stress. */
+/* Returns the stress normal to the section at node n. It follows from the stresses in the
+ * section, Poisson's ratio `nu` and the hoop strain. On the axis it equals the radial stress. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
@@ -118,7 +120,8 @@ static void derive_invariants(const elastic_body *body, arc_field *field) {
   }
 }
 
-/* Rotates the stresses. Stress tensors rotate by twice the angle of vectors. */
+/* Rotates the stress tensors to the position of the body. Tensors rotate by twice the angle of
+ * vectors. */
 static void turn_stresses(const placing *to, arc_field *field) {
   const double c = to->cos, s = to->sin;
   for (int k = 0; k < field->nodes && s != 0; k++) {
@@ -129,7 +132,7 @@ static void turn_stresses(const placing *to, arc_field *field) {
   }
 }
 
-/* Transforms the results to the position of the body. */
+/* Transforms coordinates, displacements and stresses to the position of the body. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
   const placing to = arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->problem.x,
                                        c->problem.angle);
@@ -138,8 +141,8 @@ static void place(const arc_contact *c, arc_body body, double *xy, double *u, ar
   turn_stresses(&to, field);
 }
 
-/* Computes the displacements u of all nodes from those of the box, and then the stresses. `work` is
- * memory for u and xy. */
+/* Computes the displacements of all nodes from the displacements of the wear box, and then the
+ * stresses. `work` is memory for the displacements u and the coordinates xy. */
 static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
                              double *box, arc_error *error) {
   const shape_side *side = &c->handle.shape->side[body];
@@ -152,7 +155,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   arc_shape_box(side, side->xy, even, box);
   const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);
   if (status != ARC_OK) return status;
-  /* without a wear box the mesh is that of the unworn shape */
+  /* a mesh without a wear box has the shape of the unworn body */
   const arc_mesh *mesh = side->body->mesh;
   arc_shape_nodes(c->handle.shape, body, xy);
   if (recover(c, body, mesh->rows > 0 ? xy : mesh->xy, u, field) != ARC_OK)

@@ -1,13 +1,14 @@
-/* Wear of a cycle with friction. On a given shape the bodies are pressed anew, and increments of
- * stick and slip are solved until the cycle is periodic; the last cycle counts.
+/* Wear of a cycle with friction. On a given shape the bodies are pressed together, and
+ * increments of stick and slip are solved until the cycle is periodic. The wear of the last
+ * cycle is used.
  *
- * Every evaluation begins with separated bodies. Nodes that slip in a cycle lose the memory of
- * earlier cycles, and nodes that never slip keep the tractions from pressing. So updates need no
- * stored history, slip due to the update itself is in no cycle, and a stored run continues to the
- * same bits.
+ * Every evaluation begins with separated bodies. Nodes that slip in a cycle do not depend on
+ * earlier cycles, and nodes that never slip retain the tractions from pressing. An update
+ * therefore needs no stored history of tractions, no cycle contains slip due to the update
+ * itself, and a stored run continues to the same bits.
  *
- * Work is computed at the cylinder's nodes, also for nodes that open or close within the increment;
- * the plate gets the same work through the coupling (Eq. 15). */
+ * Work is computed at the cylinder's nodes, also for nodes that come into or lose contact within
+ * the increment. The coupling (Eq. 15) gives the plate the same work. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
@@ -18,7 +19,7 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is steady if forces return to within this share of the largest load. */
+/* A cycle is periodic if the change of forces is below this share of the largest load. */
 static const double steady = 1e-6;
 
 typedef struct fretting {
@@ -26,12 +27,12 @@ typedef struct fretting {
   const wear_window *window;
   wear_progress *progress;
   wear_rate *rate;
-  arc_loop *loop;    /* NULL: no loop required */
-  double *start;     /* [2 nc] f and t at the start of the cycle */
-  double *least;     /* [nc] smallest force in the cycle */
+  arc_loop *loop;    /* loop to record, or NULL */
+  double *start;     /* [2 nc] normal and tangential forces at the start of the cycle */
+  double *least;     /* [nc] smallest normal force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
-  double *work, *on; /* [nc], [np] */
-  double between;    /* energy between the nodes at the start of the cycle, per thickness [N] */
+  double *work, *on; /* [nc], [np] workspace */
+  double between;    /* energy between the nodes up to the start of the cycle, per thickness [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -47,7 +48,7 @@ static void fretting_free(fretting *r) {
 
 /* --- one increment ---------------------------------------------------------------------------- */
 
-/* Solves the increment that ends at point `at`. */
+/* Solves the increment that ends at point `at`. Error: ARC_STOPPED if the user stops the run. */
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
   wear_path *path = path_of(r->w);
   const int shared = path->block->problem_of[at];
@@ -60,7 +61,7 @@ static arc_status advance(fretting *r, int at, const friction_step *step, arc_er
                             step, &path->state, error);
 }
 
-/* Solves the contact and computes the wear at point `at`. */
+/* Solves the increment that ends at point `at` and computes the wear rate at this point. */
 static arc_status go_to(fretting *r, int at, arc_error *error) {
   arc_wear *w = r->w;
   wear_path *path = path_of(w);
@@ -76,23 +77,23 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   return arc_wear_take(w, r->window, &path->problem[b->problem_of[at]], point, error);
 }
 
-/* Copies the last point of the path to point 0, which is the same state. */
+/* Copies the last point of the path to point 0, because both are the same state of the cycle. */
 static void wrap(fretting *r) {
   wear_path *path = path_of(r->w);
   const int last = path->block->count - 1;
   if (last % 2 != 0) arc_path_copy(path, &path->point[1], &path->point[0]);
 }
 
-/* Half-planes of the same material do not shear each other when they are pressed together. For
- * bodies on which Hertz' formulas hold, the outer shapes cause shear below 1e-4 of a cycle's
- * energy. */
+/* Returns true if pressing the bodies together causes shear. Half-planes of the same material do
+ * not shear each other. For bodies on which Hertz' formulas hold, the outer shapes cause shear
+ * below 1e-4 of the energy of a cycle. */
 static int shear_when_pressed(const arc_wear *w) {
   const arc_model_def *model = arc_model_definition(w->model);
   return arc_contact_mismatch(model->geometry, model->material) != 0 ||
          !arc_model_is_hertzian(model);
 }
 
-/* Presses the bodies at point b->press, as for a contact object. */
+/* Presses the bodies together at point b->press, like the contact object. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -108,8 +109,8 @@ static arc_status press(fretting *r, arc_error *error) {
   return status;
 }
 
-/* Presses the separated bodies together, and then moves to the end of the cycle, which is also its
- * start. */
+/* Presses the separated bodies together, and then solves the points up to the end of the cycle,
+ * which is also the start of the next cycle. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
@@ -127,7 +128,8 @@ static arc_status approach(fretting *r, arc_error *error) {
 
 /* --- wear */
 
-/* Adds the work of pressure and slip at one end of the increment to the rate of both bodies. */
+/* Adds the work of pressure and slip at point `at`, one end of the increment, to the rate of
+ * both bodies. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
   const wear_block *b = path_of(w)->block;
@@ -145,7 +147,7 @@ static void add_end(fretting *r, int at, double share) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Returns true if all nodes in contact slip; *most is the largest slip [mm]. */
+/* Returns true if all nodes in contact slip. Sets *most to the largest slip [mm]. */
 static int slips_everywhere(const friction_state *s, double *most) {
   int touching = 0, stuck = 0;
   *most = 0;
@@ -158,8 +160,8 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
-/* Adds a point to the Jacobian. The sliding distance of a node of the plate follows from the work
- * of its partners. */
+/* Adds a point to the Jacobian. The sliding distance of a node of the plate follows from the
+ * work of the cylinder's nodes above it. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const sliding[ARC_BODIES] = {r->work, r->on};
@@ -223,7 +225,7 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* Returns true if the forces equal those at the start of the cycle. */
+/* Returns true if the forces equal the forces at the start of the cycle, within `steady`. */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;
@@ -233,8 +235,9 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
-/* Computes the width that never slips. Nodes that slip only by rounding errors, where the force
- * just reaches its earlier maximum, count as sticking. The width is at most the contact width. */
+/* Computes the width that never slips, which is at most the contact width. Where the tangential
+ * force just reaches its earlier maximum, nodes slip only by rounding errors and count as
+ * sticking. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -250,7 +253,7 @@ static void find_stick(fretting *r) {
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
-/* Scales the wear of all nodes by the same factor. */
+/* Scales the wear, the Jacobian and the energy by the same factor. */
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
@@ -258,7 +261,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds the energy between the nodes to the two outermost nodes in contact, half to each. */
+/* Adds the wear of an energy between the nodes to the two outermost nodes in contact, half to
+ * each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -277,8 +281,8 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Distributes the energy between the nodes in proportion to the energy at the nodes, at most the
- * same amount; the outermost nodes get the rest. */
+/* Distributes the energy between the nodes in proportion to the energy at the nodes, up to the
+ * same amount. The outermost nodes in contact receive the rest. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);
@@ -331,7 +335,7 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Converts the loop to forces on the whole thickness and to the energy of one cycle. */
+/* Converts the forces of the loop to the whole thickness, and sets the energy of one cycle. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;

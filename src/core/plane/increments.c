@@ -1,4 +1,4 @@
-/* Number of increments of a motion. */
+/* Number of increments that a motion needs. */
 #include "core/base/callbacks.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
@@ -9,8 +9,8 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
-/* Returns the accurate length of an increment, as arc_wear_reach, for repeated calls with several
- * loads. */
+/* Returns the length of an increment [mm] with accurate results, see arc_wear_reach. The
+ * prepared pair makes repeated calls with several loads cheap. */
 static double reach_of(contact_pair *pair, double load) {
   static const double share = 0.125; /* centre pressures within 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
@@ -21,8 +21,8 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* Returns the sliding distance from point i - 1 to point i [mm], of the plate and of the contact,
- * which follows the load. */
+/* Returns the sliding distance [mm] from point i - 1 to point i of a loading: the distance of
+ * the plate plus the distance that the contact moves with the direction of the load. */
 static double sliding_of(const arc_loading *from, const arc_model_def *model, int i) {
   const double sliding = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (!from->load_angle) return sliding;
@@ -30,8 +30,8 @@ static double sliding_of(const arc_loading *from, const arc_model_def *model, in
 }
 
 /* Returns the smallest load that determines the length of increments. Without this limit a load
- * that falls to zero would need infinitely many, as the contact becomes arbitrarily narrow. All
- * loads below 1 % of the mean together cause less than 1 % of the wear. */
+ * that falls to zero would need infinitely many increments, because the contact becomes
+ * arbitrarily narrow. All loads below 1 % of the mean together cause less than 1 % of the wear. */
 static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;
@@ -49,10 +49,12 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
   return sliding_of(from, pair->def, i) / reach_of(pair, fmax(load, least));
 }
 
-/* Returns the number of increments that the contact needs, or the number that the user chose. */
+/* Returns the number of increments of a loading, and writes the number for each segment to
+ * parts[i] unless `parts` is NULL. If the user chose the increments, and for NSP, each segment
+ * is one increment. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* for a contact at rest under a varying load */
+  enum { of_load = 100 }; /* upper limit for a contact at rest under a varying load */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;
@@ -69,7 +71,7 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* Returns the length of the longest increment over the accurate length. */
+/* Returns the length of the longest increment divided by the length with accurate results. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
@@ -82,9 +84,9 @@ static double longest_increment(const arc_wear *w) {
   return longest;
 }
 
-/* Warns if the number of increments that the user chose is too small. */
+/* Warns if the user chose too few increments. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double leap = 4; /* in accurate lengths: half of the contact's half width */
+  static const double leap = 4; /* in accurate lengths; equals half of the contact's half width */
   const arc_wear_def *d = &w->def;
   if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
       d->slide == ARC_SLIDE_Z)

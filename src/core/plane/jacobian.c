@@ -1,11 +1,11 @@
-/* The wear of a cycle as a linear function of the depths of both surfaces, from the active sets of
- * its contact solutions.
+/* The Jacobian of the wear of a cycle: a linear function of the depths of both surfaces,
+ * computed from the active sets of the contact solutions.
  *
  * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1). An increase h of the depths
  * changes the forces of a problem by -C (h_c + B h_p). C hardly differs between neighbouring
- * problems with the same active set, so that a group of problems shares the C of one problem, its
- * head. The matrices B of the group differ, and their mean couples the surfaces. Groups lie
- * symmetrically about x = 0, so that symmetric runs remain symmetric. */
+ * problems with the same active set. A group of such problems therefore shares the C of one
+ * problem, its head. The matrices B of the group differ, and their mean couples the surfaces.
+ * Groups lie symmetrically about x = 0, so symmetric runs remain symmetric. */
 #include "core/base/dense.h"
 #include "core/plane/cycle.h"
 
@@ -14,15 +14,15 @@
 #include <string.h>
 
 typedef struct jacobian_group {
-  contact_problem *head; /* a solved problem, at point `at` */
-  int at, m;             /* size of the head's active set */
+  contact_problem *head; /* solved problem of the point `at`, which represents the group */
+  int at, m;             /* point of the head; size of the head's active set */
   int *node;             /* [nc] active set, by surface node */
-  int *from, *to;        /* [nc] first plate node in a cylinder node's row of B, and last + 1 */
-  int low, high;         /* first plate node of the set, and last + 1 */
-  int points;            /* number of problems in the group */
-  double total;          /* sum of the shares of these problems */
+  int *from, *to; /* [nc] first plate node in the row of B of a cylinder node, and last + 1 */
+  int low, high;  /* first plate node of the active set, and last + 1 */
+  int points;     /* number of problems in the group */
+  double total;   /* sum of the shares of these problems */
   const double *wc, *wp; /* tributary widths, equal for all problems */
-  double *scale;         /* [nc + np] sum of share * dq/dp */
+  double *scale;         /* [nc + np] sum of share * dq/dp over the group */
   double *c;             /* [nc x nc] C of the head */
   double *own, *mean;    /* [np x nc] B' of the head; sum of share * B' */
   double *cb;            /* [nc x np] workspace: C B */
@@ -67,7 +67,7 @@ size_t arc_tangent_bytes(const arc_wear *w) {
   return (n * n + n + c * c + 3 * c * p) * sizeof(double);
 }
 
-/* Sets a group to empty (all zero). */
+/* Empties the group: sets all its sums to zero. */
 static void empty(wear_tangent *j) {
   jacobian_group *g = j->group;
   g->points = 0;
@@ -97,8 +97,8 @@ static void fill_c(const contact_problem *p, double *c) {
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
 }
 
-/* Computes C and B of the head. Returns 0 if A is not positive definite, which cannot occur for a
- * solved problem. */
+/* Computes the matrices C and B of the head. Returns 0 if A is not positive definite, which
+ * cannot occur for a solved problem. */
 static int take_head(wear_tangent *j) {
   jacobian_group *g = j->group;
   contact_problem *p = g->head;
@@ -140,7 +140,7 @@ static void join(const arc_wear *w, const contact_problem *p, const wear_point *
 
 /* --- contribution of a group */
 
-/* cb := C B for plate nodes from `low` on; `b` contains the rows of B'. */
+/* Computes cb = C B for the plate nodes from `low` on. `b` [np x nc] contains B'. */
 static void times_rows(const wear_tangent *j, const double *b) {
   const jacobian_group *g = j->group;
   memset(g->cb, 0, (size_t)g->m * (size_t)(g->high - g->low) * sizeof(double));
@@ -229,8 +229,8 @@ static int same_set(const contact_problem *a, const contact_problem *b) {
          memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
 }
 
-/* Returns true if the point belongs to the present group: nearby position, same load, same active
- * set. */
+/* Returns true if a point belongs to the present group: it has a nearby position, the same load
+ * and the same active set as the head. */
 static int belongs(const wear_tangent *j, const wear_block *block, int at,
                    const contact_problem *p) {
   const jacobian_group *g = j->group;
@@ -240,8 +240,8 @@ static int belongs(const wear_tangent *j, const wear_block *block, int at,
          same_set(p, g->head);
 }
 
-/* Returns true if the point is nearer to the centre of its group than the head, or equally near and
- * farther from x = 0. */
+/* Returns true if a point is nearer to the centre of its group than the head. At equal distance
+ * the point farther from x = 0 is preferred. */
 static int is_better_head(const wear_tangent *j, const wear_block *block, int at) {
   static const double even = 1e-9;
   const int head = j->group->at;
@@ -271,15 +271,14 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Computes the largest eigenvalue of diag(k) J by power iteration. Memory of the group serves for
- * the vectors. */
+/* Returns the largest eigenvalue of diag(k) J by power iteration. The vectors use memory of the
+ * group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
                               wear_tangent *tangent) {
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};
   const int n = tangent->nc + tangent->np;
   double *v = tangent->group->own, *image = v + n, value = 0;
-  /* initial vector: a sawtooth with a slant, neither symmetric nor antisymmetric, and always the
-   * same */
+  /* initial vector: a fixed sawtooth with a slant, which is neither symmetric nor antisymmetric */
   for (int i = 0; i < n; i++) v[i] = (i % 2 ? 1.0 : -1.0) * (1 + (double)i / n);
   for (int it = 0; it < 1000; it++) {
     const double before = value;

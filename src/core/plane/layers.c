@@ -1,4 +1,4 @@
-/* Wear through the layers of a mesh. */
+/* Wear through the layers of meshed bodies. */
 #include "core/elastic/layer_wear.h"
 #include "core/plane/cycle.h"
 

@@ -1,4 +1,5 @@
-/* Results after each update, in the reference configuration. */
+/* Computes the results after each update, for the reference problem: plate at x = 0 under the
+ * nominal load. */
 #include "archard/measure.h"
 #include "core/plane/cycle.h"
 
@@ -21,13 +22,14 @@ double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear
   return record->volume_plate / (arc_plane_even_width(w) * 2 * record->half_width);
 }
 
-/* Returns true if the contact is that of the unworn surfaces, by Hertz. */
+/* Returns true if the contact is that of the unworn surfaces, which Hertz' formulas describe
+ * exactly. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
   return arc_plane_stays_as_it_is(&w->def, arc_model_definition(w->model)) &&
          arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
-/* Solves the reference problem on a shape under the nominal load. */
+/* Solves the reference problem on a shape: the plate at x = 0 under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
   const double line = w->def.load / arc_model_definition(w->model)->thickness;
   arc_contact_problem_set_angle(&plane_of(w)->reference, arc_radians(w->def.load_angle));
@@ -74,7 +76,7 @@ arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
                         const arc_wear_record *measured) {
-  static const double middle = 0.8; /* share of the half width, without the steep edges */
+  static const double middle = 0.8; /* share of the half width; the steep edges are excluded */
   if (stays_hertzian(w, shape)) return 0;
   return arc_contact_problem_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
 }
@@ -82,7 +84,9 @@ double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
 double arc_plane_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
-  const double reach = 0.8 * arc_wear_last(w)->half_width; /* the middle of the contact */
+  const double reach =
+      0.8 *
+      arc_wear_last(w)->half_width; /* half width of the middle of the contact, without edges */
   const double at = arc_model_arc_length(arc_model_definition(w->model), w->def.load_angle);
   const double saw =
       arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, at - reach, at + reach);

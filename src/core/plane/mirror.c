@@ -1,6 +1,7 @@
-/* If surfaces and motion are mirror images about x = 0 to the bit, the wear of the second half of a
- * stroke is the mirror image of the wear of the first half. Then half of the contact solutions
- * suffice. Symmetric runs remain symmetric, since a mirrored rate is symmetric to the bit. */
+/* If surfaces and motion are mirror images about x = 0 to the bit, the wear of the second half
+ * of a stroke is the mirror image of the wear of the first half. Half of the contact solutions
+ * then suffice. Symmetric runs remain symmetric, because a mirrored rate is symmetric to the
+ * bit. */
 #include "core/plane/cycle.h"
 
 static int is_mirrored_motion(const wear_block *b) {
@@ -41,8 +42,8 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Returns 0 for imported meshes, which may be asymmetric inside, for the simple rule, which is
- * one-sided, for elastic slip, and for Jacobians with local factors. */
+/* Returns 0 also for imported meshes, which may be asymmetric inside, for the simple rule, which
+ * is one-sided, for elastic slip, and for Jacobians with local factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&
@@ -63,8 +64,8 @@ static void fold_list(int n, double *list) {
   if (n % 2) list[n / 2] *= 2;
 }
 
-/* Returns the index of the mirror image of unknown i. The unknowns are the nodes of both bodies,
- * cylinder first. */
+/* Returns the index of the mirror image of unknown i. The unknowns are the depths of the nodes
+ * of both bodies, cylinder first. */
 static int image(const arc_wear *w, int i) {
   return i < w->nc ? w->nc - 1 - i : w->nc + (w->np - 1 - (i - w->nc));
 }

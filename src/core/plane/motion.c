@@ -1,4 +1,4 @@
-/* Contacts with friction: pressing and motions. */
+/* Contacts with friction: presses the bodies together and moves them. */
 #include "core/plane/solution.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ static double thickness_of(const arc_contact *c) {
   return arc_model_definition(c->handle.shape->handle.model)->thickness;
 }
 
-/* Solves one increment and updates the contact. */
+/* Solves one increment and updates the state of the contact. */
 static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
                         arc_error *error) {
   arc_status status = arc_contact_problem_update(&c->problem, c->handle.shape, pairing, error);
@@ -25,8 +25,8 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
   return status;
 }
 
-/* Presses the bodies together under the whole load, with or without friction. The resulting
- * displacements are the initial state of friction. */
+/* Presses the bodies together up to the whole load, with or without friction. The result is the
+ * initial state for motions with friction. */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
   const int has_friction = c->handle.def.press == ARC_PRESS_FRICTION;
   const int usual =
@@ -80,15 +80,16 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Returns the distance [mm] of motion within which nodes keep their partners. It is about the
- * elastic displacement of sticking points, and half the value for wear cycles. */
+/* Returns the distance [mm] of a motion within which nodes keep their partners. It is about the
+ * elastic displacement of sticking points, and half the value of wear cycles. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);
 }
 
-/* Computes a motion. Under a force, whose displacements are small, and in short motions the pairs
- * of nodes remain the same. In all other motions they follow the plate. */
+/* Computes a motion in increments. The pairs of nodes remain the same in short motions, and in
+ * motions under a force, whose displacements are small. In all other motions the pairs follow
+ * the plate. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);
@@ -112,7 +113,7 @@ arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
                           const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
   arc_contact_def def = from->handle.def;
   arc_motion_def whole = *wanted, *motion = &whole;
-  if (motion->load == 0) motion->load = from->handle.def.load; /* load not given */
+  if (motion->load == 0) motion->load = from->handle.def.load; /* the user gave no load */
   if (motion->increments == 0) motion->increments = 1;
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;

@@ -1,6 +1,6 @@
-/* Newton's method for the depths of both surfaces. The stages of a step reuse the Jacobian and its
- * factors while the iteration converges well. A step with a new Jacobian is halved until the
- * residual decreases. */
+/* Newton's method for the depths of both surfaces. The stages of a step reuse the Jacobian and
+ * its factors while the iteration converges fast. An iteration with a new Jacobian halves its
+ * step until the residual decreases. */
 #include "core/plane/newton.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -10,12 +10,13 @@
 #include <string.h>
 
 enum { newton_limit = 15, halvings = 5 };
-/* Convergence limit over the largest depth; with a tolerance, over this tolerance. */
+/* Limit of the residual, divided by the largest depth. With a tolerance the limit is
+ * share_of_tolerance times this tolerance, else `tight`. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
-/* Required contraction per iteration with a reused Jacobian. */
+/* Largest ratio of successive steps for which the Jacobian is reused. */
 static const double contraction = 0.4;
 
-/* Returns the length of the path of a block [mm]. */
+/* Returns the range of plate positions in a block [mm]. */
 static double length_of(const wear_block *block) {
   double low = block->x[0], high = low;
   for (int i = 1; i < block->count; i++) {
@@ -25,8 +26,9 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Returns the width of a group of plate positions that share a Jacobian: two elements, but at most
- * a part of the path. (With one group for a path of one element the method did not converge.) */
+/* Returns the width [mm] of a group of plate positions that share a solution in the Jacobian:
+ * two elements, but at most an eighth of the path. With a single group for a path of one element
+ * the method did not converge. */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -34,7 +36,8 @@ static double group_width(const newton *s) {
               length_of(s->at->window.block) / parts);
 }
 
-/* Allocates the memory of Newton's method, which a contact at rest does not need. */
+/* Allocates the memory of Newton's method for a moving contact. A contact at rest does not need
+ * it. */
 static arc_status create_moving(newton *s) {
   const size_t n = (size_t)s->n;
   const carve_part parts[] = {{&s->residual, n},  {&s->step, n}, {&s->packed, n},
@@ -56,7 +59,7 @@ static arc_status create_resting(newton *s) {
                           : ARC_MEMORY;
 }
 
-/* Returns true if the depths remain symmetric to the bit; with friction they are symmetric only
+/* Returns true if the depths remain symmetric to the bit. With friction they are symmetric only
  * within rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
@@ -79,7 +82,7 @@ static double k_at(const newton *s, int i) {
   return s->at->k[i < s->at->run->nc ? ARC_CYLINDER : ARC_PLATE];
 }
 
-/* Sets the shape to the depths z. */
+/* Sets the depths of the shape to z, reduced by the wear coefficients of layers. */
 static void wear_by_z(newton *s) {
   memcpy(s->at->worn, s->at->z, (size_t)s->n * sizeof *s->at->worn);
   arc_wear_into_layers(s->at->window.shape, s->at->worn);
@@ -97,7 +100,7 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
-/* Returns the worn area of one body for a rate [mm2]. */
+/* Returns the worn cross-sectional area of one body per cycle [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
   for (int i = 0; i < s->at->window.shape->side[b].n; i++)
@@ -105,7 +108,7 @@ static double area_on(const newton *s, arc_body b, const double *rate) {
   return sum;
 }
 
-/* Returns the worn area of both bodies per cycle [mm2]. */
+/* Returns the worn cross-sectional area of both bodies per cycle [mm2]. */
 static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
@@ -126,7 +129,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* --- the linear system ------------------------------------------------------------------------ */
 
-/* Factorises I + h k J for the unknowns: the nodes that wear and were in contact. */
+/* Factorises I + h k J for the unknowns, which are the nodes that wear and were in contact. */
 static arc_status factorise(newton *s, double h) {
   const double *rates = s->jacobian->value;
   int m = 0;
@@ -157,7 +160,7 @@ static arc_status direction(newton *s, double h, double *x) {
 
 /* --- a stage ---------------------------------------------------------------------------------- */
 
-/* Computes residual = z - known - h rate; returns its largest entry. */
+/* Computes residual = z - known - h rate. Returns its largest entry [mm]. */
 double arc_newton_residual(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->residual[i] = s->at->z[i] - s->at->known[i] - h * rate[i];
   return largest_of(s->residual, s->n);
@@ -176,7 +179,7 @@ int arc_newton_is_hopeless(const newton *s, arc_status status) {
          status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
-/* Sets negative wear of nodes to zero and keeps the total `area`. */
+/* Sets negative wear of nodes to zero and scales the other wear to retain the total `area`. */
 static void push_only(const newton *s, arc_body b, double area, double *rate) {
   const int n = s->at->window.shape->side[b].n;
   for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
@@ -184,9 +187,10 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
   for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
 }
 
-/* Adds the last step. Its pressures are those of the linear model, whose resultant is the load, so
- * that volumes remain exact. The plate receives the forces of the cylinder, because several
- * positions share a Jacobian, by which the plate's volume would have an error of 2e-9. */
+/* Adds the last step to the rate. Volumes remain exact, because the resultant of the linear
+ * model's pressures is the load. The plate receives the wear of the cylinder's forces: several
+ * positions share a solution in the Jacobian, which would give the plate's volume an error of
+ * 2e-9. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;
@@ -205,10 +209,11 @@ static double product(const double *a, const double *b, int n) {
   return sum;
 }
 
-/* Improves the step. The error of a reused Jacobian is mostly one mode, due to nodes that have
- * entered the contact since. A secant through the last two iterates (Anderson's method, depth 1)
- * removes this mode. `step` is the improved step and `defect` the plain step; `last` is the
- * previous defect and `taken` the step that was made then. */
+/* Improves the Newton step. The error of a reused Jacobian is mostly one mode, which is caused
+ * by nodes that have entered the contact since. A secant through the last two iterates
+ * (Anderson's method, depth 1) removes this mode. `step` is the improved step and `defect` the
+ * plain step; `last` is the previous plain step and `taken` the step made in the previous
+ * iteration. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -221,8 +226,8 @@ static void accelerate(newton *s, int it) {
   memcpy(s->last, s->defect, bytes);
 }
 
-/* Computes the residual of an iterate and the Newton step; *size is the largest entry of the
- * step. */
+/* Computes the residual of an iterate and the Newton step `defect`. Sets *size to the largest
+ * entry of the step. */
 static arc_status find_defect(newton *s, double h, const double *rate, double *size) {
   arc_newton_residual(s, h, rate);
   memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
@@ -231,8 +236,8 @@ static arc_status find_defect(newton *s, double h, const double *rate, double *s
   return status;
 }
 
-/* Halves the step, up to a limit, until the residual decreases. If the contact leaves its zone,
- * this counts as no decrease. */
+/* Makes the step, halved at most `most` times until the residual decreases. A contact that
+ * leaves its zone counts as no decrease. */
 static arc_status walk(newton *s, double h, double *rate, int most) {
   const double before = arc_newton_residual(s, h, rate);
   double share = 1, last = 0;
@@ -248,7 +253,8 @@ static arc_status walk(newton *s, double h, double *rate, int most) {
   return status;
 }
 
-/* Iterates with the present Jacobian while the convergence is good, then with a new Jacobian. */
+/* Solves a stage for a moving contact. Iterates with the present Jacobian while the convergence
+ * is fast, then with a new Jacobian. */
 static arc_status solve_moving(newton *s, double h, double *rate) {
   double last = 0, size;
   for (int it = 0, since = 0; it < newton_limit; it++, since++) {
@@ -273,7 +279,7 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* Scales energy and even wear in proportion to the wear, since the last step is not evaluated
+/* Scales energy and even wear in proportion to the wear, because the last step is not evaluated
  * again. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
@@ -297,7 +303,7 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the relative change of the forces of a problem due to errors of depths. */
+/* Returns the relative change of the forces of a problem that errors `off` of the depths cause. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -308,9 +314,9 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Returns the largest relative change of the forces of three problems, at the ends and in the
- * middle of the path, in their last solutions. A run in closed form has no path, and its pressures
- * do not depend on depths. */
+/* Returns the largest relative change of forces that errors `off` of the depths cause, in the
+ * last solutions of three problems: at both ends and in the middle of the path. Returns 0 for a
+ * run in closed form, which has no path and whose pressures do not depend on depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
@@ -335,9 +341,9 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/* Returns the normal force integrated over the sliding distance [N/mm mm]. It follows from the
- * depths if they determine it, since the last step is not solved again; otherwise from the last
- * evaluation. */
+/* Returns the normal force integrated over the sliding distance [N/mm mm]. If the depths
+ * determine this integral, it is computed from them, because the last step is not solved again.
+ * Otherwise it is from the last evaluation. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;

@@ -1,4 +1,4 @@
-/* The problems and points of the present block. */
+/* Creates the contact problems of the present block and the arrays of its points. */
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
 

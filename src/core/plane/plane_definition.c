@@ -1,14 +1,15 @@
-/* Definitions of wear runs in the plane: procedure, strokes, increments, valid combinations. */
+/* Definition of wear runs in the plane: default procedure, strokes and increments, and checks of
+ * valid combinations. */
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Largest number of increments of a cycle, and of a history without repetition. */
+/* Largest number of increments in a cycle, and in a history without repetition. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
-/* Returns true if the stroke covers the whole plate, which then wears evenly. False for holes,
- * where even wear would change the clearance, and for surfaces that are not flat. */
+/* Returns true if the stroke covers the whole plate, which then wears evenly. Returns false for
+ * holes, where even wear would change the clearance, and for surfaces that are not flat. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
     return 0;
@@ -20,7 +21,7 @@ double arc_wear_def_stroke(const arc_wear_def *def) {
   return def->track > 0 ? acos(-1) * def->track : def->stroke;
 }
 
-/* Returns the number of increments of a stroke. */
+/* Returns the number of increments that one stroke needs. */
 static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
   return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
 }
@@ -79,7 +80,8 @@ wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model
 
 /* --- checks ----------------------------------------------------------------------------------- */
 
-/* Rejects rotations and load angles for models without a hole. */
+/* Checks the range of rotations or load angles [degrees]. Rejects them for models without a
+ * hole. */
 static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
                                 double most, const arc_model_def *model, int number,
                                 arc_error *error) {
@@ -111,7 +113,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         error, ARC_ARGUMENT,
         "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
         d->stroke);
-  const double widest = 0.75 * width; /* widest zone of the mesher minus the contact width */
+  const double widest = 0.75 * width; /* widest zone of the mesher minus the contact width [mm] */
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -133,7 +135,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   return ARC_OK;
 }
 
-/* Rejects friction for motions whose local slip is not along x. */
+/* Rejects friction for motions in which the local slip is not along x. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -167,8 +169,8 @@ static arc_status refuse_path(const char *field, double most, double got, arc_er
                   field, most, got);
 }
 
-/* Limits the number of increments of the path. Points of a loading count without subdivision if the
- * user chose the increments. */
+/* Limits the number of increments of the path. Points that the user gave in a loading do not
+ * count. */
 static arc_status check_path(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
   const double stroke = strokes ? 2 * half_increments(d, model) : 0;

@@ -1,4 +1,4 @@
-/* The plane as a kind of pair: two meshed bodies in contact along a line of nodes. */
+/* The plane as a kind of pair: two meshed bodies whose contact is a line of nodes. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
@@ -51,8 +51,8 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- checks of positions */
 
-/* Computes the points of a block with extreme positions of the plate, of the load, and of the load
- * on the plate. */
+/* Writes the points of a block with the extreme positions of the plate, of the load, and of the
+ * load on the plate. Returns their number, which is 2 if the load angle is always 0. */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;
@@ -70,7 +70,7 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
-/* Fails for zones wider than the bodies. */
+/* Reports zones that are wider than the bodies. Returns ARC_ZONE. */
 static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
                                const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);
@@ -86,8 +86,8 @@ static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_B
                   angle);
 }
 
-/* Reports an error at an end of a path. If the zone is too narrow, the message includes the
- * required width. */
+/* Reports an error at an extreme point of a path. If the zone is too narrow, the message
+ * includes the required width. */
 static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def *def = arc_model_definition(w->model);
@@ -101,7 +101,7 @@ static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_erro
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* Checks at creation that the zones contain the contact at the outermost positions. */
+/* Checks, when a run is created, that the zones contain the contact at the extreme positions. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const arc_wear_record unworn = {0};
   arc_error why = {0};
@@ -156,9 +156,9 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_friction_warn(w->model, mu, "wear", callbacks);
 }
 
-/* Warns if slip zones are narrow. With 0.5 to 1.6 elements in a slip zone volumes of 10000 cycles
- * had errors of 9 to 35 %, with 3 to 4 elements 3 to 8 %. The errors of energies were twice as
- * large. */
+/* Warns if the slip zones are narrower than two elements. Returns true after a warning. With 0.5
+ * to 1.6 elements in a slip zone, volumes of 10000 cycles had errors of 9 to 35 %, with 3 to 4
+ * elements 3 to 8 %. The errors of energies were twice as large. */
 static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 5, few = 2;
   const arc_wear_record *now = arc_wear_last(w);

@@ -1,4 +1,4 @@
-/* The surfaces of the plane as arrays, for output and for the stored state. */
+/* Converts the surfaces of the plane to arrays, for output and for stored states. */
 #include "core/plane/cycle.h"
 
 enum { X, H, Y, P, NAMES };

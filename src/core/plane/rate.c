@@ -1,6 +1,6 @@
-/* Wear of a cycle, or of a part of a cycle, on a given shape. The contact at every point of the
- * path is integrated by Eq. (4) or (5) and multiplied by the repetitions of the block (Eqs. 22, 26
- * and 27). */
+/* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at every
+ * point of the path is integrated by Eq. (4) or (5) and multiplied by the repetitions of the
+ * block (Eqs. 22, 26 and 27). */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Increases the initial gaps by the window's depths along the normals. */
+/* Increases the initial gaps of a problem by the depths of a window, which are along the
+ * normals. */
 static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   const double *down = plane_of(w)->down;
   double *plate = plane_of(w)->plate, *below = plane_of(w)->below;
@@ -20,8 +21,9 @@ static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   }
 }
 
-/* Evaluates law and slip at the cylinder's nodes, where pressure is an unknown. The plate gets the
- * same wear rate, since both bodies have the same pressure at a pair of points. */
+/* Computes the wear rates from law and slip at the cylinder's nodes, where the pressure is an
+ * unknown. The plate gets the same wear rate, because both bodies have the same pressure at a
+ * pair of points. */
 static void apply_law(const arc_wear *w, const wear_window *window, const contact_problem *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
@@ -76,7 +78,7 @@ void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_poin
       rate->node[b][i] += added[b][i] * (w->def.local_factor ? point->f[b][i] : 1);
 }
 
-/* Solves point `at` of the present block into `point`. */
+/* Solves the contact at point `at` of the present block and stores the result in `point`. */
 static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, wear_point *point, arc_error *error) {
   const wear_block *block = path_of(w)->block;
@@ -92,24 +94,24 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* Returns true if the contact at a point equals that at the previous point: NSP, or sliding along
- * z, under a constant load. */
+/* Returns true if the contact at a point equals the contact at the previous point. This holds
+ * for NSP and for sliding along z if the load is constant. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
   return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
-/* Stores the widths of the nodes' cells on the shape of a window [mm]. */
+/* Stores the widths [mm] of the surface cells of all nodes, on the shape of a window. */
 static void note_widths(const arc_wear *w, const wear_window *window) {
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++)
       sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
 }
 
-/* Adapts the last state of the previous window to surfaces that have worn since: its forces,
- * pressure times width, remain. With elastic slip also the problem is updated, for the transfer of
- * work to the plate. */
+/* Adapts the last point of the previous window to surfaces that have worn since. The forces
+ * (pressure times width) remain the same. With elastic slip the problem is updated too, because
+ * it transfers work to the plate. */
 static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
                               arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -125,7 +127,8 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
   return meets ? arc_wear_prepare(w, window, window->first, error) : ARC_OK;
 }
 
-/* Solves point `at` of a window, from the previous point. */
+/* Computes point `at` of a window: by a solution, as a copy of an equal previous point, or from
+ * the previous window. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
@@ -137,7 +140,7 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
   return ARC_OK;
 }
 
-/* Adds the wear of the increment that ends at `at`, from the points at its two ends. */
+/* Adds the wear of the increment that ends at point `at`, from the wear rates at its two ends. */
 static void add_increment(const arc_wear *w, const wear_point point[2], int at, wear_rate *rate) {
   const wear_block *block = path_of(w)->block;
   const wear_point *now = &point[at % 2], *before = &point[(at + 1) % 2];
@@ -154,11 +157,11 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* On a slope the sliding distance is that of the plate times the cosine, and the length exceeds its
- * projection on x by the same factor. Pressure times the projected width is force. So a depth along
- * the normal removes the area k force |dx|. In motion out of the plane every slope slides the whole
- * distance. In holes pressures refer to the hole's area; for bodies of revolution areas are
- * projected onto x. */
+/* On a slope the sliding distance is the distance of the plate times the cosine, and the
+ * projection on x is the length of the surface times the same cosine. Pressure times the
+ * projected width is force. A depth along the normal therefore removes the area k force |dx|. In
+ * motion out of the plane every slope slides over the whole distance. In holes pressures refer
+ * to the area of the hole; for bodies of revolution areas are projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;
@@ -180,16 +183,16 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
     }
 }
 
-/* Even wear, Eq. (27). In a stroke over the whole plate the whole pressure profile passes over each
- * of its nodes; with Archard's law the integral of p is the load. */
+/* Adds the even wear, Eq. (27). In a stroke over the whole plate the whole pressure profile
+ * passes over each node of the plate. With Archard's law the integral of p is the load. */
 static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* Computes the even wear from the work with total slip: the wear of all nodes of the plate over
- * its length. */
+/* Computes the even wear from the work with total slip: the integral of the wear over all nodes
+ * of the plate, divided by the sliding distance. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -197,7 +200,7 @@ static void spread_work(const arc_wear *w, wear_rate *rate) {
   rate->even /= path_of(w)->block->sliding;
 }
 
-/* Returns the weight of point `at` in the integral over the window [mm]. */
+/* Returns the weight [mm] of point `at` in the integral over the window. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = path_of(w)->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -218,8 +221,8 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Returns the normal force on the cylinder at a point [N/mm]. With a spin it is weighted by the
- * local slip over the reported slip. */
+/* Returns the normal force on the cylinder at a point [N/mm]. If the bodies spin, each node is
+ * weighted by its slip divided by the slip at the reference radius. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
@@ -228,8 +231,8 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* Adds the normal force times the sliding distance, if the normal force differs from the load
- * (hollow surfaces, spin). */
+/* Adds the normal force times the sliding distance. This is necessary if the normal force
+ * differs from the load (hollow surfaces, spin). */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;
@@ -250,8 +253,8 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
   return solve_point(w, window, window->first, &unreported, &path_of(w)->point[0], error);
 }
 
-/* Adds the wear of the mirror image of point `at` with its own local factors. Without these factors
- * it is the image of the point's wear. */
+/* Adds the wear of the mirror image of point `at`, with the local factors of the image. Without
+ * these factors this wear is the image of the wear of the point. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
@@ -263,8 +266,8 @@ static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear
   return status;
 }
 
-/* Sums the wear of a window point by point, and the wear of the mirror images unless `images` is
- * NULL. */
+/* Sums the wear of a window point by point. Also sums the wear of the mirror images if `images`
+ * is not NULL. */
 static arc_status integrate(arc_wear *w, const wear_window *window, wear_progress *progress,
                             wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
@@ -305,7 +308,7 @@ static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_pr
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error) {
   assert(0 <= window->first && window->last < window->block->count);
-  if (w->manner.closed) { /* depends on the load only */
+  if (w->manner.closed) { /* the wear depends on the load only */
     arc_wear_rate_clear(rate, w->nc + w->np);
     if (window->tangent) arc_wear_jacobian_clear(window->tangent);
     rate->even = window->block->line[0];

@@ -1,8 +1,8 @@
-/* Stresses at nodes. Stresses of elements are most accurate at their centres (superconvergence). On
- * a boundary the normal and shear stresses are the tractions, and the stress along the boundary
- * follows from the strain along it, which the nodal displacements give to second order. Inside,
- * quadratic polynomials are fitted around each node to the stresses of elements and boundary nodes
- * (patch recovery after Zienkiewicz and Zhu). */
+/* Computes stresses at nodes. Stresses of elements are most accurate at the centres of elements
+ * (superconvergence). On a boundary, the tractions give the normal and shear stresses; the
+ * stress along the boundary follows from the strain along the boundary, which the nodal
+ * displacements give to second order. Inside, quadratic polynomials are fitted around each node
+ * to the stresses of elements and boundary nodes (patch recovery after Zienkiewicz and Zhu). */
 #include "core/plane/recovery.h"
 #include "core/base/dense.h"
 
@@ -14,13 +14,13 @@ typedef struct recovery {
   const elastic_body *body;
   const arc_mesh *mesh;
   const double *xy, *u;
-  int samples;         /* number of elements and nodes, in this order */
-  double *place;       /* [2 * samples] positions of the samples */
-  double *value;       /* [3 * samples] stresses of the samples */
-  int *known;          /* [samples] 1 if the sample has a stress */
+  int samples;         /* number of samples: first one per element, then one per node */
+  double *place;       /* [2 * samples] positions of the samples [mm] */
+  double *value;       /* [3 * samples] stresses of the samples [MPa] */
+  int *known;          /* [samples] true if the stress of the sample is known */
   int *start, *around; /* [nodes + 1], [4 * elements] elements around each node */
-  int *seen;           /* [samples] last patch that contains the sample */
-  int *patch;          /* [samples] samples of the present patch */
+  int *seen;           /* [samples] node + 1 of the last patch with this sample */
+  int *patch;          /* [samples] the samples in the present patch */
 } recovery;
 
 static void recovery_free(recovery *r) {
@@ -76,7 +76,8 @@ static void sample_element(recovery *r, int e) {
   r->known[e] = 1;
 }
 
-/* Returns the change of a triangle's area [mm2]; adds the area to *area. */
+/* Returns the change of a triangle's area [mm2] under the displacements, and adds the area of
+ * the triangle to *area. */
 static double swelling_of(const recovery *r, int e, double *area) {
   double u[8], gradient[6], change = 0;
   const element el = element_with(r, e, u);
@@ -85,7 +86,7 @@ static double swelling_of(const recovery *r, int e, double *area) {
   return change;
 }
 
-/* Gives the triangles of one cell the pressure of their common dilatation. */
+/* Gives all triangles of one cell the same mean pressure, from the dilatation of the cell. */
 static void share_dilatation(recovery *r, int e, int triangles) {
   const double bulk = arc_elasticity_bulk(arc_body_elasticity(r->body, e));
   double area = 0, change = 0;
@@ -107,16 +108,16 @@ static void sample_elements(recovery *r) {
 
 /* --- boundary stresses ------------------------------------------------------------------------ */
 
-/* The boundary as a closed polygon; edge k connects node k with the next node. */
+/* The boundary as a closed polygon. Edge k connects boundary node k with the next node. */
 typedef struct boundary {
   int count;
-  double *p, *q;  /* [count] traction at the nodes: pressure, shear along the boundary [MPa] */
-  double *load;   /* [count] nodal force over width, a pressure */
-  double *bend;   /* [count] second difference of the pressure */
+  double *p, *q;  /* [count] tractions at the nodes: pressure, and shear along the boundary [MPa] */
+  double *load;   /* [count] nodal force divided by its width, a pressure [MPa] */
+  double *bend;   /* [count] second difference of `load` [MPa] */
   double *length; /* [count] lengths of the edges [mm] */
-  double *rest;   /* [count] stress along the edge without the local effect of pressure */
+  double *rest;   /* [count] stress along the edge without the local effect of pressure [MPa] */
   double *cusp;   /* [count] stress along the boundary at the node minus that of its edges */
-  double *work;   /* [5 * nodes] */
+  double *work;   /* [5 * nodes] memory for tractions */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -127,13 +128,13 @@ static int last_of(const boundary *o, int k) {
   return k > 0 ? k - 1 : o->count - 1;
 }
 
-/* Law for the stress along an edge without the local effect of pressure: modulus times the strain
- * along the edge, plus `around` times the hoop strain, plus `load` times the pressure. */
+/* Law for the stress along an edge without the local effect of pressure: `modulus` times the
+ * strain along the edge, plus `around` times the hoop strain, plus `load` times the pressure. */
 typedef struct edge_law {
   double modulus, around, load;
 } edge_law;
 
-/* Returns the element to which the edge between two boundary nodes belongs. */
+/* Returns the element that contains the edge between two boundary nodes. */
 static int element_at(const recovery *r, int a, int b) {
   for (int k = r->start[a]; k < r->start[a + 1]; k++) {
     const int *corner = &r->mesh->element[4 * r->around[k]];
@@ -143,7 +144,7 @@ static int element_at(const recovery *r, int a, int b) {
   return r->around[r->start[a]];
 }
 
-/* Returns the law of an edge for the material of its element. */
+/* Returns the law of an edge, with the material of its element. */
 static edge_law law_between(const recovery *r, int a, int b) {
   const arc_material top = arc_body_layer_material(
       &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);
@@ -153,15 +154,16 @@ static edge_law law_between(const recovery *r, int a, int b) {
   return (edge_law){modulus, around, (1 - 2 * nu) / (1 - nu)};
 }
 
-/* Returns the mean hoop strain between two nodes. */
+/* Returns the mean hoop strain of two nodes. */
 static double strain_around(const recovery *r, int a, int b) {
   const double radius = r->body->chart.revolved.axis + (r->xy[2 * a] + r->xy[2 * b]) / 2;
   return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;
 }
 
-/* Computes `rest`. Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E only
- * at the loaded points, so that the stress along the surface is -p there. The rest of the stress is
- * due to distant loads and is smooth, even where the pressure ends. */
+/* Computes `rest`, the stress along each edge without the local effect of pressure. Pressure p
+ * on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E, but only at the loaded
+ * points; this adds -p to the stress along the surface there. The rest of the stress is due to
+ * distant loads and is smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
@@ -181,10 +183,10 @@ static double mean_bend(const boundary *o, int k) {
   return (o->bend[k] + o->bend[next_of(o, k)]) / 2;
 }
 
-/* Removes an error of the elements, which smooth the local strain. They add a share of the
- * pressure's second difference to `rest`, and the share is constant along a uniform surface. The
- * function chooses the share for which `rest` is smoothest (least sum of squared second
- * differences) and subtracts it. */
+/* Removes an error of `rest` that the elements cause by smoothing the local strain. They add a
+ * share of the second difference of the pressure to `rest`; along a uniform surface this share
+ * is constant. The function subtracts the share for which `rest` is smoothest (least sum of
+ * squared second differences). */
 static void sharpen(boundary *o) {
   double across = 0, square = 0;
   for (int k = 0; k < o->count; k++) {
@@ -199,9 +201,10 @@ static void sharpen(boundary *o) {
   for (int k = 0; k < o->count; k++) o->rest[k] -= share * mean_bend(o, k);
 }
 
-/* Computes the stress at boundary node k from its two edges, if they are nearly in line. */
+/* Computes the stress at boundary node k from its two edges. Corners are left out, because they
+ * have no tangent. */
 static void sample_boundary_node(recovery *r, const boundary *o, int k) {
-  static const double straight = 0.9; /* cosine of the angle; corners have no tangent */
+  static const double straight = 0.9; /* smallest cosine of the angle between the edges */
   const int *node = r->mesh->outline_node, before = last_of(o, k), at = node[k];
   const double la = o->length[before], lb = o->length[k];
   const double *a = &r->xy[2 * node[before]], *x = &r->xy[2 * at],
@@ -224,8 +227,8 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   r->known[s] = 1;
 }
 
-/* Reads the tractions in the order of the boundary, which has the body on its left: along +x on the
- * cylinder's surface, along -x on the plate's surface. */
+/* Copies the tractions in the order of the boundary. The body lies on the left of the boundary,
+ * which runs along +x on the cylinder's surface and along -x on the plate's surface. */
 static void read_tractions(const arc_mesh *m, const surface_traction *traction, boundary *o) {
   double *normal = o->work, *shear = normal + m->nodes, *load = shear + m->nodes;
   double *cusp = load + m->nodes;
@@ -279,8 +282,9 @@ static void take_around(recovery *r, int at, int node, int *count) {
   for (int k = r->start[at]; k < r->start[at + 1]; k++) take(r, r->around[k], node, count);
 }
 
-/* Collects the elements around a node, the elements around their corners, and the boundary nodes
- * among these corners. */
+/* Collects the samples of a patch: the elements around a node, the elements around their
+ * corners, and the boundary nodes among these corners. Returns their number, and sets *reach to
+ * the distance [mm] of the farthest adjacent element. */
 static int gather_patch(recovery *r, int node, double *reach) {
   const arc_mesh *m = r->mesh;
   int count = 0;
@@ -303,8 +307,8 @@ static int gather_patch(recovery *r, int node, double *reach) {
 
 enum { terms = 6 };
 
-/* Sets up the weighted normal equations for a polynomial with the terms 1, x, y, x2, xy, y2 in the
- * distance from the node over `reach`. */
+/* Sets up the weighted normal equations for a polynomial with the terms 1, x, y, x2, xy, y2. x
+ * and y are distances from the node divided by `reach`. */
 static void normal_equations(const recovery *r, int node, int count, double reach,
                              double a[terms * terms], double b[terms * 3]) {
   memset(a, 0, terms * terms * sizeof *a);
@@ -320,8 +324,8 @@ static void normal_equations(const recovery *r, int node, int count, double reac
   }
 }
 
-/* Solves for the constants of the fit with the first n terms. Returns 0 if the patch does not
- * determine them. */
+/* Solves for the constant terms of a fit with the first n terms, which are the stresses at the
+ * node. Returns 0 if the samples do not determine the fit. */
 static int solve_fit(int n, const double *a, const double *b, double stress[3]) {
   double l[terms * terms], x[terms * 3];
   memcpy(l, a, sizeof l);
@@ -357,8 +361,8 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Patches use boundary values that suit the elements, with the pressure of the nodal forces. The
- * results at boundary nodes are point values. */
+/* Computes the stresses inside from boundary values that suit the elements, with the pressures
+ * of the nodal forces. The results at boundary nodes are point values. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

@@ -1,24 +1,26 @@
 /* Remeshing of runs that outgrow their meshes. Both meshes are rebuilt wider, deeper or coarser,
  * and the worn surfaces are interpolated. The new meshes depend only on the state of the run, so
- * that a stored run gets the same meshes. */
+ * a continued stored run gets the same meshes. */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Growth factors of the cylinder's zone and of the depth of the wear box. */
+/* wider: increase of both zones, in widths of the cylinder's zone. deeper: factor of the depth
+ * of the wear box. */
 static const double wider = 1, deeper = 2;
 
-/* Automatic element sizes follow the contact. If a contact contains this many times the elements of
- * a new contact, the elements become larger. For a ring that wears a block to 25 half widths, the
- * depth differs from the rigid limit by .02 % with 4 and by .05 % with 3. Elements become larger by
- * sqrt(2) at a time. The outline of a scar of half width b then loses h^2/(8 b^2) of its area, .04
- * % (.12 % with a factor of 2), and scaling of the depths restores this area. */
+/* Automatic element sizes follow the contact. If a contact has this many times the elements of a
+ * new contact, the elements become larger. For a ring that wears a block to 25 half widths, the
+ * depth differs from the rigid limit by 0.02 % with 4 and by 0.05 % with 3. Elements become
+ * larger by sqrt(2) at a time. The outline of a scar of half width b then loses h^2/(8 b^2) of
+ * its area, 0.04 % (0.12 % with a factor of 2); scaling of the depths restores this area. */
 static const double rich = 4;
 
 /* --- sizes that have been outgrown */
 
-/* Returns the half width of the worn part of a body [mm]. */
+/* Returns the half width [mm] of the part of a body that is deeper than 1 % of the largest
+ * depth. */
 static double worn_half(const arc_wear *w, arc_body b) {
   static const double edge = 0.01; /* share of the largest depth */
   const shape_side *side = &w->shape->side[b];
@@ -29,8 +31,8 @@ static double worn_half(const arc_wear *w, arc_body b) {
   return half;
 }
 
-/* Returns true if the contact has grown gradually into its zone. If the required zone or wear box
- * increases suddenly, the step is too long, and a larger mesh would hide this. */
+/* Returns true if the contact has grown gradually to the edge of its zone. A sudden increase
+ * means that the step is too long, and a larger mesh would hide this error. */
 static int has_grown_into_zone(const arc_wear *w) {
   static const double share = 0.4; /* share of the zone */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
@@ -49,7 +51,8 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* Returns true if the shape-changing wear of a body is deeper than a share of its wear box. */
+/* Returns true if wear that changes the shape of a body is deeper than `share` times the depth
+ * of the wear box. */
 static int is_deep(const arc_wear *w, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];
@@ -59,8 +62,8 @@ static int is_deep(const arc_wear *w, double share) {
   return 0;
 }
 
-/* Depth over depth of the wear box: where a box counts as outgrown, and where new meshes get a
- * deeper box. */
+/* Limits of the depth divided by the depth of the wear box. At `deep` a box counts as outgrown;
+ * at `soon_deep` new meshes get a deeper box. */
 static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
 
 int arc_wear_layer_rows(const arc_wear *w) {
@@ -102,7 +105,8 @@ static void set_rows(arc_model_def *def, double rows) {
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
-  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* coarsens early, to save a remeshing */
+  const double ratio = sqrt(2),
+               soon = sqrt(sqrt(ratio)); /* `soon` coarsens earlier, which saves a remeshing */
   const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
@@ -137,7 +141,7 @@ static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **resu
   return status;
 }
 
-/* Copies the run to another model of the same bodies. */
+/* Copies the run to a model of the same bodies with other meshes. */
 static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
                           const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
   arc_model *model = NULL;
@@ -203,7 +207,8 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* Returns the model of the run's bodies with a mesh that the user chose. */
+/* Returns the model of the run's bodies with a mesh that the user chose. The zones are fitted to
+ * the run. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;

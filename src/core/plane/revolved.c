@@ -1,4 +1,4 @@
-/* Bodies of revolution in wear runs: valid settings, scars, slip of a spin. */
+/* Bodies of revolution in wear runs: valid settings, scars, and the slip of a spin. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -54,8 +54,8 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                   d->alpha);
 }
 
-/* On a cylinder b^3 = 3 R V / 2 per length, on a ball b^4 = 4 R V / pi. With a spin the volume V is
- * reduced to V b / spin, or less. */
+/* Computes the half width b of a scar of volume V. On a cylinder b^3 = 3 R V / 2 per length, on
+ * a ball b^4 = 4 R V / pi. With a spin the volume is reduced to V b / spin or less. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume) {
   const double pi = acos(-1);
@@ -66,14 +66,15 @@ double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double
                : cbrt(1.5 * radius * volume / model->thickness);
 }
 
-/* Returns the mean radius [mm] of the area between node i and a neighbour, times this area. */
+/* Returns the mean radius [mm] of the area between node i and a neighbour, multiplied by this
+ * area per radian. */
 static double moment_beside(const revolution *r, double x, double other) {
   const double a = fabs(r->axis + x), b = fabs(r->axis + other), whole = b * b - a * a;
   if (whole == 0) return 0;
   return 2 * (b * b * (b * b * b - a * a * a) / 3 - (pow(b, 5) - pow(a, 5)) / 5) / whole;
 }
 
-/* A node on the axis has the mean radius of its area. */
+/* The slip of a node is the mean over its area, also for a node on the axis. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i) {
   const revolution *r = &side->body->chart.revolved;
   const double *at = side->settled, x = at[2 * i];

@@ -1,25 +1,27 @@
-/* Meshes for partial slip. Surfaces slip in zones at both edges of the contact. These may be far
- * narrower than the elements that a contact needs without friction. */
+/* Meshes for partial slip. The surfaces slip in zones at both edges of the contact. These slip
+ * zones may be much narrower than the elements that a contact without friction needs. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Minimum number of elements in a slip zone. With at least this number volumes of 10000 cycles are
+/* Minimum number of elements in a slip zone. With this number volumes of 10000 cycles are
  * accurate to 1 % if the stick zone ends halfway between two nodes, and to 2 % otherwise. */
 static const double in_rim = 5;
 
-/* Largest automatic number of columns, in a zone of this many half widths. */
+/* Largest automatic number of columns in a zone of `contact_widths` half widths. */
 static const double most_columns = 320, contact_widths = 3;
 
-/* Slip zone of a cycle of a block. */
+/* Slip in a cycle of a block. */
 typedef struct cycle_of {
-  double share; /* half the range of the tangential force, over the friction limit; 1: gross slip */
+  double share; /* half the range of the tangential force divided by the friction limit; 1 for gross
+                   slip */
   double stick; /* width that never slips [mm] */
 } cycle_of;
 
-/* Computes a cycle on the present mesh, which gives its tangential force accurately from the
- * stiffness of the bodies. If the solution fails, the run's first step reports the error. */
+/* Computes a cycle on the present mesh. Its tangential force follows from the stiffness of the
+ * bodies and is accurate on this mesh. If the solution fails, the result is gross slip; the
+ * first step of the run then reports the error. */
 static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   const wear_window window = {.block = block,
                               .shape = w->shape,
@@ -43,8 +45,8 @@ static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
 }
 
 /* Computes the half widths [mm] of the contact and of its stick zone. For similar half-planes of
- * any shape the stick zone is as wide as the contact under the load L - Q / mu; for worn shapes its
- * width is a result of the cycle. */
+ * any shape the stick zone is as wide as the contact under the load L - Q / mu, where Q is the
+ * tangential force. For worn shapes the stick width is a result of the cycle. */
 static void find_rim(const arc_wear *w, const wear_block *block, const cycle_of *cycle,
                      double *contact, double *stick) {
   const arc_model_def *def = arc_model_definition(w->model);
@@ -61,9 +63,9 @@ double arc_wear_rim_size(const arc_wear *w) {
   return fmax(0, now->half_width - now->stick_width / 2) / in_rim;
 }
 
-/* Returns the element size [mm] with enough elements in the slip zones of a block's cycle. A node
- * sticks or slips as a whole; the size is chosen such that the stick zone ends halfway between two
- * nodes. */
+/* Returns the element size [mm] with enough elements in the slip zones of a block's cycle. Each
+ * node sticks or slips as a whole, so the size is chosen for a stick zone that ends halfway
+ * between two nodes. */
 static double size_for(arc_wear *w, const wear_block *block, double mu) {
   static const double rounding = 1e-9;
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;

@@ -1,24 +1,24 @@
-/* Wear of an increment with elastic slip: work on pairs of points in contact. A material point of
- * the plate slides on the cylinder by the rigid motion plus the change of the displacements of both
- * points. Since the plate's point moves, its change includes the variation of u along the path.
- * Work is computed at the cylinder's nodes; the plate gets the same work through the coupling, so
- * that volumes have the ratio k_c to k_p (Eq. 15). */
+/* Wear of an increment with elastic slip, from the work on pairs of points in contact. A
+ * material point of the plate slides on the cylinder by the rigid motion plus the change of the
+ * displacements of both points. The point of the plate moves, so its change includes the
+ * variation of u along the path. Work is computed at the cylinder's nodes. The coupling gives
+ * the plate the same work, so the volumes have the ratio k_c to k_p (Eq. 15). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Data for the work of an increment; arrays by surface node. */
+/* Data for the work of an increment. */
 typedef struct increment {
-  const wear_point *end;          /* solution at the present end */
+  const wear_point *end;          /* solution at the end that is added */
   const contact_problem *problem; /* problem at this end */
-  double rigid, share;            /* motion of the plate [mm]; weight of this end */
-  const double *moved_c;          /* [nc] change of displacement along x in the increment [mm] */
-  const double *moved_p;          /* [np] change of the plate's displacement [mm] */
+  double rigid, share;            /* motion of the plate [mm]; weight of the end */
+  const double *moved_c;          /* [nc] change of the cylinder's displacement along x [mm] */
+  const double *moved_p;          /* [np] change of the plate's displacement along x [mm] */
   double *under, *work, *plate;   /* [nc], [nc], [np] workspace */
 } increment;
 
-/* Adds the work of slip and pressure at one end to the rate of both bodies. */
+/* Adds the work of slip and pressure at one end of the increment to the rate of both bodies. */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   const contact_problem *p = inc->problem;
   arc_contact_problem_to_cylinder(p, inc->moved_p, inc->under);
@@ -29,7 +29,8 @@ static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   arc_wear_share(w, p, inc->end, inc->work, inc->plate, rate);
 }
 
-/* For NSP the contact is constant, and the plate's material passes below it by `rigid`. */
+/* Computes the change of the plate's displacements for NSP: the contact is constant, and the
+ * material of the plate passes below it by the distance `rigid`. */
 static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
   const double *x = w->shape->side[ARC_PLATE].settled;
   for (int l = 0; l < w->np; l++) {

@@ -1,4 +1,4 @@
-/* Members of arc_contact, for contact.c, motion.c, field.c and stick.c. */
+/* Members of arc_contact in the plane, shared by contact.c, motion.c, field.c and stick.c. */
 #ifndef PLANE_SOLUTION_H
 #define PLANE_SOLUTION_H
 
@@ -10,25 +10,25 @@ struct arc_contact {
   contact_problem problem;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
   double *force[ARC_BODIES]; /* [2 * surface] forces on the body, see arc_contact_problem_forces */
-  double *q[ARC_BODIES];     /* [surface] shear traction */
+  double *q[ARC_BODIES];     /* [surface] shear traction [MPa] */
   int count[ARC_BODIES];
-  int iterations;   /* sum over all increments */
-  int has_friction; /* 1: contact with friction, which has the members below */
+  int iterations;   /* number of iterations in all increments */
+  int has_friction; /* true for a contact with friction, which has the members below */
   double mu;        /* friction coefficient of the last increment */
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state;
 };
 
-/* Creates an unsolved contact on a copy of the shape. */
+/* Creates a contact on a copy of the shape, without solving it. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);
-/* Completes a contact with results, warnings, and validation in builds with checks. If `status` is
- * not ARC_OK, frees the contact and sets *contact to NULL. */
+/* Completes a contact: computes results, gives warnings and, in builds with checks, validates
+ * the solution. If `status` is not ARC_OK, frees the contact and sets *contact to NULL. */
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error);
-/* Functions of this kind of pair, see arc_contact_solve, arc_contact_move, arc_contact_destroy,
- * arc_contact_bytes and arc_contact_surfaces. */
+/* Functions of the plane as a kind of pair; see arc_contact_solve, arc_contact_move,
+ * arc_contact_destroy, arc_contact_bytes and arc_contact_surfaces. */
 arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *motion,
@@ -37,10 +37,10 @@ void arc_plane_end_contact(arc_contact *contact);
 size_t arc_plane_contact_bytes(const arc_contact *contact);
 arc_status arc_plane_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
-/* Presses the bodies of a contact with friction together (motion.c). */
+/* Presses the bodies of a contact with friction together. Defined in motion.c. */
 arc_status arc_contact_press(arc_contact *contact, arc_error *error);
 
-/* Load per thickness [N/mm]. */
+/* Returns the load per thickness [N/mm]. */
 static inline double contact_line(const arc_contact *c) {
   return c->handle.def.load / arc_model_definition(c->handle.shape->handle.model)->thickness;
 }

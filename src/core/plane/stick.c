@@ -1,4 +1,4 @@
-/* Stick zone of a contact with friction. */
+/* Stick zones of a contact with friction. */
 #include "core/plane/solution.h"
 
 #include <math.h>
@@ -7,21 +7,22 @@
 typedef struct stick_zone {
   const arc_contact *c;
   int first, last;
-  double edge[2]; /* edges [mm] */
+  double edge[2]; /* positions of the left and right edge [mm] */
 } stick_zone;
 
-typedef double stress_at(const arc_contact *c, int set); /* [MPa] */
+typedef double stress_at(const arc_contact *c, int set); /* returns a stress at a node [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
 }
 
-/* Returns true if the node and the next node stick. */
+/* Returns true if a node and the adjacent next node both stick. */
 static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
-/* Returns the reserve of friction at a node in the direction of the plate's motion [MPa]. */
+/* Returns the stress that can be added at a sticking node before it slips in the direction of
+ * the plate's motion [MPa]. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->workspace.reserve[k] / c->problem.wc[c->problem.lo + k];
@@ -37,19 +38,19 @@ static double bound(const arc_contact *c, int set) {
   return c->handle.def.friction * c->problem.f[k] / c->problem.wc[c->problem.lo + k];
 }
 
-/* Returns the square of a stress over the distance from the opposite edge [mm]. */
+/* Returns the square of a stress divided by the distance from the opposite edge [MPa2/mm]. */
 static double squared(const stick_zone *z, int set, double other, stress_at *stress) {
   const double r = stress(z->c, set);
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* Returns the distance [mm] from the last sticking node, on the right or left, to the point where a
- * stress vanishes. mu p - |q| falls with the square root of the distance from the edge, as the
- * pressure of a contact does. For Hertz' loads its square over the distance from the opposite edge
- * is linear. The line is fitted to nodes away from the edge, where means over elements are as
- * accurate as point values; with a single node the edge is halfway to the next node. A node
- * represents a mean and sticks slightly longer than the surface point there, so that the edge may
- * lie up to h / 4 before the node. */
+/* Returns the distance [mm] from the last sticking node, on the right or left, to the point
+ * where a stress vanishes. Like the pressure of a contact, mu p - |q| falls with the square root
+ * of the distance from the edge. For Hertz' loads the square of the stress divided by the
+ * distance from the opposite edge is linear. A line is fitted to nodes away from the edge, where
+ * means over elements are as accurate as point values. With a single node the edge is halfway to
+ * the next node. A node represents a mean and sticks slightly longer than the surface point
+ * there; the edge may therefore lie up to h / 4 before the node. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;
@@ -68,18 +69,18 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* Returns the edge of a stick zone that extends to the last node in contact: the contact's edge,
- * moved inwards by the reserve that the motion has used. */
+/* Returns the edge of a stick zone that extends to the last node in contact. It is the edge of
+ * the contact, moved inwards by the part of the reserve that the motion has used. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);
   return ends[right] - (right ? 1 : -1) * less;
 }
 
-/* Computes both edges. On a side without slipping nodes the zone ends with the contact until the
- * plate moves. */
+/* Computes both edges of a stick zone. On a side without slipping nodes the zone ends at the
+ * contact edge if the plate has not moved. */
 static void find_edges(stick_zone *z) {
-  enum { rounds = 4 }; /* iterations, since each edge depends on the opposite edge */
+  enum { rounds = 4 }; /* number of iterations, because each edge depends on the other */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->handle.result.left, c->handle.result.right};

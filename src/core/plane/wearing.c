@@ -1,4 +1,4 @@
-/* Wear of the surfaces by updates, and limits of the wear in an update. */
+/* Wears the surfaces in updates, and limits the wear of an update. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -9,13 +9,14 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Reduces depths by the wear coefficients of layers. The depth of a track is the mean over the
- * contact. */
+/* Reduces depths by the wear coefficients of layers. The depth of a track is converted by its
+ * mean over the contact width. */
 static void go_through_layers(const arc_wear *w, const arc_shape *shape,
                               const arc_wear_record *record, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
   arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
-  const int middle = shape->side[ARC_PLATE].n / 2; /* layers of an evenly worn body are even */
+  const int middle =
+      shape->side[ARC_PLATE].n / 2; /* an evenly worn body has the same layers everywhere */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
                                                  depth->even / wide);
@@ -38,9 +39,9 @@ void arc_plane_add_volumes(const arc_wear *w, const arc_shape *shape, const wear
   if (w->def.track > 0) record->depth_plate = arc_plane_depth(w, shape, record);
 }
 
-/* Sets the compliance to that in the middle of the update, so that its change by wear has an error
- * of second order. With the compliance of the start, depths of the body that wears less had an
- * error of .15 % at a tolerance of .1 %. */
+/* Sets the compliance to its value in the middle of the update. The change of compliance by wear
+ * then causes only an error of second order. With the compliance at the start, depths of the
+ * body that wears less had an error of 0.15 % at a tolerance of 0.1 %. */
 arc_status arc_plane_look_ahead(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                                 arc_error *error) {
   arc_status status = ARC_OK;
@@ -73,15 +74,16 @@ static int has_layers(const arc_model_def *d) {
   return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
 }
 
-/* Returns E* of the unworn contact [MPa]. */
+/* Returns the apparent E* of the unworn contact [MPa], including layers. */
 static double felt_modulus(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
   return arc_model_apparent_modulus(w->model, 1 / w->history[0].half_width);
 }
 
-/* Scale of elastic displacements: the drop of the cylinder at the edge of the unworn contact, a^2 /
- * 2R. It equals 2 L / (pi t E*) for any R and serves for all kinds of pairs. */
+/* Returns the scale of elastic displacements [mm]: the height of the cylinder at the edge of the
+ * unworn contact, a^2 / 2R. It equals 2 L / (pi t E*) for any R, so it is valid for all kinds of
+ * pairs. */
 double arc_plane_natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
@@ -93,14 +95,15 @@ double arc_plane_natural_depth(const arc_wear *w) {
   return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
 }
 
-/* Returns the mean pressure [MPa] that causes even wear: the load over the area of the plate or
- * track. For Archard's law the even depth is this pressure times the integral of k. */
+/* Returns the mean pressure [MPa] that causes even wear: the load divided by the area of the
+ * plate or track. With Archard's law the even depth is this pressure times the integral of k. */
 static double even_pressure(const arc_wear *w) {
   const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Converts an even depth to an integral of k, with the coefficients of the layers. */
+/* Converts an even depth [mm] to an integral of k over the sliding distance, with the
+ * coefficients of the layers. */
 double arc_plane_even_k_integral(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
   const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
@@ -122,16 +125,16 @@ static double even_layer_k_integral(const arc_wear *w) {
   return isfinite(end) ? arc_plane_even_k_integral(w, layer_share * (end - from)) : INFINITY;
 }
 
-/* Returns the exposed layer at a node. */
+/* Returns the index of the exposed layer at a node. */
 static int open_layer(const shape_side *side, int i) {
   int n = 0;
   while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Returns the compliance of 1 mm of the exposed layer minus that of 1 mm of the body below all
- * layers [1/MPa]. Returns the largest value over all worn nodes; before any wear, over all
- * nodes. */
+/* Returns how much softer the exposed layer is than the body below all layers, as the difference
+ * of their compliances per mm [1/MPa]. It is the largest absolute value over all worn nodes;
+ * before any wear, over all nodes. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;
@@ -143,8 +146,9 @@ static double softness(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Returns the limit by the stiffness of layers. An update uses the stiffness at its start, which
- * changes as layers become thinner; the mean error is half of this change. */
+/* Returns the limit of an update that the stiffness of layers requires, as an integral of k. An
+ * update uses the stiffness at its start. The stiffness changes as layers become thinner, and
+ * the mean error is half of this change. */
 static double scar_layer_k_integral(const arc_wear *w) {
   static const double felt = 0.01; /* accepted change in an update, as a share of the pressure */
   const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
@@ -154,8 +158,8 @@ static double scar_layer_k_integral(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Returns the wear coefficient of the exposed layers over the largest coefficient of the body: the
- * maximum over all worn nodes; before any wear, over all nodes. */
+/* Returns the wear coefficient of the exposed layers divided by the largest coefficient of the
+ * body. It is the maximum over all worn nodes; before any wear, over all nodes. */
 static double open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   double most = 0;
@@ -165,8 +169,9 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Returns the wear coefficient at the deepest node. Before any wear the middle node represents all
- * nodes. Even wear of a body is only in its record. */
+/* Returns the wear coefficient at the deepest node, divided by the largest coefficient of the
+ * body. Before any wear the middle node represents all nodes. The depth of even wear is taken
+ * from the record. */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
@@ -177,9 +182,10 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
   return arc_wear_layer_share(w->shape, body, deepest, fmax(0, depth - side->h[deepest]));
 }
 
-/* Returns the limit by the compliance of a scar. As the scar deepens by dh, the elastic
- * displacement u = p b / E (b: half width) changes by about u dh / b, and depths h by a share of p
- * dh / (E h). The compliance of the middle makes this error one of second order. */
+/* Returns the limit of an update that the compliance of a scar requires, as an integral of k. If
+ * the scar deepens by dh, the elastic displacement u = p b / E (b: half width) changes by about
+ * u dh / b, and depths h change by the share p dh / (E h). The compliance in the middle of the
+ * update makes this error one of second order. */
 static double scar_k_integral(const arc_wear *w) {
   static const double late = 5, deeper = 0.1; /* factor of the tolerance; share of the half width */
   const arc_wear_record *now = arc_wear_last(w);

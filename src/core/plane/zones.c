@@ -1,9 +1,10 @@
-/* Widths of the zones of a run, from its motion and its contact. */
+/* Computes the widths of the zones that a run needs, from its motion and its contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Returns the sliding distance of the whole run, or of its blocks of loading [mm]. */
+/* Returns the sliding distance of the whole run [mm]; if it is not given, the distance of all
+ * blocks of loading. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -20,12 +21,12 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Automatic zones are sufficient for a contact up to this many times the unworn half width. All
- * cases of the paper (2.5) need only one mesh. */
+/* Automatic zones are sufficient for a contact of up to this many unworn half widths. All cases
+ * of the paper (up to 2.5) need only one mesh. */
 static const double outgrown_at = 6;
 
-/* Returns the half width of the widest contact, between Hertz' contact and a flat scar of the whole
- * worn volume on the cylinder. */
+/* Returns the half width [mm] of the widest contact of a run. It lies between the half width of
+ * Hertz and a flat scar of the whole worn volume on the cylinder. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);
