@@ -10,7 +10,7 @@ local examples = {}
 -- examples.names() returns the names of the files in the order of the course, such as "01_contact".
 examples.names = examples_folder.names
 
--- Returns the path of an example. `wanted` is its number, its name, or number and name such as "01_contact".
+-- Returns the path of an example, given by its number, its name, or number and name such as "01_contact".
 local function path_of(where, wanted)
   local plain = {}
   for i, name in ipairs(examples.names()) do

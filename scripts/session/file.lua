@@ -31,7 +31,7 @@ function readers.wear(_, file, id, functions) return joint_file.wear(file, id, f
 
 writers.joint_wear, readers.joint_wear = writers.wear, readers.wear
 
--- Returns the error message. If a function of a run is missing, the message says how to give it.
+-- Returns the error message. If a function of a run is missing, the message explains how to give it.
 local function cure(message, name)
   if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"

@@ -18,7 +18,7 @@ for name in next, globals do there[name] = true end
 -- loaded.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
--- own.is_taken(name) returns true if the name is reserved for a global of the program.
+-- Returns true if the name is reserved for a global of the program.
 own.is_taken = is_ours
 
 -- Returns the class of a value: the class of an object of archard, such as "wear" or "study", "program" for

@@ -1,5 +1,5 @@
--- Runs the shares of a study as a Slurm job array with sbatch and squeue. Every engine of study/submit.lua has this
--- interface:
+-- Runs the shares of a study as a Slurm job array with sbatch and squeue. Every engine of study/submit.lua
+-- has this interface:
 --   program               program that must be in PATH
 --   start(job)            starts the shares; returns the name of the job, or nil and the reason
 --   is_name(text)         true if a job can have this name

@@ -1,5 +1,5 @@
 -- Progress display of a study. On a terminal it shows one line for each worker and one for the whole study,
--- redrawn in place. Elsewhere it shows nothing or, in mode "lines", a line for each finished case.
+-- redrawn at the same position. Elsewhere it shows nothing or, in mode "lines", a line for each finished case.
 
 local one_run = require "archard.lib.progress"
 local term = require "archard.term"

@@ -66,7 +66,7 @@ end
 
 -- --- one case after the other ------------------------------------------------------------------
 
--- Returns the progress callback of a case. Only cases that take longer than `pause` are marked as running.
+-- Returns the progress callback of a case. Only cases that run longer than `pause` are marked as running.
 local function progress_of(store, id)
   local last, marked = term.clock(), false
   return function(share)

@@ -12,9 +12,9 @@ end
 
 local function zero() return 0 end
 
--- Returns the stress normal to the surface on the axis, in archard and in CalculiX. It is taken at the
--- CalculiX node whose depth is nearest to half the half width. Surface pressures of CalculiX are extrapolated
--- and cannot be compared on a worn surface.
+-- Returns the stress normal to the surface on the axis, in archard and in CalculiX, at the CalculiX node whose
+-- depth is nearest to half the half width. Surface pressures of CalculiX are extrapolated and cannot be
+-- compared on a worn surface.
 local function on_axis(c, axis, half, surface)
   local nearest = axis[1]
   for _, node in ipairs(axis) do

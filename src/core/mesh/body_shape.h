@@ -52,8 +52,8 @@ body_limits arc_body_limits(const arc_body_def *b);
  * solid arc. */
 int arc_body_has_points(const arc_body_def *b);
 int arc_body_is_core(const arc_body_def *b);
-/* Returns true if the support at x [mm] also fixes the body along x. With hold = "free" only the
- * support at |x| <= 0.15 radius does so; otherwise the support does so everywhere. */
+/* Returns true if the support at x [mm] also fixes the body along x. A "free" support does so only
+ * at |x| <= 0.15 radius, other supports do so everywhere. */
 int arc_body_holds_sideways(const arc_body_def *b, double x);
 /* Returns true if the surface is a closed curve, such as a full circle. */
 int arc_body_is_closed(const arc_body_def *b);

@@ -20,7 +20,7 @@ typedef struct newton {
   wear_tangent *jacobian;
   double *matrix; /* [live x live] factors of I + h k J */
   int live, *node, *pivots;
-  double h; /* number of cycles for which the factors hold; 0 without factors */
+  double h; /* number of cycles of the step with these factors; 0: none */
 
   /* members for a contact at rest */
   contact_problem with_wear; /* problem whose compliance includes the wear of its forces */
@@ -34,7 +34,7 @@ void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth);
 /* Computes the wear per cycle at z = 0 and stores it in `rate` [mm per cycle]. */
 arc_status arc_newton_start(wear_stage *stage, double *rate);
 /* Solves z = known + h rate(z). On entry the present z and `rate` are the initial guess; on
- * return z = known + h rate holds to the bit. Errors: ARC_ZONE if the run has outgrown its mesh;
+ * return z equals known + h rate to the bit. Errors: ARC_ZONE if the run has outgrown its mesh;
  * ARC_NOT_CONVERGED if a shorter step is necessary. */
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
 /* Filters stiff ripples out of a defect of the depths. Returns the largest share of the load
@@ -61,8 +61,8 @@ int arc_newton_is_hopeless(const newton *s, arc_status status);
  * friction and without elastic slip. */
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
-/* Converts changes of the gaps [active] of a solved problem to changes of its forces, in place.
- * Returns the largest share of the load that is shifted along the surface. */
+/* Converts changes of the gaps [active] of a solved problem to changes of its forces in the same
+ * array. Returns the largest share of the load that is shifted along the surface. */
 double arc_stage_forces(contact_problem *p, double *gap);
 /* Does the same as arc_newton_error for a stage at rest. */
 double arc_stage_rest_error(newton *s, double *defect);

@@ -94,7 +94,7 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* Returns true if the contact at a point equals the contact at the previous point. This holds
+/* Returns true if the contact at a point equals the contact at the previous point. This is true
  * for NSP and for sliding along z if the load is constant. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;

@@ -170,8 +170,8 @@ static double open_share(const arc_wear *w, arc_body body) {
 }
 
 /* Returns the wear coefficient at the deepest node, divided by the largest coefficient of the
- * body. Before any wear the middle node represents all nodes. The depth of even wear is taken
- * from the record. */
+ * body. Before any wear the middle node represents all nodes. The record contains the
+ * depth of even wear. */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
