@@ -60,7 +60,8 @@ function readers.joint(given) return joint(settings.nest(given).is) end
 
 function readers.gait(given) return require "archard.joint.given_gait".of(settings.nest(given).is) end
 
--- The cases of a study that has run are in the study's own file. For other studies the cases are stored here.
+-- The cases of a study that has run are in the study's own file. For other studies this function stores the
+-- cases.
 function writers.study(value, given)
   given.file, given.name, given.looks, given.task = value.file, value.name, value.snapshots, value.task
   local carried = settings.carrier("session.save")

@@ -1,6 +1,6 @@
 -- Computes the k and alpha for which the simulated largest depths equal the measured depths. The search is
--- Broyden's method in the unknowns ln k and alpha; its targets are the sum of both depths and the cylinder's
--- share of this sum.
+-- Broyden's method in the unknowns ln k and alpha. The targets are the sum of both depths and the share of
+-- the cylinder in this sum.
 
 local check = require "archard.lib.check"
 local run_counter = require "archard.lib.run_counter"

@@ -16,7 +16,7 @@ local function plant(at, path)
 end
 
 -- Returns the names of a body and its material. The fields layers and materials have no help entries and are
--- added here.
+-- added by this function.
 local function grow_body(body, material)
   for name in pairs(body) do
     if name:match "^layer%d" then body[name] = nil end

@@ -163,8 +163,8 @@ local function handle_line(results, line)
   results:add(case)
 end
 
--- The worker. every: seconds between saves of a long case. folder: folder of the sandbox that also confines
--- the worker, or "" without a sandbox; least: number of bytes that must stay free on the disk.
+-- Runs the worker. every: seconds between saves of a long case. folder: folder of the sandbox that also
+-- confines the worker, or "" without a sandbox; least: number of bytes that must stay free on the disk.
 return function(path, every, folder, least)
   if folder ~= "" then files.confine(folder, least) end
   local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),

@@ -1,5 +1,5 @@
 -- Writes the measurements for examples/20_fit_profile.lua and examples/21_running_in_fit.lua. They are
--- results of runs with known values, to which seeded noise like that of instruments is added. Usage: archard
+-- results of runs with known values plus seeded noise of a realistic size. Usage: archard
 -- scripts/tools/fit_data.lua
 
 math.randomseed(20, 26)

@@ -211,7 +211,7 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Raises ARC_GEOMETRY if two nodes have nearly equal positions. Two nodes closer than half the
+/* Returns ARC_GEOMETRY if two nodes have nearly equal positions. Two nodes closer than half the
  * grid spacing are in the same cell of at least one of four shifted grids. */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;

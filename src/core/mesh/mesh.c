@@ -76,7 +76,7 @@ arc_mesh_def arc_mesh_default(void) {
 
 /* Half widths and depths [mm] of the two nested partitions with fine elements. Example with
  * zones of 1 mm (cylinder) and 1.2 mm (plate): the partitions of the cylinder are 1 x 0.5 and 4
- * x 1 mm wide and deep, those of the plate 1.2 x 0.5 and 4.2 x 1.5 mm. All sizes are
+ * x 1 mm wide and deep, the partitions of the plate 1.2 x 0.5 and 4.2 x 1.5 mm. All sizes are
  * proportional to the zone of the cylinder. Only the widths of the plate's partitions grow with
  * the plate's zone, and thus with the stroke. */
 typedef struct partitions {

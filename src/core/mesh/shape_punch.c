@@ -12,8 +12,8 @@ static void resolve(arc_body_def *b, double radius) {
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns the limits of the flat plus its rounded edges. The share of each edge is the same as
- * for a cylinder of its radius. */
+/* Returns the limits of the flat plus its rounded edges. Each edge contributes the same share of
+ * its radius as on a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",

@@ -215,12 +215,12 @@ int arc_wear_layer_rows(const arc_wear *w);
 /* Returns true if the zones that the run needs fit on bodies of this radius. */
 int arc_wear_can_grow(const arc_wear *w);
 
-/* Copies the run to larger meshes. Errors: those of arc_model_build; `why` if the meshes cannot
- * become larger. After an error *result is NULL. */
+/* Copies the run to larger meshes. Errors: all errors of arc_model_build; `why` if the meshes
+ * cannot become larger. After an error *result is NULL. */
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                          arc_wear **result, arc_error *error);
 
-/* Copies the run to a mesh that the user chose with arc_wear_set. Errors: those of
+/* Copies the run to a mesh that the user chose with arc_wear_set. Errors: all errors of
  * arc_model_build; ARC_ARGUMENT for imported meshes. */
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);

@@ -22,8 +22,7 @@ double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear
   return record->volume_plate / (arc_plane_even_width(w) * 2 * record->half_width);
 }
 
-/* Returns true if the contact is that of the unworn surfaces, which Hertz' formulas describe
- * exactly. */
+/* Returns true if the contact is still the Hertz contact of the unworn surfaces. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
   return arc_plane_stays_as_it_is(&w->def, arc_model_definition(w->model)) &&
          arc_shape_depth(shape, ARC_CYLINDER) == 0;

@@ -116,7 +116,7 @@ typedef struct boundary {
   double *bend;   /* [count] second difference of `load` [MPa] */
   double *length; /* [count] lengths of the edges [mm] */
   double *rest;   /* [count] stress along the edge without the local effect of pressure [MPa] */
-  double *cusp;   /* [count] stress along the boundary at the node minus that of its edges */
+  double *cusp;   /* [count] stress along the boundary at the node minus the stress of the edges */
   double *work;   /* [5 * nodes] memory for tractions */
 } boundary;
 
