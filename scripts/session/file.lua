@@ -20,7 +20,7 @@ local session = {}
 -- Path of the file that this session was last saved to or opened from.
 local last
 
--- --- from values to cases and back: writers[class](value, given, run) fills `given` --------------
+-- --- from values to cases and back: writers[class](value, given, file, id) fills `given` ---------
 
 local writers, readers = {}, {}
 
