@@ -242,7 +242,9 @@ local function run(where, f, ...)
   return result
 end
 
-local fewest, few = 4, 30 -- a line is drawn with a mark at each point if it has at least 4 points and no curve on the axis has more than 30
+-- A line is drawn with a mark at each point if it has at least 4 points and no curve on the axis has more
+-- than 30.
+local fewest, few = 4, 30
 
 -- Returns the number of points of a curve within the range of the axis, without runs of zeros. Returns nil if
 -- x does not increase.

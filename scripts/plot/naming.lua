@@ -187,7 +187,8 @@ local function setting_text(object, setting)
   if name == "cycle" and type(value) == "number" and value >= 100 then value = math.floor(value + 0.5) end
   local as_word = setting[2]:find("%s", 1, true)
   if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
-  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- a run file may contain a value of any type
+  -- A run file may contain a value of any type.
+  return as_word and type(value) == "string" and setting[2]:format(value) or nil
 end
 
 -- --- several objects -----------------------------------------------------------------------------

@@ -95,7 +95,8 @@ function own.visit(visit)
     if visit(path, value, kind or "table", owner) == false or again then return end
     if parts or not kind then look_inside(path, parts or value, kind and value or owner) end
   end
-  local rank = { {}, {}, {} } -- an object with several names is visited first as a global, then inside a table, then as part of a result
+  -- An object with several names is visited first as a global, then inside a table, then as part of a result.
+  local rank = { {}, {}, {} }
   for _, each in ipairs(own.list()) do
     local list = kept.parts(each.value, each.class) and rank[3] or is_plain(each.value) and rank[2] or rank[1]
     list[#list + 1] = each

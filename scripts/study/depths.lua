@@ -10,7 +10,8 @@ local depths = {}
 
 local where = "calibrate"
 local first_k = 1e-8        -- [mm2/N], initial value of the search
-local largest_k = 1e-5      -- [mm2/N], larger than for any sliding pair; a larger result means that the depths have another unit
+-- Limit of k [mm2/N], larger than for any sliding pair. A larger k means that the depths have another unit.
+local largest_k = 1e-5
 local most_runs, farthest = 40, 5 -- largest number of runs in one search; largest step of ln k
 local agreement = 0.05      -- relative tolerance of the simulated sum of both depths if the user gives k
 

@@ -16,9 +16,11 @@ local strict = require "archard.strict"
 local where = "study.fretting_map"
 
 local usual = { friction = 0.6, annulus = 0.1 }
-local levels, last_level = 18, 0.9 -- number of force levels of the fit; largest level as a share of the sliding force
+-- Number of force levels of the fit; largest level as a share of the sliding force.
+local levels, last_level = 18, 0.9
 local sliding = 1 - 1e-6
-local steps = 4 -- increments of half a cycle; few are enough, since the shear has little effect on the pressure
+-- Increments of half a cycle; few are enough, since the shear has little effect on the pressure.
+local steps = 4
 
 local fields = { load = check.any "a list", motion = check.any "a list", friction = check.positive, annulus = check.share }
 for _, setting in ipairs(require "archard.settings".contact) do

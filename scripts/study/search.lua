@@ -10,11 +10,12 @@ local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- mesh: error of the largest pressure against Hertz [share]
-  -- smooth: largest sawtooth of the pressure in the middle of the contact [share of p_center], beyond the
+  -- largest sawtooth of the pressure in the middle of the contact [share of p_center], beyond the
   -- sawtooth that occurs with small steps
   smooth = 0.005,
   symmetric = 1e-3,    -- largest difference between a profile and its mirror image [share of the depth]
-  profile = 0.005,     -- increments: largest difference from profiles with many increments [share of the depth]
+  -- largest difference from profiles with many increments per cycle [share of the depth]
+  profile = 0.005,
   updates = 100,       -- largest number of updates of a trial
   first_depth = 1e-4,  -- initial guess of the jump: depth of the first update, Eq. (28) [mm]
 }
@@ -37,7 +38,8 @@ local function with_size(model_given, size)
   return model
 end
 
-local fewest_elements = 8 -- smallest number of elements across the contact; with fewer, the pressure agrees with Hertz only by chance
+-- Smallest number of elements across the contact; with fewer, the pressure agrees with Hertz only by chance.
+local fewest_elements = 8
 
 -- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit`
 -- for two successive sizes; the larger size must have enough elements across the contact. Returns the list of
@@ -48,7 +50,8 @@ function search.mesh(given, limit, on_step)
   local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
-    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- the first sizes are coarse on purpose, so warnings are suppressed
+    -- The first sizes are coarse on purpose, so warnings are suppressed.
+    local c = quiet(contact, { model = with_size(m, size), load = given.load })
     local before = steps[i - 1]
     steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
       error = c.p_max / h.p_max - 1,

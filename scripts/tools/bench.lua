@@ -242,7 +242,8 @@ local function general_paths()
     end },
     { name = "the same mesh from Gmsh", make = function() return model{ radius = 10, mesh = text } end },
   }
-  local function best(f) -- best of several alternating runs, which reduces the effect of other load on the machine
+  -- Best of several alternating runs, which reduces the effect of other load on the machine.
+  local function best(f)
     for _ = 1, 7 do
       for _, path in ipairs(paths) do f(path) end
     end

@@ -68,7 +68,8 @@ end
 
 -- --- one number ----------------------------------------------------------------------------------
 
-local first_step, smallest_step = 0.03, 0.0004 -- smallest_step and first_step are relative changes of the number
+-- First and smallest relative change of the number for differences.
+local first_step, smallest_step = 0.03, 0.0004
 
 local counting -- counter of the runs in the current call
 
