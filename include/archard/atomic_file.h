@@ -16,13 +16,13 @@ extern "C" {
 typedef struct arc_atomic_file arc_atomic_file;
 
 /* Creates a temporary file for `path` and removes temporary files of killed programs from the
- * folder. Symbolic links are followed. An existing file must be writable and passes on its
- * permissions. A device or pipe is written to directly, not replaced. Errors: those of
+ * folder. Symbolic links are followed. If `path` exists, it must be writable, and the new file gets
+ * its permissions. A device or pipe is written to directly, not replaced. Errors: those of
  * arc_file_find; ARC_IO with the reason; ARC_MEMORY. */
 arc_status arc_atomic_file_create(const char *path, arc_atomic_file **file, arc_error *error);
 
-/* Creates a temporary file in a folder, which must be discarded in the end. Errors as for
- * arc_atomic_file_create. */
+/* Creates a temporary file in a folder. The caller discards this file with arc_atomic_file_discard.
+ * Errors as for arc_atomic_file_create. */
 arc_status arc_atomic_file_create_scratch(const char *folder, arc_atomic_file **file,
                                           arc_error *error);
 
@@ -36,8 +36,8 @@ const char *arc_atomic_file_name(const arc_atomic_file *file);
  * pointer to NULL. On ARC_IO (with the reason) the old file is unchanged. */
 arc_status arc_atomic_file_publish(arc_atomic_file **file, arc_error *error);
 
-/* Publishes the file unless a file of this name was created meanwhile, which is then kept, without
- * an error. */
+/* Publishes the file unless another program has meanwhile created a file with the final name. Then
+ * that file is kept, the temporary file is removed, and the function returns ARC_OK. */
 arc_status arc_atomic_file_publish_first(arc_atomic_file **file, arc_error *error);
 
 /* Removes the temporary file and frees the object. NULL and a pointer to NULL are allowed. */

@@ -16,7 +16,8 @@ extern "C" {
 
 #define ARC_VERSION "0.1.0"
 
-/* Zero: success; positive: stopped or not converged; negative: an error. */
+/* Status codes of all functions. Zero is success, a positive code means that a computation ended
+ * early, and a negative code is an error. */
 #define ARC_STATUS_LIST(X)                                                                         \
   X(OK, 0, "success")                                                                              \
   X(STOPPED, 1, "stopped on request")                                                              \
@@ -50,26 +51,26 @@ const char *arc_status_text(arc_status status);
 /* Returns the name of a status without its prefix, such as "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* What a file is opened for. */
+/* Purpose for which a file is opened. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
-/* Writes the absolute path of a file name, without links, to path [PATH_MAX]. The file or at least
- * its folder must exist. Descriptors of this process ("/dev/stdout") are kept as they are. All
- * functions that open, create or replace files call this one first. ARC_ARGUMENT: the name is
- * empty, or the name of a file to write has a control character. ARC_IO: no such folder, or the
- * file is not allowed (arc_file_allowed). */
+/* Resolves all links of a file name and writes the absolute path to path [PATH_MAX]. The file or at
+ * least its folder must exist. A descriptor of this process, such as "/dev/stdout", is not resolved
+ * further. All functions that open, create or replace files call this function first. ARC_ARGUMENT:
+ * the name is empty, or the name of a file to write has a control character. ARC_IO: no such
+ * folder, or the file is not allowed (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
-/* Decides whether a file may be used; called by arc_file_find. `name` is for messages, `path` is
- * absolute and has no links. This version allows all files; a program that is restricted to some
+/* Decides whether a file may be used; called by arc_file_find. `name` is used in messages; `path`
+ * is absolute and has no links. This version allows all files; a program that is restricted to some
  * folders links its own function of this name. ARC_IO: the file is not allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 
 /* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Also
  * errors of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
-/* Reads a whole file and appends a zero byte; *text [*length] is released by free(). Errors:
- * ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
+/* Reads a whole file and appends a zero byte. The caller releases *text [*length] with free().
+ * Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
 arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
 
 /* Copies text to shown [size] for display and truncates it to fit. Control characters and invalid
@@ -81,26 +82,28 @@ void arc_show_text(const char *text, char *shown, size_t size);
 arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Called regularly by long computations; a non-zero result stops them with ARC_STOPPED. */
+/* Function that long computations call regularly. A non-zero result stops the computation with
+ * ARC_STOPPED. */
 typedef int (*arc_stop_fn)(void *context);
 
-/* Callbacks of long computations. Each member, and a pointer to the struct, may be NULL. Callbacks
- * must return, and must not change the objects of the computation. */
+/* Callbacks of long computations. Each member, and a pointer to the struct, may be NULL. A callback
+ * must return normally and must not change the objects of the computation. */
 struct arc_wear;
 typedef struct arc_callbacks {
-  /* Called between contact solutions and while a model is built; non-zero stops the computation
-   * with ARC_STOPPED. The thread that builds a model then continues to the end of its stage. A
-   * process that ends earlier must use _exit, as BLAS does not survive exit during a
-   * computation. */
+  /* Called between contact solutions and while a model is built. A non-zero result stops the
+   * computation with ARC_STOPPED. The thread that builds a model then still finishes its present
+   * stage. A process that ends before this must call _exit, as calling exit during a BLAS
+   * computation is not safe. */
   arc_stop_fn stop;
   /* Receives a warning of one line about the accuracy of results; the computation continues. */
   void (*warn)(void *context, const char *text);
-  /* Called after each step of a run; non-zero stops the run with ARC_STOPPED and keeps the step. */
+  /* Called after each step of a run. A non-zero result stops the run with ARC_STOPPED; the step
+   * remains part of the run. */
   int (*progress)(void *context, const struct arc_wear *wear);
-  /* Called about twenty times a second during the construction of an object, with its name `what`
-   * (such as "model"), the estimated share done and the time so far [s]. */
+  /* Reports the construction of an object about twenty times a second: its name `what` (such as
+   * "model"), the estimated share that is done (0 to 1) and the elapsed time [s]. */
   void (*working)(void *context, const char *what, double share, double seconds);
-  void *context; /* argument of each callback */
+  void *context; /* first argument of each callback */
 } arc_callbacks;
 
 /* Sets BLAS and OpenMP of this process to one thread, as more threads are slower at these sizes and

@@ -131,7 +131,8 @@ arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *
 /* Returns the names of the settings that a kind of body has, ended by NULL. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* Return true if the surface is the hollow side of an arc, any arc, or a line. */
+/* These functions return true if the surface is the hollow side of an arc, if it is an arc, or if
+ * it is a straight line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
@@ -143,8 +144,8 @@ double arc_body_radius(const arc_body_def *def);
 /* Returns true if the body has a radius across the motion, for 3-D. */
 int arc_body_is_spatial(const arc_body_def *def);
 
-/* Return half the length of the body along its surface [mm], and its depth below the surface
- * [mm]. */
+/* The first function returns half the length of the body along its surface [mm], the second one the
+ * depth of the body below the surface [mm]. */
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
@@ -162,9 +163,10 @@ double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Returns true if the surface is a map over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Return data of a map: its height [mm] at (x, z), positive out of the body, cubic between the
- * points and constant beyond them; the distances from x = z = 0 to the nearest ends and the longest
- * step [mm]; and the curvatures of the best parabola [1/mm], positive for a ball. */
+/* Compute data of a map. The first function returns the height [mm] at (x, z), positive out of the
+ * body, cubic between the points and constant beyond them. The second one writes the distances from
+ * x = z = 0 to the nearest ends and the longest step between points [mm]. The third one writes the
+ * curvatures of the best parabola [1/mm], positive for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
@@ -173,8 +175,9 @@ void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *al
  * if the body has no series). On ARC_MEMORY the body has no series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* Return the number of layers; the depth of the lower side of a layer that has a thickness [mm], 0
- * for layer -1; and the material of a layer, or `own` for an index that is not a layer. */
+/* The first function returns the number of layers. The second one returns the depth of the lower
+ * side of a layer that has a thickness [mm], and 0 for layer -1. The third one returns the material
+ * of a layer, or `own` for an index that is not a layer. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

@@ -23,16 +23,16 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Moving: wear moves the nodes and thereby changes the stiffness of the wear box. Frozen: wear
- * changes only the gap. */
+/* Geometry of worn bodies. Moving: wear moves the nodes and thereby changes the stiffness of the
+ * wear box. Frozen: wear changes only the gap. */
 #define ARC_GEOMETRY_LIST(X)                                                                       \
   X(MOVING, "moving")                                                                              \
   X(FROZEN, "frozen")
 typedef enum arc_geometry { ARC_GEOMETRY_LIST(ARC_CHOICE_ENUM) } arc_geometry;
 extern const char *const arc_geometry_names[];
 
-/* All: with the terms that correct errors of the elements at short waves (theory.md,
- * "Corrections"). None: the elements alone, to show the effect of these terms. */
+/* Corrections of the elements. All: terms are added that correct errors of the elements at short
+ * waves (theory.md, "Corrections"). None: the elements alone, to show the effect of these terms. */
 #define ARC_CORRECTIONS_LIST(X)                                                                    \
   X(CORRECTIONS_ALL, "all")                                                                        \
   X(CORRECTIONS_NONE, "none")
@@ -61,7 +61,7 @@ arc_model *arc_shape_model(const arc_shape *shape);
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], like a plate under a stroke over its whole
- * width: the surface keeps its shape; with moving geometry, layers in the wear box become thinner.
+ * width. The surface keeps its shape. With moving geometry, layers in the wear box become thinner.
  * Errors: ARC_MEMORY, ARC_NUMERIC: the shape is unchanged. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error);
 
@@ -97,11 +97,11 @@ double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 /* Writes the present nodes of a body, with the wear box moved, to xy [2 * nodes]. */
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
-/* Returns the state of the worn surfaces for storage. For each body: wear depth h [nodes, 1] (with
- * even wear); present nodes xy, and the nodes at the last condensation, settled [nodes, 2] (both
- * without even wear), all in mm; even wear over the whole width, even [1, 1] [mm]; condensed [1,
- * 1], 1 if the wear box was condensed since it was unworn. The shape owns names and values; update
- * and distance are 0. */
+/* Returns the state of the worn surfaces for storage. The arrays of each body are: h [nodes, 1],
+ * the wear depth with even wear [mm]; xy [nodes, 2], the present nodes without even wear [mm];
+ * settled [nodes, 2], these nodes at the last condensation [mm]; even [1, 1], the even wear over
+ * the whole width [mm]; and condensed [1, 1], which is 1 if the wear box was condensed since it was
+ * unworn. The shape owns names and values. update and distance of the arrays are 0. */
 #define ARC_SHAPE_STATE 10
 void arc_shape_state(const arc_shape *shape, arc_array state[ARC_SHAPE_STATE]);
 
@@ -112,7 +112,8 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
-/* Friction while the bodies are pressed together: it acts, or only afterwards. */
+/* Friction while the bodies are pressed together. Friction: it acts. Frictionless: it acts only
+ * afterwards. */
 #define ARC_PRESS_LIST(X)                                                                          \
   X(PRESS_FRICTION, "friction")                                                                    \
   X(PRESS_FRICTIONLESS, "frictionless")
@@ -218,10 +219,11 @@ arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motio
 typedef struct arc_contact_result {
   double area;         /* [mm2] area in contact; 0 in the plane */
   double half_width_z; /* [mm] half the width of the contact across the motion; 0 in the plane */
-  double p_center;   /* [MPa] at the cylinder's node x = 0; in holes in the direction of the load */
-  double p_max;      /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
-  double p_average;  /* [MPa] largest pressure averaged over the length `average`; it converges with
-                        the mesh */
+  double p_center;  /* [MPa] pressure at the cylinder's node x = 0; in holes in the direction of the
+                       load */
+  double p_max;     /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
+  double p_average; /* [MPa] largest pressure averaged over the length `average`; it converges with
+                       the mesh */
   double half_width; /* [mm] half the contact width */
   double left,
       right; /* [mm] contact edges, cylinder frame, between nodes: error 0.03 elements for unworn,
@@ -229,8 +231,8 @@ typedef struct arc_contact_result {
   double normal_force; /* [N] integral of the pressure over the area; equals the load, in hollow
                           surfaces up to 4/pi of it */
   double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
-  double tangential;   /* [N] force on the plate along x; without friction, from slopes */
-  double energy; /* [N mm] energy dissipated by friction since first contact, with the slip between
+  double tangential;   /* [N] force on the plate along x; without friction it results from slopes */
+  double energy; /* [N mm] energy dissipated by friction since first contact, including slip between
                     nodes */
   double z;      /* [mm] position of the lower body across x; 0 in the plane */
   double tangential_z; /* [N] force on the lower body along z; 0 in the plane */
@@ -244,11 +246,12 @@ arc_contact_result arc_contact_get(const arc_contact *contact);
  * in the frame of the cylinder for both bodies (for plate nodes: own x + position of the plate). */
 typedef struct arc_pressure {
   int count;
-  const double *x;  /* [mm] */
-  const double *p;  /* [MPa] */
-  const double *f;  /* [N/mm] nodal force per thickness normal to the surface, p times tributary
-                       width; for bodies of revolution [N], on the ring of the node */
-  const double *fx; /* [N/mm] nodal force along x on the body, as pressures act along normals */
+  const double *x; /* [mm] */
+  const double *p; /* [MPa] */
+  const double *f; /* [N/mm] nodal force per thickness normal to the surface, p times tributary
+                      width; for bodies of revolution [N], on the ring of the node */
+  const double
+      *fx; /* [N/mm] nodal force along x on the body, caused by pressures along inclined normals */
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
@@ -278,8 +281,8 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 /* Columns of a field in the order of files: positions of the nodes, then values. X(name, unit,
  * text).
  *
- * Stresses are of second order in the element size. On the boundary they equal the tractions
- * (pressure and shear of the node) and follow the strain along the surface; inside they are
+ * Stresses are of second order in the element size. On the boundary they agree with the tractions
+ * (pressure and shear of the node) and with the strain along the surface. Inside they are
  * polynomials fitted around each node. Near a smooth edge of contact the pressure follows the
  * square-root law, with an error of 1 % of the largest pressure at 20 um; the stress along the
  * surface has 2 % (9 % with friction 0.6, where it has a cusp). At the edges of scars the pressure
@@ -299,7 +302,8 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
   X(uy, "mm", "displacement across the surface")                                                   \
   ARC_FIELD_STRESSES(X)
 
-/* Displacements and stresses by back-substitution; arrays of `nodes`, owned by the field. */
+/* Displacements and stresses of one body, computed by back-substitution. The arrays have `nodes`
+ * values and are owned by the field. */
 typedef struct arc_field {
   int nodes;
 #define ARC_FIELD_MEMBER(name, unit, text) double *name;
@@ -309,10 +313,11 @@ typedef struct arc_field {
 arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_field **field,
                              arc_error *error);
 void arc_field_destroy(arc_field **field);
-/* Returns the pressures as arrays, body by body: x, in 3-D z, and p [sites, 1], in the frame of the
- * upper body; sites of maps have z fastest. With friction in 3-D, arrays of the upper body follow:
- * shear along x and z and its magnitude, q, qz, shear [MPa]; slip of the lower surface relative to
- * the upper one, s, sz, slip [mm]. All are in one block, released by free(). Errors: ARC_MEMORY. */
+/* Returns the pressures as arrays, body by body: positions x and in 3-D z [mm], and pressures p
+ * [MPa], each [sites, 1], in the frame of the upper body. Sites of maps are stored with z fastest.
+ * With friction in 3-D, arrays of the upper body follow: shear along x and z and its magnitude, q,
+ * qz, shear [MPa]; slip of the lower surface relative to the upper one, s, sz, slip [mm]. All
+ * arrays are in one block, which the caller releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
 /* Returns the model of a contact (borrowed). */

@@ -11,8 +11,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Writes columns of `rows` numbers below a header line of names with units, such as "distance
- * [mm]". `units`, or any of its items, may be NULL or "". */
+/* Writes a CSV file with a header line of names and units, such as "distance [mm]", and columns of
+ * `rows` numbers. `units`, or any of its items, may be NULL or "". */
 arc_status arc_export_csv(const char *path, size_t columns, const char *const names[],
                           const char *const units[], const double *const data[], size_t rows,
                           arc_error *error);
@@ -52,16 +52,17 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
  * nodes and elements is kept. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
-/* Returns the content of this Gmsh file as text, released by free(), or NULL on failure.
- * Errors: ARC_MEMORY. */
+/* Writes the content of the file of arc_export_msh to *text, which the caller releases with free().
+ * On failure *text is NULL. Errors: ARC_MEMORY. */
 arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
                                arc_error *error);
 
 /* Writes a text of `length` bytes to a file. */
 arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);
 
-/* Writes the shortest text that reads back to the same bits, such as 0.3 instead of
- * 0.29999999999999999. NaN and zero have no sign. All files use it. */
+/* Text of a number. arc_number_to_text returns the shortest text that reads back to the same bits,
+ * such as 0.3 instead of 0.29999999999999999. NaN and zero are written without a sign. All exported
+ * files use this function. */
 typedef struct arc_number_text {
   char text[32];
 } arc_number_text;

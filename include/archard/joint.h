@@ -48,7 +48,7 @@ typedef struct arc_joint_def {
   arc_layer cup[ARC_MOST_LAYERS]; /* at least one layer, from the inside outwards, fixed outside */
   arc_foundation foundation;
   double size;      /* [degree] width of a cell; rounded down to 180 over an even number */
-  int second_order; /* 1: gaps to second order in displacement / radius */
+  int second_order; /* 1: gaps include terms of second order in displacement / radius */
 } arc_joint_def;
 
 /* Returns a metal-on-metal joint: 28 mm across, clearance 0.06 mm, CoCr on CoCr, behind it 6 mm of
@@ -73,9 +73,9 @@ typedef struct arc_gait_instant {
   double load[3];     /* [N] force on the cup, in the frame of the cup */
 } arc_gait_instant;
 
-/* Computes instants [n] from rotations at the times 0, 1/2n, 2/2n, ... 1, [2n + 1][9], and from
- * loads in the middle of each interval, [n][3]. ARC_ARGUMENT if the gait is not periodic; the
- * message has the difference in degrees. */
+/* Computes instants [n] of a cycle. `rotation` [2n + 1][9] has the rotations at the times 0, 1/2n,
+ * 2/2n, ... 1; `load` [n][3] has the loads [N] in the middle of each interval. ARC_ARGUMENT if the
+ * gait is not periodic; the message has the difference in degrees. */
 arc_status arc_gait_from_rotations(int n, const double *rotation, const double *load,
                                    arc_gait_instant *instant, arc_error *error);
 /* Computes instants from angles [2n + 1][3] instead of rotations: flexion, adduction, internal
@@ -84,14 +84,14 @@ arc_status arc_gait_from_rotations(int n, const double *rotation, const double *
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
-/* Makes a built-in gait: "iso", walking with the ranges of the standard and approximate curves in
- * between; "prosim"; "flexion"; or "rocking". `angle` [degree] and `load` [N] apply to the last
- * two. */
+/* Makes a built-in gait: "iso", walking with the extreme values of the standard and approximate
+ * curves between them; "prosim"; "flexion"; or "rocking". `angle` [degree] and `load` [N] apply to
+ * the last two. */
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
-/* Returns the length of the force's track over the head in a cycle [mm], and the friction work of a
- * cycle divided by the coefficient of friction [N mm]. */
+/* The first function returns the length of the force's track over the head in a cycle [mm]. The
+ * second one returns the friction work of a cycle divided by the coefficient of friction [N mm]. */
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
@@ -116,8 +116,9 @@ const double *arc_joint_creep(const arc_joint *joint);
 /* Returns the pressures [MPa] of the last contact, in the frame of the cup; 0 before the first
  * contact. */
 const double *arc_joint_pressure(const arc_joint *joint);
-/* Writes share [rows][2 rows]: for each cell of the cup, the share of friction work across the
- * principal direction of sliding in the last cycle, 0 to 0.5; 0 without sliding. */
+/* Writes share [rows][2 rows]: for each cell of the cup, the share (0 to 0.5) of the friction work
+ * of the last cycle that was done across the principal direction of sliding. The share is 0 without
+ * sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* [mm2] */
 
@@ -158,7 +159,7 @@ typedef struct arc_joint_wear_def {
                           its wear */
 } arc_joint_wear_def;
 
-/* Sums over all updates. */
+/* Sums over all updates, and measures of the last cycle. */
 typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
@@ -186,9 +187,9 @@ arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, do
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
 
-/* The state of a joint, [count] numbers, from which a joint of the same definition continues with
- * the same bits. arc_joint_set_state checks the numbers: ARC_FORMAT, ARC_MEMORY (initial pressures
- * may be lost). */
+/* Write and restore the state of a joint, which has [count] numbers. A joint of the same definition
+ * then gives the same results to the bit. arc_joint_set_state checks the numbers: ARC_FORMAT,
+ * ARC_MEMORY (initial pressures may be lost). */
 size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,

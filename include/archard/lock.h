@@ -18,12 +18,13 @@ typedef enum arc_lock_kind {
   ARC_LOCK_NONE     /* no lock, as the disk has no locks and the folder is read-only */
 } arc_lock_kind;
 
-/* Determines the kind of lock of a file at an absolute path; `name` is for messages. ARC_IO: the
- * disk does not respond. */
+/* Determines the kind of lock that the disk of a file supports. `path` is absolute; `name` is used
+ * in messages. ARC_IO: the disk does not respond. */
 arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind, arc_error *error);
 
-/* Create and remove a lock file, a symbolic link whose text is the owner. The lock of a killed
- * program of this system is replaced. Like mkdir and rmdir they return 0, or -1 with errno. */
+/* Create and remove a lock file, a symbolic link whose target text names the program that owns the
+ * lock. The lock of a killed program of this system is replaced. Like mkdir and rmdir, the
+ * functions return 0, or -1 with errno. */
 int arc_lock_take(const char *lock, mode_t ignored);
 int arc_lock_leave(const char *lock);
 

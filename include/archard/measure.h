@@ -15,16 +15,16 @@ extern "C" {
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
 
-/* Returns the sawtooth part of y [n] in the units of y: root mean square of fourth differences over
- * 16 (a pure sawtooth of amplitude 1 gives 1) at the points with from <= x <= to. 0 if there are no
- * such points. */
+/* Returns the sawtooth part of y [n] in the units of y: root mean square of the fourth differences
+ * divided by 16, at the points with from <= x <= to. A pure sawtooth of amplitude 1 gives 1.
+ * Returns 0 if there are no such points. */
 double arc_measure_sawtooth(const double *x, const double *y, size_t n, double from, double to);
 
 /* Returns the wear depth partition factor alpha-tilde (Eq. 29) [-], the cylinder's share of the sum
- * of both depths. NaN if nothing is worn. */
+ * of both depths. Returns NaN if neither body is worn. */
 double arc_depth_partition(double cylinder, double plate);
 
-/* A measured or simulated depth profile, borrowed. */
+/* A measured or simulated depth profile. The caller owns the arrays. */
 typedef struct arc_depths {
   size_t count;
   const double *x; /* [count] positions [mm], increasing */

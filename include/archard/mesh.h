@@ -1,9 +1,9 @@
 /* archard/mesh.h - finite element meshes of the two bodies.
  *
- * The frame is that of both bodies as they just touch without load, with the plate at x = 0. The
- * origin is the first point of contact, x is along the plate's surface, y upwards. The cylinder (a
- * half cylinder with a fixed flat top) lies above the plate. Every mesh is an exact mirror image
- * about x = 0. */
+ * Coordinates refer to both bodies as they just touch without load, with the plate at x = 0. The
+ * origin is the first point of contact. x is along the plate's surface, and y points upwards. The
+ * cylinder (a half cylinder with a fixed flat top) lies above the plate. Every mesh is an exact
+ * mirror image about x = 0. */
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 
@@ -69,8 +69,9 @@ extern const char *const arc_space_names[];
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
   double zone[ARC_BODIES]; /* [mm] full width of the candidate contact zone with fine elements. The
-                              depth and the margins of both nested partitions are proportional to
-                              the cylinder's zone; the plate's zone is wider by the stroke */
+                              depth and the margins of both nested partitions of the mesh are
+                              proportional to the cylinder's zone. The plate's zone is wider by the
+                              stroke */
 } arc_mesh_def;
 
 extern const arc_setting arc_mesh_settings[];
@@ -84,19 +85,20 @@ arc_mesh_def arc_mesh_default(void);
 typedef struct arc_mesh {
   arc_body body;
   arc_body_def solid; /* shape with all dimensions set; the model owns its profile */
-  double radius;      /* [mm] of a cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def;   /* sizes; in a model, element is the type of the body, never auto */
-  arc_space space;    /* geometry of the model; plane strain for a mesh without a model */
-  double axis;        /* [mm] distance of the axis of revolution, which is at x = -axis */
-  int nodes;          /* number of nodes */
-  double *xy;         /* [2 * nodes] x, y of each node [mm] */
-  int elements;       /* number of elements = quads + triangles */
-  int *element; /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
-                   start with the same corner and are two positions apart: between them are their
-                   mirror images */
+  double
+      radius; /* [mm] radius of a cylinder; for other bodies the dimension that limits the mesh */
+  arc_mesh_def def; /* sizes; in a model, element is the type of the body, never auto */
+  arc_space space;  /* geometry of the model; plane strain for a mesh without a model */
+  double axis;      /* [mm] distance of the axis of revolution, which is at x = -axis */
+  int nodes;        /* number of nodes */
+  double *xy;       /* [2 * nodes] x, y of each node [mm] */
+  int elements;     /* number of elements = quads + triangles */
+  int *element;     /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
+                       start with the same corner and are two positions apart: between them are their
+                       mirror images */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
-  int *surface_node; /* [surface] their numbers by increasing x */
+  int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */
   int *layer;        /* [elements] layer of each element; the number of layers means the body's own
                         material */
   int rows;          /* number of element rows in the wear box */
@@ -104,11 +106,12 @@ typedef struct arc_mesh {
                     surface_node, each from the surface inwards */
   int box_elements;  /* the first box_elements elements are the wear box, column by column */
   int fixed;         /* number of nodes that are tied to the rigid base or fixed */
-  int *fixed_node;   /* [fixed] their numbers */
+  int *fixed_node;   /* [fixed] numbers of these tied or fixed nodes */
   int outline;       /* number of nodes of the boundary polygon */
-  int *outline_node; /* [outline] their numbers, counter-clockwise, not closed */
+  int *outline_node; /* [outline] numbers of the boundary nodes, counter-clockwise; the first one is
+                        not repeated */
   int materials;     /* number of named materials of an imported mesh */
-  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] their names */
+  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] names of these materials */
   int *material; /* [elements] material of each element, -1: the body's own; NULL: the body's own
                     everywhere */
 } arc_mesh;
@@ -137,8 +140,8 @@ enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
  * "upper.contact" (x increases from one end to the other) and "upper.fixed"; the lower body has the
  * same groups. The rest of the file is ignored. Such a mesh has no wear box: rows and box_elements
  * are 0, and only frozen geometry is possible. `radius` is the radius of the parabola that best
- * fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is flat. def gets the
- * element sizes of the mesh and the widths of the contact curves as zone. Errors: ARC_IO;
+ * fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is flat. The member def of
+ * a mesh gets its element sizes and the widths of the contact curves as zones. Errors: ARC_IO;
  * ARC_FORMAT (line, expected, actual); ARC_GEOMETRY (groups, nodes or elements that do not form two
  * bodies); ARC_MEMORY. On failure both meshes are NULL. */
 arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
@@ -158,7 +161,7 @@ void arc_mesh_destroy(arc_mesh **mesh);
 typedef struct arc_quality {
   double smallest_angle; /* [degree] */
   double largest_angle;  /* [degree] */
-  double aspect;         /* longest edge / shortest edge of the worst element */
+  double aspect;         /* [-] longest edge / shortest edge of the worst element */
   double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad; 1 for a
                             parallelogram */
   double

@@ -59,16 +59,17 @@ const char *arc_model_role_name(arc_body body);
  * body). Returns 1 if one body has it, 0 if none and -1 if both have. *body is always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Returns the contact modulus of the couple [MPa], 1 / (1/E*_c + 1/E*_p); in plane stress with E
- * instead of E*. */
+/* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p), in plane stress
+ * with E instead of E*. */
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]);
 
-/* Returns the line load [N/mm] that causes about the same pressure: the load [N] over the
- * thickness, over the circumference, or over the mean chord of a round contact. */
+/* Returns the line load [N/mm] that causes about the same pressure as a load [N]. It is the load
+ * divided by the thickness, by the circumference, or by the mean chord of a round contact. */
 double arc_model_line(const arc_model_def *def, double load);
 
-/* Returns the reference wear coefficient of a body [mm2/N], the largest one of the body and its
- * layers; the others wear in proportion. 0 if there is none. */
+/* Returns the reference wear coefficient of a body [mm2/N], which is the largest coefficient of the
+ * body and its layers, or 0 if there is none. Materials with a smaller coefficient wear in
+ * proportion to it. */
 double arc_model_wear_k(const arc_model_def *def, arc_body body);
 
 /* Returns the relative radius of the surfaces [mm], 1 / (1/R_upper + 1/R_lower), with negative
@@ -79,7 +80,7 @@ double arc_model_relative_radius(const arc_model_def *def);
  * layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
 
-/* Returns true if one of the bodies is hollow, so that the other one turns in it. */
+/* Returns true if one body is hollow and the other one turns inside it. */
 int arc_model_is_hole(const arc_model_def *def);
 /* Returns the sliding distance [mm] along the surfaces for a rotation by `degrees`; 0 without a
  * hole. */
@@ -162,9 +163,9 @@ arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_ca
  * model owns them from now on, also on failure, and the pointers become NULL. def->radius is the
  * radius of the pair, for estimates by Hertz and the width of the plate; of def->mesh only
  * `element` is used. A shape in def->body, except for the radii of a hole, is ARC_ARGUMENT. Meshes
- * without a wear box allow only frozen geometry (else ARC_ARGUMENT in arc_shape_create). Triangles
- * of such meshes are single in CPE4I. A named material of a mesh is the layer of the body with this
- * name, and depths of layers are those in the mesh. */
+ * without a wear box allow only frozen geometry (else ARC_ARGUMENT in arc_shape_create). With
+ * CPE4I, triangles of such meshes do not share a dilatation. A named material of a mesh is the
+ * layer of the body with this name, and depths of layers are those in the mesh. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
@@ -175,7 +176,7 @@ arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given
 int arc_model_is_given(const arc_model *model);
 
 arc_model *arc_model_retain(arc_model *model);
-/* Drops one reference and sets the handle to NULL. */
+/* Drops one reference and sets the handle to NULL. The last reference frees the model. */
 void arc_model_release(arc_model **model);
 
 const arc_model_def *arc_model_definition(const arc_model *model);
@@ -202,8 +203,8 @@ void arc_model_fit_friction(arc_model_def *def, double load);
  * bodies. */
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
 
-/* Sets all "auto" values of a model that is built without a contact or run: for the paper's load,
- * with zones in proportion. */
+/* Sets all "auto" values of a model that is built without a contact or run. Sizes are set for the
+ * load of the paper, and zones in proportion to them. */
 void arc_model_fit_alone(arc_model_def *def);
 
 /* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] about the axis of

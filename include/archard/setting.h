@@ -29,7 +29,7 @@ typedef enum arc_setting_kind {
   ARC_NUMBER,
   ARC_WHOLE,
   ARC_CHOICE,
-  ARC_TEXT,  /* text of a word */
+  ARC_TEXT,  /* text of less than ARC_TEXT_SIZE bytes */
   ARC_GROUP, /* a struct with its own list of settings */
   ARC_OTHER  /* value that special code reads */
 } arc_setting_kind;
@@ -37,12 +37,12 @@ typedef enum arc_setting_kind {
 /* Size of a text including its final zero. */
 enum { ARC_TEXT_SIZE = 32 };
 
-/* Values that a setting accepts beside a number, and properties of a setting. */
+/* Flags of a setting: values that it accepts besides a number, and other properties. */
 enum {
   ARC_FUNCTION = 1,  /* accepts a function of the state */
   ARC_SERIES = 2,    /* accepts a table over the distance */
-  ARC_AUTOMATIC = 4, /* accepts the word "auto", which is 0 in the struct */
-  ARC_OPTIONAL = 8,  /* need not be given; it is then 0 in the struct */
+  ARC_AUTOMATIC = 4, /* accepts the word "auto"; the member is then 0 */
+  ARC_OPTIONAL = 8,  /* need not be given; the member is then 0 */
   ARC_FIXED = 16     /* cannot be changed in an existing object */
 };
 
@@ -60,14 +60,15 @@ typedef struct arc_setting {
   arc_setting_kind kind;
   unsigned forms;
   size_t offset;           /* offset of the member in the struct */
-  size_t function, series; /* offsets of the members for the other forms; 0: no such form */
+  size_t function, series; /* offsets of the members for a function and for a table; 0: the setting
+                              does not accept this form */
   double usual, low, high;
-  int open;     /* ends that are excluded: ARC_LOW_OPEN, ARC_HIGH_OPEN */
-  int multiple; /* for whole numbers: allowed multiples; 0: all numbers */
+  int open;     /* flags ARC_LOW_OPEN, ARC_HIGH_OPEN: the end of the range is itself excluded */
+  int multiple; /* a whole number must be a multiple of this number; 0: no such condition */
 } arc_setting;
 
-/* A quantity as a table over the travelled distance: linear between points, constant beyond them.
- * distance [mm] increases. */
+/* Table of a quantity over the travelled distance. Values are linear between points and constant
+ * beyond them. distance [mm] never decreases; two points at the same distance define a jump. */
 typedef struct arc_series {
   int count; /* number of points; 0: no table */
   const double *distance, *value;
@@ -75,7 +76,7 @@ typedef struct arc_series {
 
 /* --- rows of lists ---------------------------------------------------------------------------- */
 
-/* Ranges. Rows name them without ARC_RANGE_, such as ABOVE(0). */
+/* Ranges of values. Rows use these names without the prefix ARC_RANGE_, such as ABOVE(0). */
 #define ARC_RANGE_ANY                 .low = -HUGE_VAL, .high = HUGE_VAL
 #define ARC_RANGE_ABOVE(bound)        .low = (bound), .high = HUGE_VAL, .open = ARC_LOW_OPEN
 #define ARC_RANGE_FROM(bound)         .low = (bound), .high = HUGE_VAL
@@ -85,7 +86,7 @@ typedef struct arc_series {
 #define ARC_RANGE_ABOVE_TO(least, most) .low = (least), .high = (most), .open = ARC_LOW_OPEN
 #define ARC_RANGE_EVEN(least, most)     .low = (least), .high = (most), .multiple = 2
 
-/* Members of a struct, made from the rows of its list. */
+/* Each of these macros turns a row of a list into a member of the struct. */
 #define ARC_MEMBER_NUMBER(name, unit, usual, range, forms, text) double name;
 #define ARC_MEMBER_WHOLE(name, unit, usual, range, forms, text)  int name;
 #define ARC_MEMBER_CHOICE(name, type, usual, forms, text)        arc_##type name;
@@ -97,7 +98,8 @@ typedef struct arc_series {
 #define ARC_MEMBER_FUNCTION(name, type, pointer, forms, text) pointer name;
 #define ARC_MEMBER_OTHER(name, type, class_name, forms, text)
 
-/* Rows as initialisers of arc_setting; ARC_SETTING_OF names the struct. */
+/* Each of these macros turns a row of a list into an initialiser of arc_setting. Define
+ * ARC_SETTING_OF as the struct that contains the members. */
 #define ARC_SETTING_NUMBER(name_, unit_, usual_, range, forms_, text_)                             \
   {.name = #name_,                                                                                 \
    .unit = unit_,                                                                                  \
@@ -164,16 +166,17 @@ typedef struct arc_series {
    .kind = ARC_OTHER,                                                                              \
    .forms = forms_},
 
-/* Enumerator AT_name of each row, its position in the list. */
+/* Turns a row of a list into the enumerator ARC_AT_name, which is the position of the row in the
+ * list. */
 #define ARC_POSITION(name, ...) ARC_AT_##name,
 
-/* Choices of a list X(NAME, "name"), as enumerators ARC_NAME and as names. */
+/* Turn the choices of a list X(NAME, "name") into enumerators ARC_NAME and into names. */
 #define ARC_CHOICE_ENUM(name, ...)  ARC_##name,
 #define ARC_CHOICE_ONE(...)         +1 /* 0 LIST(ARC_CHOICE_ONE) is the number of choices */
 #define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
 #define ARC_CHOICE_FIRST(text, ...) text
 
-/* Choices false and true, for tables of users. */
+/* Choices of a setting that is false or true in tables of users. */
 #define ARC_SWITCH_LIST(X)                                                                         \
   X(OFF, "false")                                                                                  \
   X(ON, "true")
@@ -182,11 +185,11 @@ extern const char *const arc_switch_names[];
 
 /* --- functions on lists ----------------------------------------------------------------------- */
 
-/* Sets every member that has a default. */
+/* Sets every member of `def` that has a default to its default. */
 void arc_settings_default(const arc_setting *list, void *def);
 
-/* Checks all ranges. ARC_ARGUMENT for the first violation: "field 'NAME': expected ..., got ...",
- * with `prefix` ("" or "mesh.") before the name. */
+/* Checks the ranges of all members. Returns ARC_ARGUMENT for the first violation: "field 'NAME':
+ * expected ..., got ...", with `prefix` ("" or "mesh.") before the name. */
 arc_status arc_settings_check(const arc_setting *list, const char *prefix, const void *def,
                               arc_error *error);
 
@@ -194,29 +197,33 @@ arc_status arc_settings_check(const arc_setting *list, const char *prefix, const
 arc_status arc_setting_check_number(const arc_setting *setting, const char *prefix, double value,
                                     arc_error *error);
 
-/* Returns the setting of that name in the list itself (groups are not searched), or NULL. */
+/* Returns the setting called `name` in the list, or NULL if there is none. Groups are not
+ * searched. */
 const arc_setting *arc_setting_find(const arc_setting *list, const char *name);
 
-/* Writes a description of the possible values to text [size], such as "a number > 0 mm" or "\"SP\"
- * or \"NSP\"". */
+/* Writes a description of the possible values to text [size] and returns it, such as "a number > 0
+ * mm" or "\"SP\" or \"NSP\"". */
 const char *arc_setting_expected(const arc_setting *setting, char *text, size_t size);
 
-/* Returns the default as text, such as "200e3"; "" without a default. */
+/* Returns the default of a setting as text, such as "200e3", or "" if it has no default. */
 const char *arc_setting_usual(const arc_setting *setting);
 
-/* Returns the member of a definition; for ARC_CHOICE it is an int. */
+/* Return a pointer to the member of `def` that belongs to the setting. For ARC_CHOICE it points to
+ * an int. */
 void *arc_setting_member(const arc_setting *setting, void *def);
 const void *arc_setting_value(const arc_setting *setting, const void *def);
-/* Returns the value as a number: the int of a whole number or choice, 0 for a text. */
+/* Returns the value of a setting as a number: the int of a whole number or choice, 0 for a text. */
 double arc_setting_number(const arc_setting *setting, const void *def);
-/* Return true if a function is set, true if "auto" is set, and the table (count 0: none). */
+/* Read a setting in the definition `def`. The first function returns true if the setting is a
+ * function, the second one returns true if it is "auto", and the third one returns its table (count
+ * 0: no table). */
 int arc_setting_has_function(const arc_setting *setting, const void *def);
 int arc_setting_is_auto(const arc_setting *setting, const void *def);
 arc_series arc_setting_series(const arc_setting *setting, const void *def);
 
-/* Calls `see` for every setting with a member, also in groups, where `def` is the struct of the
- * group. `path` is the name with the names of its groups, such as "mesh.size". A non-zero result of
- * `see` ends the loop and is returned. */
+/* Calls `see` for every setting with a member, including settings in groups, for which `def` is the
+ * struct of the group. `path` is the name of the setting after the names of its groups, such as
+ * "mesh.size". A non-zero result of `see` ends the loop and is returned. */
 typedef int (*arc_setting_fn)(void *context, const char *path, const arc_setting *setting,
                               const void *def);
 int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,

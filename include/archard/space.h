@@ -3,13 +3,13 @@
  * Axes: x along the motion, y up, z across. The upper body carries the load and does not move; the
  * lower body moves along x. Both surfaces are functions of (x, z) on cells of size_x x size_z. The
  * window is the grid of the upper body, nx x nz cells about x = z = 0. The track is the grid of the
- * lower body, which is longer in x; its middle is at the position x of the body.
+ * lower body, which is longer in x. The middle of the track is at the position x of the lower body.
  *
  *   gap = recess_upper + recess_lower + depth_upper + depth_lower + K p - approach >= 0
  *   p >= 0,  p gap = 0,  sum of p size_x size_z = load
  *
  * Arrays over sites are stored row by row, z fastest: site = i * nz + j is the cell at x_i, z_j.
- * Pressures are given at the sites of the window. */
+ * Pressures p are given at the sites of the window. K is the normal compliance of both bodies. */
 #ifndef ARCHARD_SPACE_H
 #define ARCHARD_SPACE_H
 
@@ -29,8 +29,8 @@ typedef struct arc_halfspace_body {
   arc_layer
       layer[ARC_MOST_LAYERS]; /* layers from the surface inwards; a thickness of 0 ends the list */
   double depth;               /* [mm] depth of a rigid base below the surface; 0: no base */
-  double radius_x, radius_z;  /* [mm] radii of the surface along x and z, x^2 / 2R; 0: flat */
-  arc_recess_fn recess;       /* added to the surface of the radii; NULL: nothing */
+  double radius_x, radius_z;  /* [mm] radii along x and z (recess x^2 / 2R); 0: flat */
+  arc_recess_fn recess;       /* recess added to the recess by the radii; NULL: none */
   void *context;              /* argument of recess */
 } arc_halfspace_body;
 
@@ -44,23 +44,24 @@ typedef struct arc_halfspace_def {
   int turned;    /* 1: the lower body moves along z. size_x, nx and track then count along z, size_z
                     and nz along x; radii, recess, sites and extents keep their axes */
   int periodic;  /* 1: the window repeats in x and z; the lower body has a groove or no track */
-  int workers;   /* number of threads over positions; 0 and 1: the caller alone */
+  int workers;   /* number of threads that share the positions; 0 or 1: only the calling thread */
 } arc_halfspace_def;
 
 /* Returns a steel ball of 10 mm radius on a flat, with 63 x 63 cells of 0.02 mm. */
 arc_halfspace_def arc_halfspace_default(void);
 
-/* Two half-spaces with their grids and kernels. Opaque; two threads must not use one at once. */
+/* Two half-spaces with their grids and kernels. Opaque; two threads must not use the same object at
+ * once. */
 typedef struct arc_halfspace arc_halfspace;
 
 /* Creates the half-spaces. The functions of the definition are called only here. Errors:
- * ARC_ARGUMENT (field, expected, actual), ARC_GEOMETRY (cells wider than four times the thinnest
- * layer), ARC_MEMORY; *made is NULL on failure. */
+ * ARC_ARGUMENT (the message has the field, the expected and the actual value), ARC_GEOMETRY (cells
+ * are wider than four times the thinnest layer), ARC_MEMORY. On failure *made is NULL. */
 arc_status arc_halfspace_create(const arc_halfspace_def *def, arc_halfspace **made,
                                 arc_error *error);
 void arc_halfspace_destroy(arc_halfspace **h);
 const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h);
-/* Returns the memory [bytes] of a stage over `positions` positions. */
+/* Returns the memory [bytes] that a stage over `positions` positions needs. */
 double arc_halfspace_bytes(const arc_halfspace_def *def, int positions);
 
 /* Return the number of sites of a body, the area of a site [mm2], and the position of a site
@@ -73,32 +74,33 @@ const double *arc_halfspace_recess(const arc_halfspace *h, arc_body body);
 
 /* --- contact ---------------------------------------------------------------------------------- */
 
-/* One position of the lower body. */
+/* One position of the lower body in a cycle, with the load at this position. */
 typedef struct arc_halfspace_position {
   double x;      /* [mm] position of the lower body; linear interpolation between two cells */
-  double load;   /* [N] load > 0 */
+  double load;   /* [N] normal load, > 0 */
   double weight; /* [mm] sliding distance of this position, > 0 for wear */
 } arc_halfspace_position;
 
 /* Options of the solver. NULL in a call means the defaults. */
 typedef struct arc_halfspace_options {
-  double tolerance;  /* tolerance of gaps, relative to the largest displacement; 0: 1e-5 */
-  const double *gap; /* [positions][window] added to the gaps [mm]; NULL: nothing */
-  int warm;          /* 1: starts from the pressures in the output array; 0: from the shapes */
+  double tolerance;  /* tolerance of gaps relative to the largest displacement; 0 means 1e-5 */
+  const double *gap; /* [positions][window] gap added to the computed gaps [mm]; NULL: none */
+  int warm; /* 1: the solver starts from the pressures in the output array; 0: it starts from the
+               shapes */
   const arc_callbacks *callbacks; /* may stop the solver; NULL: no callbacks */
 } arc_halfspace_options;
 
 /* Work done for a solution, and its largest pressure. */
 typedef struct arc_halfspace_report {
-  int iterations, applications, sets,
-      guarded;  /* steps of conjugate gradients, applications of K, active sets, fallback steps */
-  double p_max; /* [MPa] largest pressure over all positions */
+  int iterations, applications, sets, guarded; /* numbers of conjugate gradient steps, applications
+                                                  of K, active sets, and fallback steps */
+  double p_max;                                /* [MPa] largest pressure over all positions */
 } arc_halfspace_report;
 
 /* Solves one contact on worn depths [mm] by site (NULL: unworn), and writes the pressures of the
  * window [MPa] and the approach [mm]. ARC_ZONE: the contact reaches the edge of the window, or the
- * position needs a longer track. Also ARC_NOT_CONVERGED, ARC_NUMERIC, ARC_STOPPED, ARC_MEMORY. On
- * failure pressure and approach are unchanged. */
+ * position needs a longer track. Other errors: ARC_NOT_CONVERGED, ARC_NUMERIC, ARC_STOPPED,
+ * ARC_MEMORY. On failure pressure and approach are unchanged. */
 arc_status arc_halfspace_solve(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                const arc_halfspace_position *position,
                                const arc_halfspace_options *options, double *pressure,
@@ -117,12 +119,12 @@ arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BO
  *
  *   E = xi - C q + N p, |q| <= friction p, dE = 0 if |q| is less, else dE is along q,
  *
- * and the gap has N q in addition. C is the shear compliance of both bodies. N is the coupling of
- * shear and pressure, which is zero for equal materials. Results depend on the history, so a
- * contact is computed over increments. */
+ * and N q is added to the gap. C is the shear compliance of both bodies. N is the coupling of shear
+ * and pressure, which is zero for equal materials. Results depend on the history, so a contact is
+ * computed over increments. */
 
-/* State of a contact with friction, one block at `pressure` that arc_halfspace_friction_end
- * releases. If all members are zero, the bodies are apart. */
+/* State of a contact with friction. All arrays are in one block at `pressure`, which
+ * arc_halfspace_friction_end releases. If all members are zero, the bodies are apart. */
 typedef struct arc_halfspace_friction {
   double *pressure; /* [window] pressure [MPa] */
   double *q[2];     /* [window] shear along x and z [MPa] */
@@ -132,7 +134,7 @@ typedef struct arc_halfspace_friction {
   double xi[2];     /* [mm] motion of the lower body along x and z */
   double force[2];  /* [N] force on the lower body along x and z */
   double approach;  /* [mm] */
-  double energy;    /* [N mm] energy dissipated so far */
+  double energy;    /* [N mm] energy dissipated since the first increment */
   double work;      /* [N mm] energy dissipated in the last increment */
 } arc_halfspace_friction;
 
@@ -140,27 +142,27 @@ typedef struct arc_halfspace_friction {
 typedef struct arc_halfspace_increment {
   double friction; /* coefficient of friction >= 0 */
   arc_halfspace_position
-      position;           /* position at the end of the increment; its weight is not used */
-  int by_force[2];        /* along x and z: 1 prescribes the force, 0 the motion xi */
-  double xi[2];           /* [mm] motion at the end of the increment */
-  double force[2];        /* [N] force at the end, less than friction times the load */
-  const double *pressure; /* [window] pressure at the end, if shear does not change it; the approach
-                             is then kept. NULL: the pressure is solved for */
+      position;    /* position at the end of the increment; its weight is not used */
+  int by_force[2]; /* along x and z. 1: the force is prescribed; 0: the motion xi is prescribed */
+  double xi[2];    /* [mm] motion at the end of the increment */
+  double force[2]; /* [N] force at the end of the increment, less than friction times the load */
+  const double *pressure; /* [window] [MPa] known pressure at the end, if shear does not change it;
+                             the approach is then kept. NULL: the pressure is computed */
   const arc_halfspace_friction *guess; /* state whose shear, motion and stick zone the solver starts
                                           from; NULL: the present state */
 } arc_halfspace_increment;
 
-/* Work done for increments. */
+/* Computing effort of increments, summed over calls. */
 typedef struct arc_halfspace_effort {
-  int increments; /* number of legs */
+  int increments; /* number of increments solved */
   int sweeps;     /* iterations between pressure and shear; 1 for equal materials */
-  int sets, iterations,
-      applications; /* for shear: active sets, steps of conjugate gradients, applications of C */
-  int flipping;     /* number of sets in which single cells alternated between stick and slip */
-  int unfinished;   /* number of increments of different materials that ended before the pressures
-                       converged */
-  int unresolved;   /* number of parts of legs that were not halved further although halving still
-                       changed them */
+  int sets, iterations, applications; /* numbers of active sets, conjugate gradient steps and
+                                         applications of C for the shear */
+  int flipping; /* number of active sets in which single cells alternated between stick and slip */
+  int unfinished; /* number of increments of different materials that ended before the pressures
+                     converged */
+  int unresolved; /* number of parts of legs that were not halved further although halving still
+                     changed them */
 } arc_halfspace_effort;
 
 /* Allocates a state in which all values are zero. Errors: ARC_MEMORY. */
@@ -175,31 +177,32 @@ arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
                                         const arc_halfspace_friction *state, arc_halfspace *to,
                                         arc_halfspace_friction *wide, arc_error *error);
 
-/* Advances a state by one increment. Its work is friction times the mean pressure times the slip,
- * summed over the sites. Errors: those of arc_halfspace_solve; ARC_ARGUMENT for forces above
- * friction times load, layers, rigid bases or periodic windows. On failure the state is unchanged.
- * Adds to *effort. */
+/* Advances a state by one increment. The work of the increment is friction times the mean pressure
+ * times the slip, summed over the sites. Errors: those of arc_halfspace_solve; ARC_ARGUMENT for
+ * forces above friction times load, layers, rigid bases or periodic windows. On failure the state
+ * is unchanged. The effort is added to *effort. */
 arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                const arc_halfspace_increment *increment,
                                const arc_halfspace_options *options, arc_halfspace_friction *state,
                                arc_halfspace_effort *effort, arc_error *error);
 
-/* Definition of a leg: load and motion or force change in proportion, from their values in a state
- * to those at its end. */
+/* Definition of a leg, along which the load and the motion or force change linearly from their
+ * values in the present state to the values in `to`. */
 typedef struct arc_halfspace_leg {
   arc_halfspace_increment to;
   double x, load; /* [mm] position and [N] load at the start */
-  int increments; /* number of equal increments; 0: halved until motion, force and work no longer
-                     change */
+  int increments; /* number of equal increments; 0: increments are halved until motion, force and
+                     work no longer change */
 } arc_halfspace_leg;
 
 /* Advances a state along a leg. Halving ends when it changes the shear by less than 1e-3 and the
  * motion by less than 1e-4 of their values in full slip, and the work by less than 1e-3 of the work
- * of the leg or 1e-2 of itself. `coarser` (NULL: none) follows the same history in half as many
- * increments, for an error estimate: the difference of both energies is about the error where the
- * error falls with the length of the increments, as where the direction of slip turns, and more
- * than the error elsewhere. A fixed number of increments does not change `coarser`. Errors: those
- * of arc_halfspace_slide. On failure the states are unchanged. Adds to *effort. */
+ * of the leg or 1e-2 of itself. The second state `coarser` (NULL: none) follows the same history in
+ * half as many increments. The difference of both energies estimates the error. It is about equal
+ * to the error where the error is proportional to the length of the increments, for example where
+ * the direction of slip turns, and larger than the error elsewhere. A leg with a fixed number of
+ * increments does not change `coarser`. Errors: those of arc_halfspace_slide. On failure the states
+ * are unchanged. The effort is added to *effort. */
 arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_leg *leg, const arc_halfspace_options *options,
                                 arc_halfspace_friction *state, arc_halfspace_friction *coarser,
@@ -210,14 +213,15 @@ typedef struct arc_halfspace_extent {
   double area;                     /* [mm2] area */
   double half_width, half_width_z; /* [mm] half widths along x and z */
   double center_x, center_z;       /* [mm] middle of the contact or scar */
-  double largest;                  /* [MPa] or [mm], largest value */
-  double center;                   /* value at x = z = 0, interpolated between cells */
+  double largest;                  /* largest pressure [MPa] or depth [mm] */
+  double center; /* pressure [MPa] or depth [mm] at x = z = 0, interpolated between cells */
 } arc_halfspace_extent;
 
 /* Computes the extent of the positive pressures. At the edge the square of the pressure is
  * extrapolated linearly to zero. */
 arc_halfspace_extent arc_halfspace_contact_extent(const arc_halfspace *h, const double *pressure);
-/* Computes the extent of depths above `share` of the largest one, linear between sites. */
+/* Computes the extent of the depths above `share` times the largest depth. Depths are linear
+ * between sites. */
 arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, const double *depth,
                                         double share);
 
@@ -232,12 +236,12 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
                               double *const rate[ARC_BODIES], arc_halfspace_report *report,
                               arc_error *error);
 
-/* Computes sum [sites] of a body, over positions, of weight times value [count][window], for power
- * laws and energies. On failure sum is unchanged. */
+/* Computes for each site of a body the sum over positions of weight times value [count][window],
+ * for power laws and energies. The result is sum [sites]. On failure sum is unchanged. */
 arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
                              const double *value, arc_body body, double *sum, arc_error *error);
 
-/* Wear of a step by body: depth = known + c factor rate. */
+/* Wear of both bodies in a step. The depth after the step is known + c factor rate. */
 typedef struct arc_halfspace_wear {
   double c[ARC_BODIES];             /* [mm2/N] wear coefficient times number of cycles */
   const double *factor[ARC_BODIES]; /* factor by site, >= 0; NULL: 1 */
@@ -265,22 +269,23 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
                                 const arc_halfspace *to, double *const grown[ARC_BODIES],
                                 arc_error *error);
 
-/* Sets size_x, size_z, nx, nz and track for a run. Cells are the half width of the unworn contact /
- * fineness wide, and a divisor of `increment` [mm] (0: any width). The window is estimated for the
- * final wear volume [mm3] (a contact that reaches its edge causes ARC_ZONE), and the track for the
- * stroke [mm]. Sets nothing if the radii give no point contact. */
+/* Sets size_x, size_z, nx, nz and track for a run. The width of a cell is about the smaller half
+ * width of the unworn contact / fineness, and `increment` [mm] is a whole number of cells (0: no
+ * such condition). The window is estimated for the final wear volume [mm3] (a contact that reaches
+ * its edge causes ARC_ZONE), and the track for the stroke [mm]. Sets nothing if the radii give no
+ * point contact. */
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
 
 /* --- initial depths -------------------------------------------------------------------------- */
 
-/* Creates an unworn shape on a model in 3-D, with the initial cells of a run of this definition and
- * a window of at least |x| <= half_x, |z| <= half_z [mm]. Errors: ARC_ARGUMENT, ARC_MEMORY; *shape
- * is NULL on failure. */
+/* Creates an unworn shape on a model in 3-D. It has the initial cells of a run with this
+ * definition, and its window covers at least |x| <= half_x, |z| <= half_z [mm]. Errors:
+ * ARC_ARGUMENT, ARC_MEMORY. On failure *shape is NULL. */
 arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, double half_x,
                                   double half_z, arc_shape **shape, arc_error *error);
-/* Returns the number of sites of a body and their positions [mm], arrays owned by the shape. Sites
- * of a groove have x = 0. */
+/* Returns the number of sites of a body and writes pointers to their positions [mm]. The shape owns
+ * these arrays. Sites of a groove have x = 0. */
 int arc_space_given_sites(const arc_shape *shape, arc_body body, const double **x,
                           const double **z);
 /* Sets the depths of a body [mm] by site. On ARC_ARGUMENT (a negative depth) and ARC_ZONE (a depth
@@ -291,14 +296,14 @@ arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double 
 /* --- below the surface ------------------------------------------------------------------------ */
 
 /* Computes the stresses [MPa] at y <= 0 [mm] below the sites of the window, from pressures and
- * Poisson's ratio nu: [6][window] of xx, yy, zz, xy, yz, xz, tension positive. For homogeneous
- * half-spaces. Errors: ARC_MEMORY. */
+ * Poisson's ratio nu. The result is stress [6][window] with the components xx, yy, zz, xy, yz, xz;
+ * tension is positive. The half-spaces must be homogeneous. Errors: ARC_MEMORY. */
 arc_status arc_halfspace_stress(const arc_halfspace *h, const double *pressure, double nu, double y,
                                 double *stress, arc_error *error);
 
-/* Computes these stresses for a contact of a model in 3-D, on the window of its shape. y = 0 is the
- * surface of either body, and y < 0 is inside. ARC_ARGUMENT: the body has layers or a base, or was
- * worn along z. */
+/* Computes the stresses of arc_halfspace_stress for a contact of a model in 3-D, on the window of
+ * the contact's shape. y = 0 is the surface of either body, and y < 0 is inside. ARC_ARGUMENT: the
+ * body has layers or a base, or was worn along z. */
 arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
                                     double *stress, arc_error *error);
 

@@ -9,7 +9,7 @@
  *
  * Files are not trusted: all data is checked against the lists of settings and columns before use.
  * A finished case, or one with a run, has a checksum. Views and triggers are not executed, and
- * reading stops if it needs more work than the size of the file explains. All these errors are
+ * reading stops if it takes more work than a valid file of this size needs. All these errors are
  * ARC_FORMAT, "PATH: the file is damaged: " with the reason. Labels and messages are filtered by
  * arc_show_text.
  *
@@ -44,8 +44,9 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **sto
 
 /* Creates a new file, which arc_store_publish later renames to `path`. `path` must be a missing
  * file or a run file of the same kind (info "kind"); other files are refused. Closing the store
- * before it is published discards the new file. arc_store_publish of a store that arc_store_replace
- * did not make is ARC_ARGUMENT, and the store stays open; otherwise *store becomes NULL. */
+ * before it is published discards the new file. For a store that arc_store_replace did not create,
+ * arc_store_publish returns ARC_ARGUMENT, and the store stays open. In all other cases it sets
+ * *store to NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);
@@ -58,8 +59,9 @@ const char *arc_store_path(const arc_store *store);
 /* Checks the structure of every page. ARC_FORMAT: the file is damaged. */
 arc_status arc_store_check(arc_store *store, arc_error *error);
 
-/* Group the following calls into one transaction until commit; rollback (after any failure) undoes
- * them. Without a group every call is one transaction. */
+/* arc_store_begin starts a transaction that contains all calls until arc_store_commit. After any
+ * failure, arc_store_rollback undoes these calls. Without arc_store_begin every call is a
+ * transaction of its own. */
 arc_status arc_store_begin(arc_store *store, arc_error *error);
 arc_status arc_store_commit(arc_store *store, arc_error *error);
 void arc_store_rollback(arc_store *store);
@@ -69,7 +71,7 @@ void arc_store_rollback(arc_store *store);
 /* Sets a note; text NULL removes it. */
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
                               arc_error *error);
-/* Reads a note; *text is released by free(), and NULL if there is no such note. */
+/* Reads a note. *text is NULL if there is no such note; else the caller releases it with free(). */
 arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error);
 
 /* --- cases ------------------------------------------------------------------------------------ */
@@ -84,7 +86,7 @@ typedef struct arc_value {
   size_t count;
 } arc_value;
 
-/* What the values of a case are. */
+/* Purpose of the values of a case. */
 typedef enum arc_value_use {
   ARC_SETTINGS,   /* settings given by the user */
   ARC_DEFINITION, /* all settings of a run; written by arc_store_save */
@@ -116,7 +118,7 @@ typedef struct arc_case {
 /* Adds a waiting case. ARC_ARGUMENT: the id exists already. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
-/* Returns all cases by id; *cases [*count] is released by free(). */
+/* Returns all cases in the order of their ids. The caller releases *cases [*count] with free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
 /* Sets the status of a case, with `message` (NULL: none) and `seconds` as in arc_case. A case that
@@ -140,12 +142,13 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* Stores a run under an existing case and replaces the old data of the case: definition, history,
- * state, and `count` arrays of surfaces (arc_wear_check_surfaces) with the present ones
- * (arc_wear_surfaces). Of several arrays of a body and update the last one is used. Imported meshes
- * are stored as Gmsh text. For a setting that is a function the file only notes that there was one;
- * the function must be given again to continue. All is one transaction (its own, or the one begun
- * before). ARC_ARGUMENT: data that could not be read back. */
+/* Stores a run under an existing case and replaces the old data of the case. The data are the
+ * definition, the history, the state, `count` given arrays of earlier surfaces
+ * (arc_wear_check_surfaces) and the present surfaces (arc_wear_surfaces). If several arrays have
+ * the same body, update and name, the last one is stored. Imported meshes are stored as Gmsh text.
+ * For a setting that is a function the file only notes that there was one; the function must be
+ * given again to continue. The call is one transaction, or part of the transaction begun before.
+ * ARC_ARGUMENT: the data could not be read back. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
@@ -155,7 +158,7 @@ typedef struct arc_stored_run {
   arc_wear_def def; /* definition in which functions are NULL */
   arc_mesh
       *given[ARC_BODIES]; /* imported meshes, or NULL; arc_model_build_given becomes their owner */
-  char functions[ARC_WEAR_SETTINGS_COUNT]; /* 1 if this setting was a function */
+  char functions[ARC_WEAR_SETTINGS_COUNT]; /* [setting] 1: this setting was a function */
   void *memory;                            /* memory of the arrays of `def` */
 } arc_stored_run;
 
@@ -169,18 +172,18 @@ arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callba
                                 arc_model **model, arc_error *error);
 
 /* Restores the run on a model of the stored definition and meshes; `def` is the stored definition
- * with its functions set. The run continues with the same bits. Errors: ARC_FORMAT (incomplete
- * state) and those of arc_wear_resume. */
+ * with its functions set. The restored run gives the same results to the bit. Errors: ARC_FORMAT
+ * (incomplete state) and those of arc_wear_resume. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
-/* Reads the stored history; *history [*count] is released by free(). Count 0: no history is
- * stored. */
+/* Reads the stored history. The caller releases *history [*count] with free(). *count is 0 if no
+ * history is stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
 
-/* Reads the arrays of the stored surfaces by update, body (cylinder first) and name; *surfaces
- * [*count] is one block, released by free(). */
+/* Reads the arrays of the stored surfaces, sorted by update, body (cylinder first) and name.
+ * *surfaces [*count] is one block, which the caller releases with free(). */
 arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, size_t *count,
                               arc_error *error);
 

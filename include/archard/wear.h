@@ -1,8 +1,9 @@
 /* archard/wear.h - Archard wear with a partition factor, step by step.
  *
- * k_c = alpha k, k_p = (1 - alpha) k. One step is one geometry update: the contact is solved at
- * every increment of a cycle on the present shape (SP), or once if the plate stays flat (NSP), and
- * the wear of `jump` cycles is applied at once. A step that fails changes nothing. */
+ * The wear coefficients are k_c = alpha k for the cylinder and k_p = (1 - alpha) k for the plate.
+ * One step is one geometry update. The contact is solved at every increment of a cycle on the
+ * present shape (SP), or once if the plate stays flat (NSP). Then the wear of `jump` cycles is
+ * applied at once. A step that fails changes nothing. */
 #ifndef ARCHARD_WEAR_H
 #define ARCHARD_WEAR_H
 
@@ -22,17 +23,17 @@ extern "C" {
 #define ARC_SCHEME_LIST(X)                                                                         \
   X(EXPLICIT, "explicit")                                                                          \
   X(IMPLICIT, "implicit")
-/* Sliding distance of an increment: rigid motion of the plate, or this motion with the elastic part
- * (CSLIP). */
+/* Sliding distance of an increment. Rigid: the motion of the plate. Total: this motion plus the
+ * elastic displacements (CSLIP of Abaqus). */
 #define ARC_SLIP_LIST(X)                                                                           \
   X(SLIP_RIGID, "rigid")                                                                           \
   X(SLIP_TOTAL, "total")
-/* Direction of sliding: x, in the plane, or z, across the plane, where each point keeps its
- * partner. */
+/* Direction of sliding. x: in the plane. z: across the plane, so that each point stays opposite to
+ * the same point of the other body. */
 #define ARC_SLIDE_LIST(X)                                                                          \
   X(SLIDE_X, "x")                                                                                  \
   X(SLIDE_Z, "z")
-/* Integration over the increments: Eq. (5), trapezoid, or Eq. (4), simple. */
+/* Rule for the integration over the increments. Trapezoid: Eq. (5). Simple: Eq. (4). */
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
   X(SIMPLE, "simple")
@@ -75,7 +76,7 @@ extern const char *const arc_slip_names[];
 extern const char *const arc_rule_names[];
 extern const char *const arc_update_names[];
 extern const char *const arc_law_names[];
-extern const unsigned arc_law_properties[]; /* names by arc_law */
+extern const unsigned arc_law_properties[]; /* [law] properties of each law */
 
 typedef struct arc_wear_record arc_wear_record;
 
@@ -95,15 +96,16 @@ typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const do
  * both strokes. At points with load 0 the bodies are apart and do not wear. */
 typedef struct arc_loading {
   int count;
-  const double *x;          /* [count] position [mm] */
-  const double *load;       /* [count] load [N], >= 0 */
+  const double *x;          /* [count] position of the plate [mm] */
+  const double *load;       /* [count] normal load [N], >= 0 */
   const double *tangential; /* [count] force on the plate [N], with x = 0; NULL: x is given */
   const double *rotation;   /* [count] rotation of the lower body in holes [degrees], with x = 0;
                                NULL: no rotation */
-  const double *load_angle; /* [count] direction of the load in holes [degrees]; NULL: that of the
-                               definition */
+  const double *load_angle; /* [count] direction of the load in holes [degrees]; NULL: load_angle of
+                               the definition */
   double cycles; /* number of cycles > 0; INFINITY in the last block: to the end of the distance */
-  int periodic;  /* 0: the block runs once (Eq. 4), with a step and an update at every increment */
+  int periodic;  /* 1: the cycle repeats; 0: the block runs once (Eq. 4), with an update at every
+                    increment */
 } arc_loading;
 
 #define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
@@ -272,9 +274,9 @@ typedef struct arc_loading {
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
                     ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
-  void *context;              /* argument of every function of the user */
-  int blocks;                 /* number of blocks; 0: reciprocating by `stroke` under `load` */
-  const arc_loading *loading; /* [blocks] in the order of time; copied by the run */
+  void *context; /* argument of every function of the user */
+  int blocks;    /* number of blocks; 0: the plate reciprocates by `stroke` under `load` */
+  const arc_loading *loading;         /* [blocks] in the order of time; copied by the run */
   double start_distance, start_cycle; /* start of the loading; set by arc_wear_set */
 } arc_wear_def;
 
@@ -297,15 +299,15 @@ void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies
  * [mm2/N]. */
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
-/* Sets k and alpha likewise from the wear coefficients of the materials. Returns 0 and changes
- * nothing if no material has one. */
+/* Sets k and alpha like arc_wear_def_partition, from the wear coefficients of the materials.
+ * Returns 0 and changes nothing if no material has a wear coefficient. */
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
 
 /* Returns the position of the plate [mm] at point i of a loading. */
 double arc_loading_x(const arc_loading *loading, const arc_model_def *model, int i);
 
-/* Returns the distance of a cycle [mm] without a loading: r s of Eq. (21), or under a tangential
- * force the sum of its changes / (E* thickness). */
+/* Returns the sliding distance of a cycle [mm] without a loading: r s of Eq. (21). Under a
+ * tangential force it is the sum of the changes of this force / (E* thickness). */
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model);
 
 /* Checks ranges and combinations of settings for a run on `model`. ARC_ARGUMENT: the message has
@@ -316,29 +318,31 @@ arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, a
  * unworn contact, which is the smallest half width of a run. */
 double arc_wear_reach(const arc_model_def *model, double load);
 
-/* Returns the number of increments in a full cycle without a loading, set by the user or
- * automatic. */
+/* Returns the number of increments in a full cycle without a loading: the number set by the user,
+ * or the automatic one. */
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
-/* Returns the stroke [mm]; half a revolution for a circular track. */
+/* Returns the stroke [mm], which is half a revolution for a circular track. */
 double arc_wear_def_stroke(const arc_wear_def *def);
 /* Returns the number of strokes in a cycle, r of Eq. (21): 2, or 1 if the stroke is the width of
  * the plate. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of the history: the state after an update (row 0: before the first), in the reference
- * configuration, which is the plate at x = 0 under the nominal load. load, load_low, travel and
- * p_peak are values of the update's cycle; if a history runs once, of its increment (row 0: of the
- * first one). p_peak is the largest pressure on the surfaces of the row under the loads of the
- * cycle, without a loading at least p_max; with updates at every increment it is the largest over
- * the increments solved, in row 0 p_max. Columns missing in older files are NaN.
+/* One row of the history: the state after an update (row 0: before the first update). Pressures and
+ * widths are given in the reference configuration, which is the plate at x = 0 under the nominal
+ * load. load, load_low, travel and p_peak are values of the update's cycle. If a loading block runs
+ * once, they are values of the update's increment (row 0: of the first increment). p_peak is the
+ * largest pressure on the surfaces of the row under the loads of the cycle; without a loading it is
+ * at least p_max. With updates at every increment it is the largest pressure over the increments
+ * solved, and in row 0 it equals p_max. Columns missing in older files are NaN.
  *
- * X(name, unit, range, rule, text): a value outside the closed range (archard/setting.h) makes the
- * step fail with ARC_NUMERIC; in a file it is damage. The rule: */
+ * Each column is X(name, unit, range, rule, text). A value outside the closed range
+ * (archard/setting.h) makes the step fail with ARC_NUMERIC; in a file it counts as damage. The rule
+ * is one of these: */
 typedef enum arc_column_rule {
-  ARC_COLUMN_LATER,  /* missing in older files, or undefined at first: NaN until the first number,
-                        and never again */
+  ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it is NaN
+                        until the first number, but not after it */
   ARC_COLUMN_ALWAYS, /* in all files */
-  ARC_COLUMN_GROWS   /* in all files, and never decreases */
+  ARC_COLUMN_GROWS   /* the column is in all files, and its values never decrease */
 } arc_column_rule;
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", FROM(0), GROWS, "geometry updates so far")                                         \
@@ -379,7 +383,7 @@ struct arc_wear_record {
 #undef ARC_WEAR_MEMBER
 };
 
-/* Index of each column in this order, then the index of the total volume. */
+/* Indices of the columns in the order of the list, then the index of the total volume. */
 enum {
 #define ARC_WEAR_COLUMN(name, unit, range, rule, text) ARC_WEAR_COLUMN_##name,
   ARC_WEAR_COLUMNS(ARC_WEAR_COLUMN)
@@ -388,8 +392,8 @@ enum {
   ARC_WEAR_TOTAL_VOLUME = ARC_WEAR_COLUMN_COUNT
 };
 
-/* Return the value of a column or the total volume, and the name of a column, such as
- * "p_center". */
+/* The first function returns the value of a column, or the total volume. The second one returns the
+ * name of a column, such as "p_center". */
 double arc_wear_record_get(const arc_wear_record *record, int column);
 const char *arc_wear_column_name(int column);
 
@@ -397,8 +401,8 @@ const char *arc_wear_column_name(int column);
 typedef struct arc_wear arc_wear;
 
 /* Creates a run on unworn surfaces or, unless `start` is NULL, on a copy of this shape of the same
- * model. Errors: ARC_ARGUMENT (field, expected, actual); ARC_ZONE (a zone of the model is too
- * narrow for the stroke; the message has the width needed). */
+ * model. Errors: ARC_ARGUMENT (the message has the field, the expected and the actual value);
+ * ARC_ZONE (a zone of the model is too narrow for the stroke; the message has the width needed). */
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                            arc_wear **wear, arc_error *error);
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
@@ -408,18 +412,19 @@ void arc_wear_destroy(arc_wear **wear);
  * and the column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
-/* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run continues
- * with the same bits as the stored one would have. Errors as for arc_wear_create. */
+/* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run then gives
+ * the same results, to the bit, as the stored run would have given. Errors as for
+ * arc_wear_create. */
 arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
-/* Returns the arrays that restore the run together with its history; *state [*count] is one block,
- * released by free(). Errors: ARC_MEMORY. */
+/* Returns the arrays from which, together with its history, the run can be restored. *state
+ * [*count] is one block, which the caller releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
-/* Restores a run like arc_wear_restore from these arrays, which are checked. Also errors of
- * arc_shape_restore. */
+/* Checks the arrays of arc_wear_state and restores the run from them like arc_wear_restore. Errors:
+ * also those of arc_shape_restore. */
 arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_array *state,
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
@@ -429,15 +434,16 @@ arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_
  * unworn half widths, as such meshes grow. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
-/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance; after
- * the end it returns ARC_OK without an update. On failure the run is unchanged; ARC_STOPPED if a
- * callback requested it. The progress callback is not called. Warnings: before the first step of a
- * definition, a mesh too coarse for the contact; once, an explicit jump beyond the limit of
- * arc_wear_stability. */
+/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance. After
+ * the end it makes no update and returns ARC_OK. On failure the run is unchanged; ARC_STOPPED if a
+ * callback requested it. The progress callback is not called. The function warns before the first
+ * step of a definition if the mesh is too coarse for the contact, and once if an explicit jump
+ * exceeds the limit of arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
-/* Makes steps until the total `distance` [mm], which a shorter last step reaches exactly. A
- * distance beyond that of the definition replaces the latter. */
+/* Makes steps until the run has the total `distance` [mm], which a shorter last step reaches
+ * exactly. If `distance` is larger than the distance of the definition, it replaces that
+ * distance. */
 arc_status arc_wear_run(arc_wear *wear, double distance, const arc_callbacks *callbacks,
                         arc_error *error);
 
@@ -488,8 +494,9 @@ arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_err
  * [MPa] in the reference configuration. */
 extern const char *const arc_surface_names[];
 
-/* Returns the present surfaces, cylinder before plate, with arrays in the order of the names;
- * *surfaces [*count] is one block, released by free(). Errors of arc_wear_contact. */
+/* Returns the present surfaces, cylinder before plate, with arrays in the order of the names.
+ * *surfaces [*count] is one block, which the caller releases with free(). Errors: those of
+ * arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
 
@@ -498,7 +505,8 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t 
  * violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
-/* The fretting loop of the periodic cycle at the beginning of an update. */
+/* The fretting loop (tangential force over position) of the periodic cycle at the beginning of an
+ * update. */
 typedef struct arc_loop {
   size_t count;
   double energy;            /* [N mm] energy dissipated in both strokes */
@@ -508,8 +516,9 @@ typedef struct arc_loop {
   const double *tangential; /* [count] force on the plate [N] */
 } arc_loop;
 
-/* Computes the loop on the present surfaces; *loop is one block, released by free(). Errors:
- * ARC_ARGUMENT (no friction), those of a step, ARC_STOPPED if a callback requested it. */
+/* Computes the fretting loop on the present surfaces. *loop is one block, which the caller releases
+ * with free(). Errors: ARC_ARGUMENT (the run has no friction), those of a step, and ARC_STOPPED if
+ * a callback requested it. */
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 
@@ -524,9 +533,10 @@ arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, do
  * mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
-/* Checks the run, for tests and builds with checks: finite numbers, a history that grows, the
- * volume k L d of Archard's law, positive Jacobians, a valid contact in the reference
- * configuration. Errors: ARC_NUMERIC (the check that failed, and by how much), ARC_MEMORY. */
+/* Checks a run, for tests and builds with checks. All numbers must be finite, distances must grow
+ * along the history, the wear volume must be k L d by Archard's law, Jacobians must be positive,
+ * and the contact in the reference configuration must be valid. Errors: ARC_NUMERIC (the check that
+ * failed, and by how much), ARC_MEMORY. */
 arc_status arc_wear_validate(const arc_wear *wear, arc_error *error);
 
 #pragma GCC visibility pop
