@@ -120,7 +120,7 @@ const double *arc_joint_pressure(const arc_joint *joint);
  * of the last cycle that was done across the principal direction of sliding. The share is 0 without
  * sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
-double arc_joint_cell_area(const arc_joint *joint, int site); /* [mm2] */
+double arc_joint_cell_area(const arc_joint *joint, int site); /* area of a cell [mm2] */
 
 typedef struct arc_joint_contact {
   double p_max, p_center;  /* [MPa] largest pressure; pressure in the direction of the load */
@@ -149,7 +149,7 @@ typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles
 
 typedef struct arc_joint_wear_def {
   int instants;
-  const arc_gait_instant *instant;   /* [instants] */
+  const arc_gait_instant *instant;   /* [instants] instants of the gait */
   double k, alpha;                   /* [mm2/N] wear coefficient; the head's share of the wear */
   arc_joint_k_fn k_function;         /* used instead of k unless NULL */
   arc_joint_alpha_fn alpha_function; /* used instead of alpha unless NULL */
@@ -163,7 +163,7 @@ typedef struct arc_joint_wear_def {
 typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
-  double volume[ARC_BODIES]; /* [mm3] */
+  double volume[ARC_BODIES]; /* [mm3] wear volume of each body */
   double p_peak;             /* [MPa] largest pressure of the last cycle */
   double area;               /* [mm2] largest contact area of the last cycle */
   double rim_margin; /* [degree] smallest margin of the last cycle, as in arc_joint_contact */

@@ -159,8 +159,8 @@ void arc_mesh_destroy(arc_mesh **mesh);
 
 /* Quality of the worst elements of a mesh. */
 typedef struct arc_quality {
-  double smallest_angle; /* [degree] */
-  double largest_angle;  /* [degree] */
+  double smallest_angle; /* [degree] smallest corner angle of all elements */
+  double largest_angle;  /* [degree] largest corner angle of all elements */
   double aspect;         /* [-] longest edge / shortest edge of the worst element */
   double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad; 1 for a
                             parallelogram */

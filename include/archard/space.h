@@ -133,7 +133,7 @@ typedef struct arc_halfspace_friction {
   double *stick;    /* [window] 1 if the site stuck in the last increment, else 0 */
   double xi[2];     /* [mm] motion of the lower body along x and z */
   double force[2];  /* [N] force on the lower body along x and z */
-  double approach;  /* [mm] */
+  double approach;  /* [mm] rigid approach of the bodies */
   double energy;    /* [N mm] energy dissipated since the first increment */
   double work;      /* [N mm] energy dissipated in the last increment */
 } arc_halfspace_friction;

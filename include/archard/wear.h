@@ -341,7 +341,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
 typedef enum arc_column_rule {
   ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it is NaN
                         until the first number, but not after it */
-  ARC_COLUMN_ALWAYS, /* in all files */
+  ARC_COLUMN_ALWAYS, /* the column is in all files */
   ARC_COLUMN_GROWS   /* the column is in all files, and its values never decrease */
 } arc_column_rule;
 #define ARC_WEAR_COLUMNS(X)                                                                        \
