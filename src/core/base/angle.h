@@ -1,4 +1,4 @@
-/* Angles. */
+/* Conversion of angles. */
 #ifndef BASE_ANGLE_H
 #define BASE_ANGLE_H
 

@@ -38,7 +38,7 @@ static int is_temporary(const char *name) {
 
 /* --- files of killed programs ----------------------------------------------------------------- */
 
-/* Ending of the name of the journal that a database keeps beside a file. */
+/* Suffix of the journal that SQLite writes beside a database file. */
 static const char journal[] = "-journal";
 
 static void remove_temporary(int folder, const char *name) {
@@ -48,8 +48,8 @@ static void remove_temporary(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Files of other systems count as abandoned after ten days, the age at which systemd removes files
- * in /tmp (tmpfiles.d). */
+/* Age [s] at which files of other systems count as abandoned: ten days, after which systemd removes
+ * files in /tmp (tmpfiles.d). */
 static const double longest = 10 * 86400.0;
 
 static int is_abandoned(const char *name, const struct stat *facts) {
@@ -84,7 +84,8 @@ static int check_descriptor(arc_atomic_file *file) {
   return (flags & O_ACCMODE) == O_RDONLY ? EACCES : 0;
 }
 
-/* Checks an existing file and copies its permissions. Returns 0 or an errno. */
+/* Checks that an existing target is writable and writes its permissions to *mode (0: no such file).
+ * Returns 0 or an errno. */
 static int check_target(arc_atomic_file *file, mode_t *mode) {
   struct stat facts;
   *mode = 0;
@@ -98,7 +99,8 @@ static int check_target(arc_atomic_file *file, mode_t *mode) {
   return 0;
 }
 
-/* Sets the folder of an absolute path, with its slash. Returns 0 or an errno. */
+/* Copies the folder of an absolute path, with its final slash, to file->path. Returns 0 or an
+ * errno. */
 static int set_folder(arc_atomic_file *file, const char *path) {
   file->folder = (size_t)(strrchr(path, '/') - path) + 1;
   if (file->folder >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
@@ -108,8 +110,8 @@ static int set_folder(arc_atomic_file *file, const char *path) {
 
 /* --- creating --------------------------------------------------------------------------------- */
 
-/* Creates a file with a name that this process has never used, as another program may still be
- * removing the last one. Returns 0 or an errno. */
+/* Creates a temporary file under a name that this process has never used, as another program may
+ * still be removing a file with the previous name. Returns 0 or an errno. */
 static int create_temporary(arc_atomic_file *file) {
   char owner[ARC_OWNER];
   arc_owner_name(owner);
@@ -142,7 +144,7 @@ static arc_atomic_file *new_file(const char *name) {
   return file;
 }
 
-/* Returns the file, or discards it and fails. */
+/* Writes the file to *result. If `why` is an errno, discards the file and fails. */
 static arc_status finish(arc_atomic_file *file, int why, arc_atomic_file **result,
                          arc_error *error) {
   arc_status status = why ? failed(file->name, why, error) : ARC_OK;
@@ -198,8 +200,8 @@ void arc_atomic_file_discard(arc_atomic_file **file) {
   *file = NULL;
 }
 
-/* Opens the target for writing, after flushing standard output. Returns -1 with errno on
- * failure. */
+/* Opens the target for writing. If it is an open descriptor of this process, flushes all streams
+ * first and duplicates the descriptor. Returns -1 with errno on failure. */
 static int open_stream(const arc_atomic_file *file) {
   if (file->own < 0) return open(file->target, O_WRONLY | O_CLOEXEC | O_NOCTTY);
   fflush(NULL);
@@ -231,7 +233,7 @@ static int copy_to_stream(const arc_atomic_file *file) {
   return why;
 }
 
-/* Flushes the folder, if the disk supports it, so that the name is on the disk. */
+/* Flushes the folder, if the disk supports it, so that the new name of the file is on the disk. */
 static void sync_folder(const arc_atomic_file *file) {
   char folder[PATH_MAX];
   snprintf(folder, sizeof folder, "%.*s", (int)file->folder, file->path);
@@ -241,15 +243,15 @@ static void sync_folder(const arc_atomic_file *file) {
   close(descriptor);
 }
 
-/* Renames the file unless the name exists (on disks without hard links always). Returns 0 or an
- * errno. */
+/* Renames the file `path` to `target` unless `target` exists. On disks without hard links an
+ * existing target is replaced. Returns 0 or an errno. */
 static int name_first(const char *path, const char *target) {
   if (link(path, target) == 0 || errno == EEXIST) return unlink(path) == 0 ? 0 : errno;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
   return rename(path, target) == 0 ? 0 : errno;
 }
 
-/* Publishes the file. Returns 0 or an errno. */
+/* Publishes the file. `first` is true if an existing target is kept. Returns 0 or an errno. */
 static int publish_name(arc_atomic_file *file, int first) {
   if (file->stream) return copy_to_stream(file);
   if (fsync(file->descriptor) != 0) return errno;

@@ -1,4 +1,4 @@
-/* Calls of callbacks, which may be missing. */
+/* Functions that call callbacks, any of which may be missing. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 
@@ -12,7 +12,8 @@ static inline int callbacks_progress(const arc_callbacks *c, const struct arc_we
   return c && c->progress && c->progress(c->context, wear);
 }
 
-/* Gives a warning of one line about the accuracy of results, in printf style. */
+/* Formats a warning of one line about the accuracy of results and passes it to the warning
+ * callback. */
 void arc_warn(const arc_callbacks *callbacks, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

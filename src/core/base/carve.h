@@ -1,10 +1,10 @@
-/* Arrays of doubles in one block of memory. */
+/* Allocation of several arrays of doubles in one block of memory. */
 #ifndef BASE_CARVE_H
 #define BASE_CARVE_H
 
 #include <stddef.h>
 
-/* An array: the pointer to set, and its length. */
+/* One array: the address of the pointer to set, and the number of doubles. */
 typedef struct carve_part {
   double **at;
   size_t count;

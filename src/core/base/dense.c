@@ -29,7 +29,8 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
-/* Subtracts four columns at once, as memory access limits these loops. */
+/* Subtracts by[0 .. 3] times four columns of L from `to`. Four columns are processed at once, as
+ * memory access limits these loops. */
 static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
   const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
 #pragma omp simd
@@ -37,7 +38,8 @@ static void subtract_columns(int n, const double *l, int ld, const double by[4],
     to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
 }
 
-/* Solves the diagonal block of at most four rows at b's first row, with independent divisions. */
+/* Solves a diagonal block of L with at most four rows for b. The divisions are independent of each
+ * other. */
 static inline void forward_block(const double *l, int ld, double *b, int count) {
   double scale[4];
   for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
@@ -56,7 +58,8 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Computes four sums at once, for even and odd rows, as memory access limits these loops. */
+/* Subtracts the products of four columns of L with b from `from`. Four columns are processed at
+ * once, as memory access limits these loops; even and odd rows have separate sums. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)
@@ -68,7 +71,7 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* Solves for one right-hand side; dtrsm is twice as slow at the sizes of contacts. */
+/* Solves for one right-hand side. dtrsm is twice as slow at the sizes of contacts. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -103,9 +106,9 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Right-hand sides x[sides * i + c] that are solved together with the band matrix, as LAPACK solves
- * them one by one. Solutions decay within a few band widths, where negligible values count as
- * zero. */
+/* Number of right-hand sides x[sides * i + c] of a band matrix that are solved together, as LAPACK
+ * solves them one by one. Solutions decay within a few band widths. Values that are smaller than
+ * `negligible` times the largest one count as zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
 
@@ -156,7 +159,8 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Solves in steps of the band width plus one; a step with negligible values decouples the rest. */
+/* Solves in steps of the band width plus one row. After a step with negligible values all further
+ * values count as zero. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {
@@ -177,7 +181,7 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
   *from = j;
 }
 
-/* Processes four columns at a time. */
+/* Adds the columns of a times x to y, four columns at a time. */
 ARC_WIDE static void add_columns(int first, int last, int n, const int *at, const double *a,
                                  int lda, const double *x, double *y) {
   int s = 0;

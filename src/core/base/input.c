@@ -29,7 +29,8 @@ arc_status arc_file_open(const char *name, FILE **stream, arc_error *error) {
                 error);
 }
 
-/* Reads to the end, doubling the buffer. */
+/* Reads a stream to its end into a buffer that grows by doubling. The caller frees *text, also on
+ * failure. */
 static arc_status read_all(const char *path, FILE *stream, char **text, size_t *length,
                            arc_error *error) {
   static const size_t largest = (size_t)1 << 30;

@@ -1,4 +1,4 @@
-/* Growing lists. */
+/* Lists of items that grow on demand. */
 #include "core/base/list.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Locks of files on disks that may have no locks, or not respond. */
+/* Locks files on disks that may have no file locks or may not respond. */
 #include "archard/lock.h"
 
 #include "core/base/owner.h"
@@ -15,11 +15,11 @@
 
 /* --- kinds of locks */
 
-/* A query of the disk, on a thread of its own as the system waits forever for a dead lock
- * daemon. */
+/* A query of the disk. It runs on a separate thread, because the system waits forever for a dead
+ * lock daemon. */
 typedef struct question {
   work_progress progress;
-  int file, answer; /* answer, an errno */
+  int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
 /* Queries the lock of a byte that SQLite uses. */
@@ -45,7 +45,8 @@ static int has_waited(void *context) {
   return now.tv_sec >= *(const time_t *)context;
 }
 
-/* Queries the locks of a file. Returns 0, an errno, or ETIMEDOUT. */
+/* Queries the locks of a file. Returns 0 or an errno, which is ETIMEDOUT if the disk does not
+ * respond. */
 static int locks_of(const char *path) {
   struct timespec now;
   question *q = calloc(1, sizeof *q);
@@ -97,8 +98,8 @@ static int make(const char *lock) {
   return symlink(owner, lock);
 }
 
-/* Removes an abandoned lock. If several programs find it, one of them checks it again and removes
- * it. */
+/* Removes an abandoned lock. If several programs find the same lock, only one of them checks it
+ * again and removes it. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
   if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)
@@ -115,8 +116,7 @@ int arc_lock_take(const char *lock, mode_t ignored) {
     remove_left(lock);
     return make(lock);
   }
-  errno =
-      EEXIST; /* also if the owner has released it meanwhile, where readlink fails with ENOENT */
+  errno = EEXIST; /* replaces ENOENT of readlink, if the owner has released the lock meanwhile */
   return -1;
 }
 

@@ -1,4 +1,4 @@
-/* Memory on Linux. */
+/* Available memory on Linux. */
 #include "core/base/memory.h"
 
 #include <math.h>
@@ -39,7 +39,9 @@ static double of_limits(void) {
 }
 
 double arc_memory_free(void) {
-  return fmin(fmin(INFINITY, of_machine()), fmin(of_group(), of_limits())); /* NaN: unknown */
+  return fmin(
+      fmin(INFINITY, of_machine()),
+      fmin(of_group(), of_limits())); /* fmin ignores NaN, which stands for an unknown value */
 }
 
 void arc_memory_release(const void *array) {

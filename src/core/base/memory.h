@@ -2,8 +2,8 @@
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
-/* Returns the memory [bytes] available to this process by machine, control group and limits;
- * INFINITY if it is unknown. */
+/* Returns the memory [bytes] that is available to this process: the smallest value of the machine,
+ * the control group and the process limits, or INFINITY if all are unknown. */
 double arc_memory_free(void);
 
 /* Frees an allocated array that a public struct shows as const; only its owner calls this. */

@@ -10,7 +10,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-/* Computes the FNV-1a hash. */
+/* Adds `count` bytes to the FNV-1a hash `sum` and returns the new hash. */
 static unsigned long long add(unsigned long long sum, const void *bytes, size_t count) {
   const unsigned char *byte = bytes;
   for (size_t i = 0; i < count; i++) sum = (sum ^ byte[i]) * 1099511628211u;

@@ -2,7 +2,7 @@
 #ifndef CORE_OWNER_H
 #define CORE_OWNER_H
 
-/* Length of such a name with its final zero. */
+/* Size of the name of a program with its final zero. */
 enum { ARC_OWNER = 40 };
 
 /* Writes the name of this program, "SYSTEM-PID". SYSTEM changes with a restart of the system. */

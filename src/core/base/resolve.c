@@ -10,7 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Appends the last part of a name to its existing folder. */
+/* Writes the absolute path of a name's folder, followed by the last part of the name, to `whole`.
+ * Returns 0 or an errno. */
 static int in_folder(const char *name, char whole[PATH_MAX]) {
   char folder[PATH_MAX];
   const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;

@@ -82,7 +82,8 @@ static void say_choices(phrase *p, const char *const *choices) {
     say(p, "%s%s%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", quote, choices[i], quote);
 }
 
-/* Appends the other forms, separated by commas and with an "or" before the last. */
+/* Appends the other forms that a setting accepts, separated by commas and with an "or" before the
+ * last one. */
 static void say_forms(phrase *p, unsigned forms) {
   static const struct {
     unsigned form;
@@ -141,7 +142,8 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* Returns the description of valid values; for a number the message has the range only. */
+/* Fails with ARC_ARGUMENT. The message has the valid range of the number, without the other forms
+ * that the setting accepts. */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {
   char expected[160];

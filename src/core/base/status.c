@@ -27,7 +27,7 @@ const char *arc_status_name(arc_status status) {
   return "UNKNOWN";
 }
 
-/* Prints a number; NaN is printed without a sign. */
+/* Removes the minus sign of every "-nan" in a text. */
 static void unsign(char *text) {
   for (char *at = text; (at = strstr(at, "-nan")) != NULL;) memmove(at, at + 1, strlen(at));
 }

@@ -13,7 +13,7 @@ struct work_team {
   pthread_t *thread;
   pid_t process; /* process that the threads belong to */
   int threads;   /* number of threads besides the caller */
-  int loop;      /* number of loops so far */
+  int loop;      /* number of loops started so far */
   int busy;      /* number of threads still in the loop */
   int closing;
   team_task task;
@@ -52,7 +52,7 @@ static void *work(void *context) {
   return NULL;
 }
 
-/* Blocks signals in the threads, so that the caller's thread handles them. */
+/* Starts one thread with all signals blocked, so that the caller's thread handles them. */
 static int start(work_team *t) {
   member *m = malloc(sizeof *m);
   if (!m) return 0;

@@ -1,5 +1,6 @@
-/* A team of threads that share the tasks of a loop. Tasks are assigned to workers at random and
- * must write to separate memory, so that results do not depend on the number of workers. */
+/* A team of threads that share the tasks of a loop. Each worker executes the next free task, in no
+ * fixed order. Tasks must write to separate memory, so that results do not depend on the number of
+ * workers. */
 #ifndef BASE_TEAM_H
 #define BASE_TEAM_H
 
@@ -7,12 +8,12 @@
 
 typedef struct work_team work_team;
 
-/* Executes one task. `worker` is 0 .. workers - 1 and selects a workspace, of which each thread has
- * its own. */
+/* Executes one task. `worker` (0 .. workers - 1) is the index of the thread and selects its own
+ * workspace. */
 typedef void (*team_task)(void *context, int task, int worker);
 
 /* Creates a team of `workers` threads, including the caller. For one worker *team is NULL, which is
- * valid in all functions below. ARC_MEMORY: no memory, or no threads. */
+ * valid in all functions below. ARC_MEMORY: out of memory, or the system has no more threads. */
 arc_status arc_team_create(int workers, work_team **team, arc_error *error);
 /* Ends the threads and sets the handle to NULL. */
 void arc_team_destroy(work_team **team);

@@ -15,7 +15,7 @@ typedef struct worker {
   pthread_mutex_t lock;
   pthread_cond_t changed;
   int done, abandoned;
-  int levels; /* number of OpenMP threads, set for each thread */
+  int levels; /* largest number of nested OpenMP levels, which OpenMP stores for each thread */
   arc_status status;
   worker_task work;
   void *job;
@@ -50,7 +50,7 @@ static void *run(void *context) {
   return NULL;
 }
 
-/* Starts a thread with blocked signals, as the caller handles them. */
+/* Starts the thread with all signals blocked, as the caller's thread handles them. */
 static int start(worker *w) {
   sigset_t all, before;
   sigfillset(&all);

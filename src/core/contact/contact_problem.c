@@ -1,4 +1,4 @@
-/* The contact at one position of the plate: memory, solution, results. */
+/* Contact problem at one position of the plate: memory, solution, results. */
 #include "core/contact/contact_problem.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -78,7 +78,8 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
   return ARC_OK;
 }
 
-/* Writes an error message with the zone needed. */
+/* Drops the warm start and fails with ARC_ZONE. The message names the zone whose edge the contact
+ * reaches. */
 static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
@@ -133,8 +134,9 @@ void arc_contact_problem_forces(const contact_problem *p, double *f) {
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
 
-/* Removes negative forces of plate nodes next to the contact, which come from negative parts of the
- * dual basis. Each is added to the neighbour towards the largest force, so that the sum is kept. */
+/* Removes negative forces of plate nodes next to the contact, which are caused by negative parts of
+ * the dual basis. Each negative force is added to the neighbour towards the largest force, so that
+ * the sum is unchanged. */
 static void push_only(double *f, int n) {
   int peak = 0;
   for (int l = 1; l < n; l++)
@@ -208,7 +210,8 @@ static double force_between(const contact_problem *p, const double *cyl, double 
   return sum;
 }
 
-/* The window with the largest mean begins or ends at the edge of a cell. */
+/* Tries all windows that begin or end at the edge of a cell, as one of them has the largest
+ * mean. */
 double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape,
                                    double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;

@@ -1,5 +1,5 @@
-/* The contact with the plate at one position: mortar coupling, contact matrix, solution with warm
- * start.
+/* Contact problem with the plate at one position: mortar coupling, contact matrix, solution with
+ * warm start.
  *
  * All quantities are in the cylinder's frame and per mm of thickness. B [candidates x plate nodes]
  * maps plate nodal values to cylinder nodes; plate forces are B'f, so that forces balance to
@@ -17,8 +17,8 @@ typedef struct contact_problem {
   int aimed;    /* 1 if `down` is up to date */
   const arc_shape
       *shape; /* shape of the last arc_contact_problem_update, used by the next solution */
-  const revolution *revolved; /* compliances of the bodies at the last placement */
-  long version;  /* version of the compliance at the last placement, see arc_shape; 0: not placed */
+  const revolution *revolved; /* section of the bodies of revolution */
+  long version;  /* version of the compliance at the last coupling, see arc_shape; 0: not coupled */
   int nc, np;    /* numbers of surface nodes of cylinder and plate */
   int lo, count; /* candidates are the cylinder nodes lo .. lo + count - 1 */
   int width;     /* row length of B */
@@ -28,9 +28,9 @@ typedef struct contact_problem {
   double *slope;   /* [nc] slope dy/dx of the surface at each candidate, else 0; forces along x are
                       -slope f */
   double *down; /* [nc] share of a candidate's force along the load, 1 except on polar charts; also
-                   d gap / d approach */
+                   the decrease of the gap per approach */
   double *a;    /* [count x count] contact matrix A [mm2/N] */
-  double *gap;  /* [nc] initial gap of the candidates [mm] */
+  double *gap;  /* [nc] initial gap by candidate [mm] */
   double *f;    /* [nc] solution: nodal forces by candidate [N/mm] */
   double *open; /* [nc] solution: remaining gap by candidate [mm] */
   double approach; /* [mm] solution: approach */
@@ -38,7 +38,7 @@ typedef struct contact_problem {
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
   int *joined;     /* [nc] workspace for the next set */
-  int *made, of;   /* [nc] set of `of` candidates to which factor and ones belong */
+  int *made, of;   /* [nc] set for which factor and ones were computed; number of its candidates */
   double *factor;  /* [of x of] Cholesky factor of A on that set */
   double *ones;    /* [nc] (A_set)^-1 down */
   int factored;    /* 1 if factor and ones are valid for A */
@@ -51,15 +51,15 @@ typedef struct contact_problem {
   double *step;     /* [2 nc] for the complementarity problem, and for its error in a stage */
 } contact_problem;
 
-/* Allocates a problem for a model. On ARC_MEMORY it is empty. */
+/* Allocates a problem for a model. On ARC_MEMORY the problem is empty. */
 arc_status arc_contact_problem_create(contact_problem *p, const arc_model *model);
 void arc_contact_problem_free(contact_problem *p);
 /* Returns the memory of one problem [bytes]. */
 size_t arc_contact_problem_bytes(const contact_problem *p);
 
-/* Updates a problem for a shape and the plate at x [mm]: the coupling and the contact matrix if
- * compliance or position have changed, and the gaps. Errors: ARC_ZONE and ARC_MEMORY of
- * arc_contact_problem_place; the problem is then invalid. */
+/* Updates a problem for a shape with the plate at x [mm]. Computes the gaps, and the coupling and
+ * the contact matrix if compliance or position have changed. Errors: ARC_ZONE and ARC_MEMORY of
+ * arc_contact_problem_couple; the problem is then invalid. */
 arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 
@@ -82,8 +82,9 @@ void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape)
  * candidates) and ARC_NUMERIC only the warm start is dropped. */
 arc_status arc_contact_problem_solve(contact_problem *p, double line, arc_error *error);
 
-/* Sets the active set of a neighbour as the start of an unsolved problem. Otherwise all candidates
- * are active at first, which is expensive. The results are the same. */
+/* Copies the active set of a problem at a neighbouring position to an unsolved problem as its warm
+ * start. Otherwise all candidates are active at first, which is expensive. The results are the
+ * same. */
 void arc_contact_problem_start_from(contact_problem *p, const contact_problem *neighbour);
 
 /* Checks that the contact does not reach the edges of the candidates. Otherwise returns ARC_ZONE
@@ -119,15 +120,17 @@ double arc_contact_problem_average(const contact_problem *p, const arc_shape *sh
 /* Computes the elastic displacement of a body along x [mm] at its surface nodes, u [surface]. */
 void arc_contact_problem_tangential(const contact_problem *p, const arc_shape *shape, arc_body body,
                                     double *u);
-/* result [nc] := B v for the candidates, 0 elsewhere; v [np]. */
+/* Computes result [nc] = B v for values v [np] of the plate's nodes. result is 0 at nodes that are
+ * not candidates. */
 void arc_contact_problem_to_cylinder(const contact_problem *p, const double *v, double *result);
-/* result [np] := B' v; v by cylinder node [nc]. */
+/* Computes result [np] = B' v for values v [nc] of the cylinder's nodes. */
 void arc_contact_problem_to_plate(const contact_problem *p, const double *v, double *result);
 /* One end of the contact (edge.c). */
 typedef struct contact_edge {
   double x;      /* [mm] position in the cylinder's frame */
-  double width;  /* [mm] size of the element around it */
-  double smooth; /* 1: smooth edge as in Hertz' theory; 0: at a kink */
+  double width;  /* [mm] size of the element at the edge */
+  double smooth; /* [-] 1: smooth edge as in Hertz' theory; 0: edge at a kink; between: share of the
+                    smooth edge */
   int out;       /* 1: the right end, -1: the left one */
   double c[2];   /* coefficients of the pressure c0 sqrt(d) + c1 d sqrt(d) [MPa] at the distance d
                     [mm] inside */
@@ -135,20 +138,22 @@ typedef struct contact_edge {
 contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right);
 /* Computes the contact edges [mm], left and right. */
 void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape, double edges[2]);
-/* Replaces nodal pressures, or a shear of `share` times them, p [n] [MPa] at x [n] (in the
- * cylinder's frame), by point values. Within two elements of a smooth edge and outside it these
- * follow the edge law. The sum of forces is not conserved. */
+/* Replaces nodal values p [n] [MPa] at x [n] (in the cylinder's frame) near a smooth edge by
+ * `share` times the pressure of the edge law, within two elements of the edge and outside it.
+ * `share` is 1 for pressures, and shear / pressure for shears. The sum of the forces is not
+ * conserved. */
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
-/* A shear of `share` times the pressure causes a cusp in the stress along the surface at the edge.
- * Adds the difference from nodal means [MPa] to cusp [n]. */
+/* Adds a correction [MPa] for the stress along the surface to cusp [n]. A shear of `share` times
+ * the pressure causes a cusp of this stress at the edge; the correction is its value at the node
+ * minus its nodal mean. */
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp);
 
 /* Solves the complementarity problem (lcp.c): computes p's set, factor, ones, f and approach for a
  * load per thickness [N/mm], with the present set as a warm start. */
 arc_status arc_lcp_solve(contact_problem *p, double line);
-/* Computes factor and ones of the present set, unless friction has computed them. Returns non-zero
- * if A is not positive definite on the set. */
+/* Computes factor and ones for the present set unless they are already valid for it. Returns
+ * non-zero if A is not positive definite on the set. */
 int arc_lcp_factorise(contact_problem *p);
 
 #endif

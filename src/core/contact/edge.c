@@ -1,10 +1,10 @@
-/* Position of the edges of a contact, and the pressure next to them. In a smooth contact, such as
+/* Computes the edges of a contact, and the pressure next to them. In a smooth contact, such as
  * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
- * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function. With c linear in d it has
- * three parameters: the edge, c at the edge, and its slope. They are fitted to nodal forces and
- * gaps a few nodes away, where elements are accurate; nearer nodes depend on the position of the
- * edge between nodes. The law does not apply to the kinks of scars, where the edge is interpolated
- * between the last node in contact and the next node. */
+ * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function. If c is linear in d, this
+ * function has three parameters: the edge, c at the edge, and the slope of c. They are fitted to
+ * nodal forces and gaps a few nodes away, where elements are accurate. Nearer nodes depend on the
+ * position of the edge between nodes. The law does not apply to the kinks of scars, where the edge
+ * is interpolated between the last node in contact and the next node. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -34,13 +34,13 @@ static double gap(const ending *e, int step) {
   return e->p->open[e->last + e->out * step];
 }
 
-/* Pressure or gap by the square-root law, c0 sqrt(d) + c1 d sqrt(d). */
+/* Square-root law of the pressure, c0 sqrt(d) + c1 d sqrt(d), at the distance d from the edge x. */
 typedef struct edge_law {
   double x, c[2];
 } edge_law;
 
-/* Returns the distance of the edge from the last node in contact (pressure q), by the laws of
- * pressure and gap with one c. The next node, at distance h, has the gap g. */
+/* Returns the position of the edge between the last node in contact (pressure q) and the next node,
+ * which is h away and has the gap g. The laws of pressure and gap have the same constant c. */
 static double edge_between(const ending *e) {
   const double q = pressure(e, 0), g = gap(e, 1), h = node_x(e, 1) - node_x(e, 0);
   double low = 0, high = h;
@@ -56,13 +56,14 @@ static double edge_between(const ending *e) {
 
 /* --- the law ---------------------------------------------------------------------------------- */
 
-/* Predicted value of a quantity at a node, and its derivatives by the edge parameters. */
+/* Value of a quantity at a node, and the derivatives of its prediction by the edge parameters. */
 typedef struct equation {
   double of_c[2], of_x, value;
 } equation;
 
-/* Second differences of d^(3/2), d^(5/2) or d^(7/2). Nodal forces are means of the pressure under
- * hat functions, which are second differences of the double integral of the pressure. */
+/* Computes second differences of d^(3/2), d^(5/2) and d^(7/2). Nodal forces are means of the
+ * pressure under hat functions, which are second differences of the double integral of the
+ * pressure. */
 static void find_differences(const ending *e, double edge, int step, double difference[3]) {
   double at[3], power[3][3];
   for (int i = 0; i < 3; i++) {
@@ -160,10 +161,11 @@ static int has_nodes(const ending *e, const stencil *at) {
   return 1;
 }
 
-/* Fits nodes far enough from the edge that its position between nodes has no influence, or nearer
- * nodes if the law does not extend so far. Returns 1 if the law fits as well as in unworn contacts,
- * else 0. (Compared with finer meshes for worn contacts, the fit improves the edge if it returns
- * 1.) */
+/* Fits the law at nodes so far from the edge that the position of the edge between nodes has no
+ * influence, or at nearer nodes if the law does not extend so far. Returns 1 if the law fits as
+ * well as in unworn contacts, 0 if it does not fit, and a share between 1 and 0 for a fit between
+ * these limits. (In comparison with finer meshes for worn contacts, the fit improves the edge if it
+ * returns 1.) */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;
@@ -198,7 +200,7 @@ void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape,
 }
 
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p) {
-  static const double reach = 2; /* in elements */
+  static const double reach = 2; /* [elements] largest distance inside the edge */
   for (int i = 0; i < n && edge->smooth > 0; i++) {
     const double d = edge->out * (edge->x - x[i]), root = sqrt(fmax(0, d));
     if (d > reach * edge->width) continue;
@@ -216,7 +218,7 @@ static double cusp_at(const contact_edge *edge, double x, double *integral) {
 
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp) {
-  static const double reach = 4; /* in elements; farther away means are accurate */
+  static const double reach = 4; /* [elements] farther away, nodal means are accurate */
   for (int i = 1; i + 1 < n && edge->smooth > 0; i++) {
     const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
     double sum[3];

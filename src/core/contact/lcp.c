@@ -2,8 +2,8 @@
  * thickness. On polar charts the shares `down` of forces along the load replace 1: g = gap -
  * approach down + A f and sum down f = line. A primal-dual active set method (semismooth Newton)
  * begins with the last set and needs one factorisation if the set is still correct. If sets repeat,
- * it is replaced by a primal active-set method on the equivalent convex problem, min f'A f / 2 +
- * gap'f, whose objective decreases with every set, so that no set repeats. */
+ * a primal active-set method solves the equivalent convex problem, min f'A f / 2 + gap'f. Its
+ * objective decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -65,7 +65,7 @@ static int solve_on_set(contact_problem *p, double line, double *fs) {
   return 0;
 }
 
-/* Computes f by candidate from fs, and the gaps outside the set. */
+/* Writes the forces fs of the set to f by candidate, and computes the gaps outside the set. */
 static void spread(contact_problem *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;

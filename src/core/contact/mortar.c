@@ -5,11 +5,11 @@
  *
  * Pressures act along the common normal of both surfaces, which is that of the plate with slope m.
  * A surface element ds = dx / cos carries p ds along the normal, which is p dx along y and -m p dx
- * along x. The forces of an unknown f_k are therefore f_k (-m_k, 1) on the cylinder, the opposite
- * B' f, B'm on the plate, and f_k = p_k w_k with the width along x. The gap is measured along y at
- * a fixed x and is 1 / cos times the gap along the normal. A point that moves by u changes it by
- * u_y - m u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces
- * along x balance to rounding too. */
+ * along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore stands for the force
+ * f_k (-m_k, 1) on the cylinder. The opposite forces act on the plate, distributed by B'. The gap
+ * is measured along y at a fixed x and is 1 / cos times the gap along the normal. A displacement u
+ * changes the gap by u_y - m u_x, which is the work of the force (-m, 1), so A is symmetric. With
+ * m_k = (B m)_k forces along x balance to rounding too. */
 #include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"
@@ -18,7 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the coordinate of a node by area. */
+/* Returns the coordinate x of node i; for surfaces of revolution the area from the axis to the
+ * node. */
 static double at(const contact_problem *p, const double *xy, int i) {
   return arc_revolution_area(p->revolved, xy[2 * i]);
 }
@@ -47,8 +48,9 @@ static int plate_segment(const contact_problem *p, const double *plate, double x
   return low;
 }
 
-/* Adds integral psi phi over the part [u, v] of the plate segment [left, right]. psi is linear from
- * at_a to at_b over [a, b]. */
+/* Adds the integrals of psi phi over the part [u, v] of the plate segment [left, right] to entry[0]
+ * and entry[1], for the hat functions phi of its two ends. psi is linear from at_a to at_b over [a,
+ * b]. */
 static void add_overlap(double left, double right, double a, double b, double at_a, double at_b,
                         double u, double v, double *entry) {
   static const double gauss = 0.57735026918962576451;
@@ -109,7 +111,7 @@ static void fill_row(contact_problem *p, int k, const double *cyl, const double 
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Computes the components of forces along the load. */
+/* Computes `down`, the component along the load of a unit force at each candidate. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
@@ -166,8 +168,8 @@ void arc_contact_problem_to_plate(const contact_problem *p, const double *v, dou
   }
 }
 
-/* to[] := responses of the cylinder's candidates, from k on, along the normals, to a force at node
- * k. */
+/* Computes to[r] for r >= k, the displacement of candidate r of the cylinder along its normal under
+ * a unit force along the normal at candidate k. */
 static inline void cylinder_responses(const contact_problem *p, const compliance *c, int k,
                                       double *to) {
   const size_t at = dense_at(p->lo, p->lo + k, c->n);
@@ -177,7 +179,7 @@ static inline void cylinder_responses(const contact_problem *p, const compliance
   for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
 }
 
-/* column[] := F_p b_k, from the first row of b_k on, as later columns need no earlier rows. */
+/* Computes column = F_p b_k from the first row of b_k on, as later columns need no earlier rows. */
 static inline void plate_responses(const contact_problem *p, const double *fp, int k,
                                    double *column) {
   const int low = p->first[k];
@@ -225,8 +227,8 @@ void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Converts the gaps, measured for a pin at s = 0, to those of a pin that rests in the direction of
- * the load and has rotated about its centre. */
+/* Converts the gaps, which are computed for a pin at s = 0, to the gaps of a pin that rests in the
+ * direction of the load and has rotated about its centre. */
 static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

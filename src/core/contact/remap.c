@@ -83,7 +83,8 @@ static int is_worn(const track *t, int i) {
   return i >= 0 && i < t->n && t->value[DEPTH][i] > 0;
 }
 
-/* Computes splines through each sequence of worn nodes; linear for fewer than four nodes. */
+/* Computes splines through each sequence of worn nodes. A sequence of fewer than four nodes is
+ * interpolated linearly. */
 static void bend(track *t) {
   for (int a = 0; a < t->n; a++) {
     if (!is_worn(t, a)) continue;
@@ -95,9 +96,9 @@ static void bend(track *t) {
   }
 }
 
-/* Returns the depth at x `at` relative to that of the worn node `edge`, between this node and its
- * unworn neighbour: by the spline down to zero, or by a smooth function if the spline does not
- * reach zero. */
+/* Returns the depth at x = `at`, between the worn node `edge` and its unworn neighbour `outside`,
+ * divided by the depth of `edge`. The spline is extrapolated down to zero. If it does not reach
+ * zero, a smooth function replaces it. */
 static double share_beyond(const track *t, int edge, int outside, double at) {
   const int inside = 2 * edge - outside;
   const double depth = t->value[DEPTH][edge];
@@ -108,7 +109,7 @@ static double share_beyond(const track *t, int edge, int outside, double at) {
   return fmin(1, fmax(0, cubic(t, DEPTH, i, at) / depth));
 }
 
-/* Computes all quantities at x. */
+/* Interpolates all quantities at x = `at`. They are 0 beyond the ends and between unworn nodes. */
 static void track_at(const track *t, double at, double value[QUANTITIES]) {
   memset(value, 0, QUANTITIES * sizeof *value);
   if (at < t->x[0] || at > t->x[t->n - 1]) return;
@@ -133,8 +134,8 @@ static void track_at(const track *t, double at, double value[QUANTITIES]) {
 
 /* --- areas ------------------------------------------------------------------------------------ */
 
-/* Returns the area [mm2] that `scale` times the displacements of a track removes from the polygon
- * of unworn nodes. */
+/* Returns the area [mm2] that the displacements of a track, multiplied by `scale`, remove from the
+ * polygon of unworn nodes. */
 static double area_under(const shape_side *side, const track *t, double scale) {
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
@@ -148,7 +149,7 @@ static double area_under(const shape_side *side, const track *t, double scale) {
   return area;
 }
 
-/* Scales a track to a given area, which is nearly linear in the scale. */
+/* Scales a track so that it removes a given area [mm2]. The area is nearly linear in the scale. */
 static void scale_to(const shape_side *side, track *t, double wanted) {
   enum { sweeps = 6 };
   const double forth = area_under(side, t, 1), back = area_under(side, t, -1);
@@ -176,8 +177,8 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[SHIFT_X], 0, (size_t)t->n * sizeof(double));
 }
 
-/* Returns true if the nodes of the side cover the whole scar; otherwise its outer part and area are
- * lost. */
+/* Returns true if the nodes of the side cover the whole scar. Otherwise the outer part of the scar
+ * is lost. */
 static int covers(const shape_side *side, const track *from) {
   for (int i = 0; i < from->n; i++)
     if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))

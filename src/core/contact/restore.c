@@ -1,15 +1,15 @@
-/* State of worn surfaces: storage, and restoration with checks of all numbers. */
+/* Writes the state of worn surfaces, and restores surfaces from it with checks of all numbers. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <string.h>
 
-/* State of one body with the addresses of its values. */
+/* Pointers to the arrays in the state of one body. */
 typedef struct surface_state {
   const double *h, *xy, *settled, *even, *condensed;
 } surface_state;
 
-/* X(name, number of nodes or 1, numbers per node), for a side of n nodes. */
+/* Arrays of a side with n nodes: X(name, number of rows, numbers per row). */
 #define ARRAYS(X)                                                                                  \
   X(h, n, 1)                                                                                       \
   X(xy, n, 2)                                                                                      \
@@ -39,7 +39,7 @@ static arc_status refuse(const shape_side *side, int node, const char *expected,
                   arc_body_name(side->body->mesh->body), node, expected, value);
 }
 
-/* Checks even and local wear. */
+/* Checks that depths are valid and not less than the even wear. */
 static arc_status check_depths(const shape_side *side, const surface_state *state,
                                arc_error *error) {
   for (int i = 0; i < side->n; i++)

@@ -1,4 +1,4 @@
-/* Worn surfaces: moves nodes along their normals and the wear box with them, and recomputes the
+/* Wears surfaces: moves nodes along their normals, moves the wear box with them, and recomputes the
  * compliance when necessary. */
 #include "core/contact/shape.h"
 
@@ -17,8 +17,7 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   const size_t n = (size_t)body->mesh->surface;
   side->body = body;
   side->n = body->mesh->surface;
-  side->h = calloc(side_arrays * n,
-                   sizeof(double)); /* Allocates one block for all the arrays of a side. */
+  side->h = calloc(side_arrays * n, sizeof(double)); /* one block for all arrays of a side */
   if (!side->h) return ARC_MEMORY;
   side->x0 = side->h + n;
   side->y = side->x0 + n;
@@ -148,10 +147,10 @@ static double left_of_layer(const shape_side *side, int i) {
   return end - side->h[i];
 }
 
-/* Returns true if node i has moved too far since the last condensation: by the share `refresh` of
- * the element's height, by a fifth of this share of the remaining layer, or along the surface by a
- * hundredth of this share of an element's width, which has a similar effect on the pressure at the
- * edge of a scar. */
+/* Returns true if node i has moved too far since the last condensation: by `share` times the
+ * element's height, by a fifth of `share` times the remaining layer, or along the surface by a
+ * hundredth of `share` times the element's width. These motions have similar effects on the
+ * pressure at the edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
@@ -174,7 +173,7 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   static const double turn =
-      0.002; /* share of `refresh` over the mismatch, a share of the pressure */
+      0.002; /* accepted relative change of the pressure, as a share of `refresh` */
   if (shape->geometry == ARC_FROZEN) return 0;
   /* relative change of pressure per change of slope */
   const arc_model_def *def = arc_model_definition(shape->handle.model);
@@ -193,10 +192,10 @@ static int is_unworn(const shape_side *side) {
   return 1;
 }
 
-/* Sets the slopes of a compliance's surface, unless it is flat to the bit. On polar charts
- * pressures act along z on any worn surface. A pin that sinks into a hole rotates against the
- * surfaces as it moves, so slopes from its total displacement would be no better, and they would be
- * applied all at once. */
+/* Sets the slopes of a compliance's surface and, unless all slopes are zero, computes its response
+ * along the normals. On polar charts pressures act along z on any worn surface. A pin that sinks
+ * into a hole rotates against the surfaces as it moves, so slopes from its total displacement would
+ * be no better, and they would be applied all at once. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
   if (side->body->chart.polar) return;
@@ -341,8 +340,8 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
   return status;
 }
 
-/* Bodies with layers are condensed at every change, so that the thickness at the last condensation
- * is not needed. */
+/* Condenses bodies with layers at every change of the even wear, so the even wear at the last
+ * condensation need not be stored. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error) {
   shape_side *side = &shape->side[body];
   shape_side worn = *side;

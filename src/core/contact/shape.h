@@ -16,15 +16,16 @@ typedef struct shape_side {
   double *h;                 /* [n] wear depth, scalar sum [mm] */
   double *x0, *y;            /* [n] unworn x; present height, including even wear [mm] */
   double *xy;                /* [2 n] present surface nodes, without even wear [mm] */
-  double *settled;           /* [2 n] surface nodes at the last condensation */
+  double *settled;           /* [2 n] surface nodes at the last condensation [mm] */
   double *x, *shift;         /* [n] present x; distance from the unworn position [mm] */
   double *level;             /* [n] present height of the surface at the x of `settled` [mm] */
-  double *compliance_change; /* [n x ARC_THINNING_SPAN] change of the compliance since then, between
-                                node i and the nodes up to ARC_THINNING_REACH away */
+  double *compliance_change; /* [n x ARC_THINNING_SPAN] change of the compliance since the last
+                                condensation, between node i and the nodes up to ARC_THINNING_REACH
+                                away */
   double *work;              /* [4 n] workspace */
-  int compliance_changed;    /* 1 if this change is not zero */
+  int compliance_changed;    /* 1: compliance_change is not zero */
   double even;               /* [mm] even wear */
-  int ahead;                 /* 1: the compliance is that of the middle of the present update */
+  int ahead;                 /* 1: the compliance belongs to the middle of the present update */
   compliance own;            /* compliance of the worn box; n = 0: the unworn compliance is used */
 } shape_side;
 
@@ -83,31 +84,31 @@ double arc_shape_box_depth(const shape_side *side);
  * (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
-/* Returns the even wear [mm] that affects the stiffness, which is that of layers if the wear box
- * extends below all of them (wear_box.c). */
+/* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
+ * wear box extends below all of them, else 0 (wear_box.c). */
 double arc_shape_even_stiffening(const shape_side *side);
 
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* Returns the number of rows with which the wear box extends below evenly worn layers, as many as
- * fit into the body; 0 if it has them already (wear_box.c). */
+/* Returns the number of rows that the wear box needs to extend below evenly worn layers, limited by
+ * the size of the body. Returns 0 if no additional rows are needed or possible (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
-/* Checks that the wear box keeps its elements with the surface at xy: every column must keep a
- * share of its height, and the nodes their order; else ARC_GEOMETRY (wear_box.c). */
+/* Checks the elements of the wear box with the surface at xy: every column must retain a share of
+ * its height, and the nodes must increase along x. Otherwise returns ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
 /* Largest wear [mm] of a frozen geometry; beyond it gaps lose the digits of displacements. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that the surface may wear by depth [n], not including the common part. Errors:
- * ARC_GEOMETRY (wear_box.c). */
+/* Checks that no depth, without even wear, exceeds ARC_SHAPE_DEEPEST after wear by depth [n] [mm].
+ * Errors: ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
-/* Computes the vertical lowering of the surface at fixed x per depth of wear along its normal, 1 /
- * cos of the slope, down [n]. */
+/* Computes down [n], the vertical lowering of the surface at fixed x per depth of wear along its
+ * normal, which is 1 / cos of the slope angle. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
 /* Returns the length of surface that wears with node i [mm]: along the surface, or along x if
@@ -126,7 +127,8 @@ void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
 
 /* --- shape.c ---------------------------------------------------------------------------------- */
 
-/* Functions of the kind for meshed surfaces, see arc_shape_create and so on. */
+/* Implementations of arc_shape_create, arc_shape_clone, arc_shape_destroy, arc_shape_profile and
+ * arc_shape_depth for meshed surfaces. */
 arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
                              arc_shape **shape, arc_error *error);
 arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -140,8 +142,8 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double even
 /* Returns the even wear [mm] included in the stiffness; 0 with frozen geometry. */
 double arc_shape_risen(const arc_shape *shape, arc_body body);
 
-/* Changes the geometry: frozen uses the unworn compliance, moving that of the present nodes. On
- * failure the shape is unchanged. */
+/* Changes the geometry. Frozen geometry uses the unworn compliance; moving geometry uses the
+ * compliance of the present nodes. On failure the shape is unchanged. */
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
@@ -151,9 +153,9 @@ static inline int shape_is_corrected(const arc_shape *shape) {
   return shape->corrections == ARC_CORRECTIONS_ALL;
 }
 /* Prepares an update that wears the surface of one body. If the surface will move too far for its
- * compliance, computes the compliance with `depth` [n] added, that of the middle of the update,
- * which the end of the update keeps. If such a surface is not valid, the compliance is unchanged.
- * Errors: ARC_MEMORY, ARC_NUMERIC. */
+ * present compliance, computes the compliance of the surface worn by `depth` [n] [mm], which is the
+ * middle of the update. The end of the update then uses this compliance. If the worn surface is not
+ * valid, the compliance is unchanged. Errors: ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
                                 arc_error *error);
 

@@ -4,7 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Returns the tributary width of node i of a surface [2 n]; for bodies of revolution its area. */
+/* Returns the tributary width of node i of a surface [2 n] [mm]; for bodies of revolution the area
+ * of its ring [mm2]. */
 static double width_at(const shape_side *side, const double *xy, int i) {
   const revolution *r = &side->body->chart.revolved;
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
@@ -51,7 +52,7 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
 /* With displacements d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2;
  * half of the product is assigned to each of the two nodes. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
-  enum { sweeps = 4 }; /* each converges by a factor of depth over radius of curvature */
+  enum { sweeps = 4 }; /* each sweep reduces the error by the factor depth / radius of curvature */
   const shape_side *side = &shape->side[body];
   if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;

@@ -1,11 +1,11 @@
-/* Checks that worn surfaces are valid and keep the elements of the wear box; sizes of deeper wear
- * boxes. */
+/* Checks that the elements of the wear box stay valid under worn surfaces, and computes the sizes
+ * of deeper wear boxes. */
 #include "core/contact/shape.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Largest relative loss of height of an element of the wear box.
+/* Smallest share of the wear box's depth that must remain under each node.
  */
 static const double thinnest = 0.1;
 
@@ -74,7 +74,8 @@ double arc_shape_even_stiffening(const shape_side *side) {
 }
 
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
-  static const double noticed = 0.01; /* smallest relative loss of the layers with an effect */
+  static const double noticed =
+      0.01; /* even wear up to this share of the layers' thickness is neglected */
   const shape_side *side = &shape->side[body];
   const arc_mesh *mesh = side->body->mesh;
   const double deep = depth_of_layers(mesh);
