@@ -10,15 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of triangles in a cell: a cell with a hanging node in each edge has eight
- * triangles around its middle. */
+/* Largest number of nodes in a cell of triangles: a cell with a hanging node in each edge has eight
+ * triangles around its middle node. */
 enum { most_cell_nodes = 9 };
 
 static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(b->mesh->body));
 }
 
-/* Numbers the rim, which are the box nodes that also belong to an element outside the box. */
+/* Numbers the rim nodes, which are the box nodes that also belong to an element outside the box,
+ * and the other box nodes. */
 static void number_box(elastic_body *b) {
   const arc_mesh *m = b->mesh;
   for (int n = 0; n < m->nodes; n++) b->node_box[n] = -1;
@@ -54,8 +55,8 @@ static void number_far(elastic_body *b) {
     if (b->far_at[n] == 0) b->far_at[n] = b->far_count++;
 }
 
-/* Adds the stiffness k of some nodes to `stiffness`, in which rim unknowns follow the far unknowns,
- * and its entries between far and rim unknowns to the coupling. */
+/* Adds the stiffness k [2 count x 2 count] of `count` nodes to `stiffness`, in which rim unknowns
+ * follow the far unknowns. Entries between far and rim unknowns are also added to the coupling. */
 static arc_status add_block(elastic_body *b, const int *nodes, int count, const double *k,
                             sparse_entries *stiffness) {
   const int n = 2 * count;
@@ -107,7 +108,7 @@ int arc_body_cell(const elastic_body *b, int e) {
   return count;
 }
 
-/* Returns the index of the node in the list, to which a new node is appended. */
+/* Returns the index of the node in the list `nodes`. A node that is not in the list is appended. */
 static int enter_node(int node, int *nodes, int *count) {
   int at = 0;
   while (at < *count && nodes[at] != node) at++;
@@ -115,8 +116,8 @@ static int enter_node(int node, int *nodes, int *count) {
   return at;
 }
 
-/* Adds the triangles of one cell. Each has its own deviatoric stiffness, and all have one common
- * dilatation. */
+/* Adds the stiffness of the triangles of one cell. Each triangle has its own deviatoric stiffness,
+ * and all triangles have one common dilatation. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
   const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
   int nodes[most_cell_nodes], count = 0;
@@ -154,7 +155,7 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-/* Factorises the stiffness, which also gives S_far = K_rr - K_rf K_ff^-1 K_fr. */
+/* Factorises the stiffness and computes S_far = K_rr - K_rf K_ff^-1 K_fr from the factor. */
 static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
@@ -188,13 +189,15 @@ static arc_status allocate(elastic_body *b) {
   return arc_compliance_create(&b->unworn, m->surface);
 }
 
-/* Returns the representative column: the centre, unless it is on an axis of revolution. */
+/* Returns the representative column of the wear box: the centre, or the column halfway to the edge
+ * if the centre is on an axis of revolution. */
 static int usual_column(const elastic_body *b) {
   const revolution *r = &b->chart.revolved;
   return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
 }
 
-/* Computes the change of the compliance if a representative column becomes thinner by 1 %. */
+/* Computes `thinning`, the change of the compliance per share of thickness lost, from the
+ * compliance `thinner` of a body whose representative column has lost the given share. */
 static void take_difference(elastic_body *b, const compliance *thinner, double share) {
   const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
   const double weight = arc_revolution_weight(&b->chart.revolved, arc_body_top(b, centre)[0]);
@@ -210,7 +213,7 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  /* a body without a wear box, or with layers */
+  /* not needed for a body without a wear box or with layers */
   if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);
@@ -237,7 +240,7 @@ static arc_status condense_unworn(elastic_body *b, work_progress *seen, arc_erro
   return status;
 }
 
-/* Sets the elasticity by layer. Returns the largest Poisson's ratio. */
+/* Sets the elasticity of each layer. Returns the largest Poisson's ratio of the body. */
 static double take_materials(elastic_body *b, const arc_body_def *solid) {
   const int layers = arc_body_layers(solid);
   double nu = b->material.nu;

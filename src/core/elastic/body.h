@@ -1,8 +1,8 @@
 /* One elastic body, condensed to its wear box.
  *
  * The unknowns outside the wear box (`far`) are eliminated once. `rim` are the box nodes that also
- * belong to far elements, and `inner` are the other box nodes, among them the contact surface. In
- * the inner unknowns, numbered column by column, K_box is a narrow band. */
+ * belong to far elements, and `inner` are the other box nodes, which include the contact surface.
+ * The inner unknowns are numbered column by column, so K_box is a narrow band matrix in them. */
 #ifndef ELASTIC_BODY_H
 #define ELASTIC_BODY_H
 
@@ -13,8 +13,8 @@
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
-/* A layer below a node of the surface, which ends at the depth `end` [mm] along the chart's z;
- * INFINITY for the last layer. */
+/* A layer below a node of the surface. It ends at the depth `end` [mm] along the chart's z, which
+ * is INFINITY for the last layer. */
 typedef struct stratum {
   double end;
   int layer;
@@ -41,32 +41,34 @@ typedef struct elastic_body {
   sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
-  double *thinning;   /* see arc_body_thinning */
+  double *thinning;   /* [ARC_THINNING_SPAN^2] see arc_body_thinning */
   stratum *stratum;   /* for an imported mesh with layers, the layers node by node; else NULL */
   int *stratum_start; /* [surface] index of the first layer below a node */
 } elastic_body;
 
-/* Change of the compliance as the wear box becomes thinner at one column: the term added to the
- * normal compliance between the nodes `a` and `b` columns away, per share of thickness lost. It is
- * limited to ARC_THINNING_REACH columns, as for a contact the worn box is as stiff as before, and
- * only the error of the elements changes. It is computed at the unworn centre; for bodies of
- * revolution per 1 mm of circumference, halfway between the axis and the edge. */
+/* Returns the change of the compliance as the wear box becomes thinner at one column: the term that
+ * is added, per share of thickness lost, to the normal compliance between the nodes that are `a`
+ * and `b` columns away from this column. The change is limited to ARC_THINNING_REACH columns,
+ * because for a contact the worn box is as stiff as before and only the error of the elements
+ * changes. The change is computed at the unworn centre. If the centre is on an axis of revolution,
+ * it is computed halfway between the axis and the edge; for bodies of revolution it is given per 1
+ * mm of circumference. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises and condenses a body, in ARC_BODY_STAGES of the watch (NULL: none).
- * If *given is not NULL, this imported mesh is used; the body owns it from now on and *given
- * becomes NULL, also on failure. On failure *body is NULL. */
+/* Meshes, assembles, factorises and condenses a body, in ARC_BODY_STAGES stages of the progress
+ * `seen` (NULL: no progress). If *given is not NULL, this imported mesh is used. The body then owns
+ * the mesh and *given becomes NULL, also on failure. On failure *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
                            work_progress *seen, elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* Returns the positions s and z [mm] in the chart of an unworn surface node, and of the bottom of
- * the wear box below it. */
+/* Return the positions s and z [mm] in the chart: of surface node i in the unworn state, and of the
+ * bottom of the wear box below this node. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
 }
@@ -75,8 +77,8 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
 }
 
 /* Returns the displacement of row `row` in column i of the wear box as a share of the surface's
- * displacement. It depends on the depth of the row, in equal parts per row except where layers have
- * rows of their own. */
+ * displacement. The share decreases in equal steps from row to row, or in proportion to the depth
+ * if the body has layers of uniform thickness. */
 static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   const int rows = body->mesh->rows;
   if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
@@ -96,9 +98,9 @@ static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];
 }
 
-/* Returns the number of triangles e, e + 2, ... of one cell that have a common dilatation, if e is
- * the first of them; together they do not lock. Returns 1 for single elements, as in imported
- * meshes, and 0 for the other triangles of a cell. */
+/* If e is the first triangle of a cell, returns the number of triangles e, e + 2, ... of this cell,
+ * which have a common dilatation so that they do not lock. Returns 0 for the other triangles of a
+ * cell and 1 for single elements, as in imported meshes. */
 int arc_body_cell(const elastic_body *body, int e);
 
 /* Returns the element of the body with the corners corner[4] among nodes xy; corner[3] is -1 for a

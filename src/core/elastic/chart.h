@@ -13,11 +13,12 @@
 
 #include <math.h>
 
-/* Section of bodies of revolution about x = -axis; r = axis + x. */
+/* Section of bodies of revolution about the axis x = -axis. A point at x has the radius axis +
+ * x. */
 typedef struct revolution {
   int on;
-  double axis; /* [mm] distance of the axis; 0: the sections on both sides of x = 0 are the same
-                  ring */
+  double axis; /* [mm] distance of the axis from x = 0; 0: the sections on both sides of x = 0 are
+                  the same ring */
 } revolution;
 
 /* Returns the length represented by a point of the section [mm]: the circumference, or half of it
@@ -29,7 +30,7 @@ static inline double arc_revolution_weight(const revolution *r, double x) {
 }
 
 /* Returns the area from the axis to x [mm2], which replaces x for surfaces of revolution because
- * u_y is linear in it. In the plane it returns x. */
+ * u_y is linear in this area. In the plane the function returns x. */
 static inline double arc_revolution_area(const revolution *r, double x) {
   static const double pi = 3.14159265358979323846;
   if (!r->on) return x;
@@ -39,7 +40,7 @@ static inline double arc_revolution_area(const revolution *r, double x) {
 typedef struct chart {
   int polar;
   double radius; /* [mm] radius R of the hole */
-  double side;   /* 1 if the lower body is hollow, -1 if the upper one is */
+  double side;   /* 1: the lower body is hollow; -1: the upper body is hollow */
   double pin;    /* [mm] radius of the body in the hole, which is in contact in the direction of the
                     load */
   revolution revolved;
@@ -52,24 +53,25 @@ chart arc_chart_of(const arc_model_def *def);
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
-/* Returns the point nearest to s among every `step`-th of `count` points in the chart; of two
- * equally near points, the one nearer to the middle. */
+/* Returns the index of the point that is nearest to s among `count` points in the chart, of which
+ * every `step`-th point of sz is used. */
 int arc_chart_nearest(const double *sz, int step, int count, double s);
 
-/* Computes the directions of s and z at s, along[2] and across[2]. */
+/* Computes the unit vectors along[2] and across[2] in the directions of s and z at s. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
 
 /* Returns the distance [mm] from the hole's centre to the surface at s of an unworn pin that rests
  * at `angle` [rad, along s]. */
 double arc_chart_rest(const chart *c, double s, double angle);
 
-/* Position of a body that has moved by x along s under a load at an angle: it is rotated by an
- * angle (cosine and sine) about a centre, then shifted. */
+/* Position of a body that has moved by x along s under a load at an angle. The body is rotated by
+ * an angle (given by its cosine and sine) about a centre, and then shifted [mm]. */
 typedef struct placing {
   double cos, sin, centre[2], shift[2];
 } placing;
 placing arc_chart_placing(const chart *c, arc_body body, double x, double angle);
-/* Move n points; rotate n vectors. */
+/* Move n points from the original position of a body to its position, and rotate n vectors
+ * likewise. */
 void arc_placing_points(const placing *p, int n, double *xy);
 void arc_placing_vectors(const placing *p, int n, double *v);
 

@@ -6,7 +6,8 @@
 
 enum { blocks = 5 };
 
-/* The last number of the block counts references. */
+/* Returns the number of doubles in the block of a compliance. The last one is the number of
+ * references. */
 static size_t compliance_numbers(int n) {
   return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
@@ -19,7 +20,7 @@ size_t arc_compliance_bytes(int n) {
   return compliance_numbers(n) * sizeof(double);
 }
 
-/* All five blocks, slopes and levels are in one allocation. On a flat surface `along` is yy. */
+/* Allocates all five matrices, slopes and levels as one block. On a flat surface `along` is yy. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){0};
@@ -59,7 +60,8 @@ void arc_compliance_incline(compliance *c) {
   }
 }
 
-/* Returns yy - xx a few columns away, on one or both sides of column k. */
+/* Returns yy - xx at a distance of `columns` columns from column k, as the mean of both sides that
+ * exist. */
 static double difference_at(const compliance *c, int k, int columns) {
   double sum = 0;
   int sides = 0;
@@ -72,8 +74,8 @@ static double difference_at(const compliance *c, int k, int columns) {
   return sum / sides;
 }
 
-/* The error of the element approximation decreases with the square of the distance between the
- * nodes. */
+/* Extrapolates yy - xx from two distances, as the error of the elements decreases with the square
+ * of the distance between the nodes. */
 void arc_compliance_level(compliance *c) {
   if (c->n <= 2 * ARC_SHEAR_REACH) return;
   c->level = c->slope + c->n;

@@ -1,4 +1,4 @@
-/* Compliance of a surface: displacements under forces on its nodes. */
+/* Compliance of a surface: displacements of its nodes under forces on its nodes. */
 #ifndef ELASTIC_COMPLIANCE_H
 #define ELASTIC_COMPLIANCE_H
 
@@ -10,15 +10,14 @@
 typedef struct compliance {
   int n;
   double *yy, *xy, *yx, *xx;
-  /* Data of the condensed surface with moved nodes: slopes dy/dx [n], and the response of gaps to
-   * pressures along the surface's normals, yy - m xy - yx m + m xx m. The caller computes them. For
-   * flat surfaces `along` is yy. */
+  /* Data of the condensed surface with moved nodes: slopes m = dy/dx [n], and `along`, the response
+   * of gaps to pressures along the surface's normals, yy - m xy - yx m + m xx m. The caller sets
+   * the slopes and computes `along` by arc_compliance_incline. For flat surfaces `along` is yy. */
   double *slope, *along;
-  double *level; /* [n] yy - xx without the error of the elements; NULL: xx is the compliance for
-                    shear */
+  double *level; /* [n] yy - xx without the error of the elements; NULL: xx is used for shear */
 } compliance;
 
-/* Displacement of node r along the surface under a unit of shear at node k. */
+/* Returns the displacement of node r along the surface under a unit of shear at node k [mm2/N]. */
 enum { ARC_SHEAR_REACH = 8 };
 static inline double compliance_shear(const compliance *c, int r, int k) {
   const size_t at = (size_t)k * (size_t)c->n + (size_t)r;
@@ -26,20 +25,21 @@ static inline double compliance_shear(const compliance *c, int r, int k) {
   return c->yy[at] - (c->level[r] + c->level[k]) / 2;
 }
 
-/* Allocates a compliance of n nodes, zero and flat. On ARC_MEMORY it is empty. */
+/* Allocates a compliance of n nodes whose entries and slopes are zero. On ARC_MEMORY it is
+ * empty. */
 arc_status arc_compliance_create(compliance *c, int n);
 void arc_compliance_free(compliance *c);
-/* Returns another reference to the compliance, which must be freed too. Neither may be written to
- * afterwards. */
+/* Returns another reference to the compliance, which must be freed too. The compliance must not be
+ * changed afterwards. */
 compliance arc_compliance_share(const compliance *c);
 /* Computes `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
-/* Adapts the compliance for shear to that for pressure, for bodies of one material. A uniform
- * half-plane has the same tangential displacements under shear as normal displacements under
- * pressure. Elements are too stiff for shear that alternates from node to node, and more so if they
- * are tall: at a height of 1.25 widths the displacements are half of those under such pressure.
- * Within a few columns yy therefore replaces xx, except for the difference due to the finite size
- * of bodies. */
+/* Computes `level`, which derives the compliance for shear from the compliance for pressure, for
+ * bodies of one material. A uniform half-plane has the same tangential displacements under shear as
+ * normal displacements under pressure. Elements are too stiff for shear that alternates from node
+ * to node, and the more so the taller they are. At a height of 1.25 widths the displacements are
+ * half of the displacements under such pressure. Within a few columns yy therefore replaces xx,
+ * except for the difference due to the finite size of bodies. */
 void arc_compliance_level(compliance *c);
 /* Returns the memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);

@@ -1,12 +1,12 @@
-/* The dense update of a worn shape: S = S_far + K_box(current nodes), F = the surface's blocks of
- * S^-1.
+/* Computes the compliance of a worn shape by a dense update: S = S_far + K_box(current nodes), and
+ * F consists of the surface's blocks of S^-1.
  *
- * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim): X = K_ii^-1 K_ir, Z = K_ii^-1 E, T = K_rr +
- * S_far - K_ri X = L L' and W = E_r - X' E_i give  u_rim = T^-1 W f,  u_inner = K_ii^-1 (E_i f -
- * K_ir u_rim),  F = E' Z + V' V with V = L^-1 W, where E selects the surface unknowns, x and y of
- * node after node. K_ii is a narrow band, so that most of the cost is the factor of T, V and V' V.
- * Rim nodes that are far away have no influence on the surface, so on wide boxes the columns of W
- * and V begin with zeros. */
+ * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim), the matrices X = K_ii^-1 K_ir, Z = K_ii^-1 E, T
+ * = K_rr + S_far - K_ri X = L L' and W = E_r - X' E_i give u_rim = T^-1 W f, u_inner = K_ii^-1 (E_i
+ * f - K_ir u_rim), F = E' Z + V' V with V = L^-1 W, where E selects the surface unknowns (x and y
+ * of each node in turn). K_ii is a narrow band, so most of the cost is in the factor of T, in V and
+ * in V' V. Rim nodes that are far away have no influence on the surface. On wide boxes the columns
+ * of W and V therefore begin with zeros. */
 #include "core/elastic/condense.h"
 #include "core/base/dense.h"
 
@@ -20,15 +20,15 @@ enum {
 };
 
 typedef struct condensation {
-  int ni, nr, ns;     /* numbers of inner unknowns, rim unknowns and surface nodes */
-  double even;        /* [mm] even wear */
-  double *band;       /* [(band + 1) * ni] factor of K_ii */
-  double *side;       /* [(ni + 2 band) x together] right-hand sides of the band, side by side; zero
-                         between calls */
-  double *t;          /* [nr x nr] factor of T, lower triangle */
-  double *w;          /* [nr x 2 ns] matrix W */
-  int *first;         /* [2 ns] first nonzero row of W's column */
-  double *f;          /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
+  int ni, nr, ns; /* numbers of inner unknowns, rim unknowns and surface nodes */
+  double even;    /* [mm] even wear */
+  double *band;   /* [(band + 1) * ni] factor of K_ii */
+  double *side; /* [(ni + band) x together] right-hand sides of the band, side by side; zero between
+                   calls */
+  double *t;    /* [nr x nr] factor of T, lower triangle */
+  double *w;    /* [nr x 2 ns] matrix W */
+  int *first;   /* [2 ns] first nonzero row of W's column */
+  double *f;    /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
   sparse_entries rim; /* matrix K_ri: row rim, column inner */
 } condensation;
 
@@ -62,9 +62,9 @@ static double depth_of(const elastic_body *b, const double *box_at, int k) {
   return up * (box_at[2 * k + 1] - arc_body_top(b, k / (b->mesh->rows + 1))[1]);
 }
 
-/* Returns the elasticity of a wear-box element between two depths. It is that of the layers now
- * inside the element, which act in series across it and in parallel along it. With the shares s of
- * the layers' constants c,
+/* Returns the elasticity of a wear-box element between two depths [mm]. It is a mean over the
+ * layers inside the element, which act in series across the element and in parallel along it. With
+ * the shares s of the layers and their constants c, it is
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
  *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
@@ -88,8 +88,8 @@ static elasticity mix_layers(const elastic_body *b, double from, double to) {
                       .nu = b->d.nu};
 }
 
-/* The surface moves through the fixed layers; even wear [mm] shifts the layers toward the
- * surface. */
+/* Returns the elasticity of a wear-box element. The surface moves through the fixed layers; even
+ * wear [mm] shifts the layers toward the surface. */
 static elasticity box_elasticity(const elastic_body *b, const double *box_at, double even,
                                  const int corner[4]) {
   const int rows = b->mesh->rows + 1;
@@ -107,7 +107,8 @@ static elasticity box_elasticity(const elastic_body *b, const double *box_at, do
   return mix_layers(b, from, to);
 }
 
-/* Adds one wear-box element with its nodes at box_xy, in the chart at box_at. */
+/* Adds the stiffness of one wear-box element. Its nodes are at box_xy in space and at box_at in the
+ * chart. */
 static arc_status add_box_element(const elastic_body *b, int e, const double *box_xy,
                                   const double *box_at, condensation *c) {
   int corner[4], inner[8], rim[8];
@@ -148,7 +149,7 @@ static int rim_unknown(const elastic_body *b, int j) {
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Right-hand sides of the band, with the range of rows in which they are not zero. */
+/* Range of rows, from .. to - 1, in which the right-hand sides of the band are not zero. */
 typedef struct reach {
   int from, to;
 } reach;
@@ -172,12 +173,13 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Computes to[] -= by x[] over the sides processed together, of which n are left. */
+/* Subtracts by x[k] from to[k] for the sides that are processed together, of which n are left. */
 static void subtract(int n, double by, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
 }
 
-/* For columns q .. of X: T -= K_ri X, row by row below the diagonal, and W = -X' E_i. */
+/* Processes the columns of X from q on that are solved together. Subtracts K_ri X from T, row by
+ * row below the diagonal, and X' E_i from W. */
 static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   reach r = {c->ni, 0};
   for (size_t k = 0; k < c->rim.count; k++) {
@@ -251,7 +253,8 @@ static arc_status condense(const elastic_body *b, const double *box_at, double e
   return status;
 }
 
-/* Writes columns q .. of E' Z, transposed, to rows of its lower triangle. */
+/* Computes the columns of E' Z from q on that are solved together, and adds them, transposed, to
+ * rows of the lower triangle of F. */
 static void add_z(const elastic_body *b, condensation *c, int q) {
   const int n = 2 * c->ns;
   reach r = {c->ni, 0};
@@ -270,7 +273,7 @@ static void add_z(const elastic_body *b, condensation *c, int q) {
   clear_sides(c, &r);
 }
 
-/* Returns the first nonzero row of a panel of W, from column j on. */
+/* Returns the first nonzero row of a panel of W with `count` columns from column j on. */
 static int first_of_panel(const condensation *c, int j, int count) {
   int first = c->nr;
   for (int k = j; k < j + count; k++)
@@ -278,8 +281,8 @@ static int first_of_panel(const condensation *c, int j, int count) {
   return first;
 }
 
-/* Adds V V' of one panel of columns with itself and the previous panels, to which it is then
- * appended. */
+/* Replaces the panel of W from column j on by V = L^-1 W, and adds the products V' V of this panel
+ * with itself and with the previous panels to F. */
 static void add_panel(condensation *c, int j) {
   const int n = 2 * c->ns, count = n - j < panel ? n - j : panel;
   const int start = first_of_panel(c, j, count);
@@ -295,7 +298,7 @@ static void add_panel(condensation *c, int j) {
                        &c->f[dense_at(j, j, n)], n);
 }
 
-/* Copies F, node by node, to its four blocks. */
+/* Copies F, which is stored node by node, to the four blocks of the compliance. */
 static void split(const condensation *c, compliance *result) {
   const int n = c->ns;
   for (int q = 0; q < n; q++)
@@ -321,7 +324,7 @@ static void turn_pair(const compliance *c, const double *axes, int r, int k, dou
   }
 }
 
-/* Converts F to the directions of the chart, symmetric to the bit. */
+/* Converts a compliance to the directions of the chart. The result is symmetric to the bit. */
 static void turn(compliance *c, const double *axes) {
   for (int k = 0; k < c->n; k++)
     for (int r = k; r < c->n; r++) {
@@ -379,7 +382,9 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
  * nodes, then along y. */
 static void box_displacements(const elastic_body *b, const condensation *c, const double *f,
                               double *rim, double *inner) {
-  memset(rim, 0, (size_t)(c->nr + c->ni) * sizeof *rim); /* also allocates inner, which follows */
+  memset(rim, 0,
+         (size_t)(c->nr + c->ni) *
+             sizeof *rim); /* also clears `inner`, which follows `rim` in memory */
   for (int j = 0; j < 2 * c->ns; j++) {
     const double force = f[j % 2 * c->ns + j / 2];
     const double *w = &c->w[dense_at(0, j, c->nr)];

@@ -1,7 +1,7 @@
-/* Estimate of the contact width of unworn bodies, which determines the element sizes. For
- * half-planes it is in closed form, by Hertz for arcs and by Persson in holes. For other shapes
- * with one contact it is an integral over their gap. Layers and near bases are included by the
- * modulus of the bodies for a wave of about the contact's length. */
+/* Estimates the contact width of unworn bodies, which determines the element sizes. For half-planes
+ * there is a closed form, by Hertz for arcs and by Persson in holes. For other shapes with one
+ * contact the load is an integral over the gap. Layers and near bases are included by the modulus
+ * of the bodies for a wave of about the contact's length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
 #include "core/mesh/body_shape.h"
@@ -21,8 +21,9 @@ static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Returns the number of half widths per wave with which layers yield as much as under a contact. It
- * is exact to the digit if layers are so thin that they act like independent springs. */
+/* Returns the wave number times the half width [-] for which layers are as compliant under a wave
+ * as under the contact. It is exact if layers are so thin that they act like independent
+ * springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
@@ -61,13 +62,14 @@ static double gap_at(const contact_pair *g, double x) {
   return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
 }
 
-/* Returns the mean of both sides of the first point of contact. */
+/* Returns the gap [mm] at a distance s from the first point of contact, as the mean of both
+ * sides. */
 static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* Computes the position where smooth profiles are nearest to the other body: a point or a flat, the
- * first of several. */
+/* Computes the position where smooth profiles are nearest to the other body. It is a point or the
+ * middle of a flat, and the first one if there are several. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -125,18 +127,19 @@ static double modulus_at(const contact_pair *g, double half_width) {
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
 }
 
-/* Returns 2 E* c / P of Persson's pin in a hole of equal materials, as a function of b = tan(e /
- * 2). */
+/* Returns the load P / E* [mm] of Persson's pin in a hole of equal materials with the clearance c.
+ * The formula for 2 E* c / P is a function of b = tan(e / 2), where e is the half angle of the
+ * contact. */
 static double press_into_hole(const contact_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
   const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Load of half-planes in contact over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and of
- * round spots, P / E* = twice the integral of s^2 g' / sqrt(a^2 - s^2). Both integrands are smooth
- * over t = sqrt(a^2 - s^2). `wide` is the half width in addition to the part in contact without
- * load. */
+/* Returns the load P / E* for a contact over s < a. For half-planes it is the integral of s g' /
+ * sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g' / sqrt(a^2 - s^2) ds. Both
+ * integrands are smooth over t = sqrt(a^2 - s^2). `wide` is the half width beyond the part that
+ * touches without load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -146,7 +149,7 @@ static double press(const contact_pair *g, double wide) {
     const double t = most * k / steps, step = most / steps, before = t - step;
     const double inner = k < steps ? sqrt((a - t) * (a + t)) : g->least, in = opening(g, inner);
     const double both = outer + inner;
-    /* from outer^2 - inner^2 = t^2 - before^2 */
+    /* the factor follows from outer^2 - inner^2 = t^2 - before^2 */
     sum += (out - in) * both / (t + before) * (g->round ? both : 1);
     outer = inner;
     out = in;
@@ -154,8 +157,8 @@ static double press(const contact_pair *g, double wide) {
   return sum;
 }
 
-/* Returns the half width for a load, by bisection of its logarithm; the largest half width if its
- * load is smaller. */
+/* Returns the half width [mm] beyond the part that touches without load, by bisection of its
+ * logarithm. If even the largest half width has a smaller load, returns the largest one. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -171,9 +174,9 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* Returns the half width of the cylinder, or ball, whose contact grows at the same rate with the
- * load, so that its pressure has edges of the same sharpness. P is proportional to the square, or
- * cube, of its half width. */
+/* Returns the half width [mm] of the cylinder (or ball) whose contact grows at the same rate with
+ * the load, so that its pressure has edges of the same sharpness. The load of a cylinder (ball) is
+ * proportional to the square (cube) of the half width. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);
@@ -184,8 +187,8 @@ static double edge_at(const contact_pair *g, double wide) {
 
 /* --- estimates */
 
-/* A wave of a pressed surface changes the pressure by pi E* / length times its amplitude. A wave
- * that changes it by less than this share of the mean is neglected. */
+/* A wave on a surface in contact changes the pressure by pi E* / length times the amplitude of the
+ * wave. If this change is less than `felt` times the mean pressure, the wave is neglected. */
 static const double felt = 1e-3;
 
 static double mean_pressure(const contact_pair *g, double half_width, double load) {
@@ -197,13 +200,13 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
  * Westergaard. */
 static double spot_width(const body_waves *w, double modulus, double p) {
   const double flat = pi * modulus * w->height / 2 /
-                      w->length; /* mean pressure at which the contact becomes complete */
+                      w->length; /* [MPa] mean pressure at which the contact becomes complete */
   return p < flat ? 2 * w->length / pi * asin(sqrt(p / flat)) : w->length;
 }
 
-/* Determines which profiles are rough under the load, judged by the contact of their form; the
- * width is then that of the form only. Sets the length of the shortest waves and the width of
- * spots. */
+/* Determines which profiles are rough under the load, from the contact of their smooth forms. The
+ * width of the contact is then computed from the form. Sets the length of the shortest waves and
+ * the width of the spots in contact. */
 static void find_waves(contact_pair *g, double load, contact_estimate *e) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;

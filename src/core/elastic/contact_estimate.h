@@ -9,22 +9,22 @@
 typedef struct contact_estimate {
   double half_width; /* half width, see arc_model_half_width */
   double flat;       /* width of the part that touches without load */
-  double at;         /* x of the middle of the contact, as profiles may touch beside x = 0 */
+  double at;   /* position x of the middle of the contact, as profiles may touch beside x = 0 */
   double edge; /* half width of the cylinder or ball whose pressure has edges of the same sharpness;
                   equal to the half width except for rounded edges or kinks */
   double wave; /* length of the shortest waves that change the pressure; INFINITY: there are none */
   double spot; /* width of the spots in contact on the crests of waves; INFINITY: no waves */
 } contact_estimate;
 
-/* Relative shape of the unworn surfaces of a pair. It is created once for any number of loads;
- * `at`, `form` and, for profiles, `least` belong to one load. */
+/* Relative shape of the unworn surfaces of a pair. It is created once for any number of loads. The
+ * members `at` and `form`, and for profiles `least`, are set for one load. */
 typedef struct contact_pair {
   const arc_model_def *def; /* model definition, which must outlive the estimate */
   int round;                /* true: the contact is a spot on the axis of revolution */
   arc_body_def solid[ARC_BODIES];
   double crest[ARC_BODIES];
   body_waves waves[ARC_BODIES];
-  double hole, clearance;  /* [mm] radius of the hole; 0: no hole */
+  double hole, clearance;  /* [mm] radius of the hole (0: no hole) and its radial clearance */
   double least;            /* [mm] half width of the part that touches without load */
   double most;             /* [mm] assumed half width of the largest contact */
   double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its heights are used */

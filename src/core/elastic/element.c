@@ -77,7 +77,8 @@ static void quad_stiffness(const element *e, elasticity d, int modes, double *k)
   }
 }
 
-/* Eliminates the four bubble unknowns of full [12 x 12], beginning with the last one. */
+/* Eliminates the four bubble unknowns of full [12 x 12], beginning with the last one, and writes
+ * the rest to k [8 x 8]. */
 static void condense_bubbles(double *full, double *k) {
   for (int m = 11; m >= 8; m--)
     for (int r = 0; r < m; r++)
@@ -103,7 +104,7 @@ void arc_element_stiffness(const element *e, elasticity d, double *k) {
   }
 }
 
-/* At the centre the bubbles have no gradient, so both quadrilaterals have the same formula. */
+/* Uses the same formula for CPE4 and CPE4I, as the bubbles have no gradient at the centre. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
   double g[4][2], exx = 0, eyy = 0, gxy = 0;
   if (e->revolved.on) {

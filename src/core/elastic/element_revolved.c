@@ -1,6 +1,6 @@
-/* Elements of revolution, rings about x = -axis, where the strain around the axis is u_x / r. Both
- * forms are fully integrated. With one dilatation for the whole quadrilateral (B-bar) the element
- * does not lock where nu is near 1/2. */
+/* Elements of revolution: rings about x = -axis, where the strain around the axis is u_x / r.
+ * Triangles and quadrilaterals are fully integrated. A quadrilateral with one dilatation for the
+ * whole element (B-bar) does not lock if nu is near 1/2. */
 #include "core/elastic/element.h"
 
 #include <math.h>
@@ -35,9 +35,9 @@ static void fill_strains(const element *e, const double *n, double ux[][2], doub
 
 static const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-/* Returns the correction of u_y along the edge from corner a to b, which is linear in r^2 rather
- * than in r: four times the sag at its middle divided by the difference of its ends. It is 0 on
- * steep edges, where u_y also depends on y. */
+/* Returns the correction of u_y along the edge from corner a to b, where u_y is linear in r^2
+ * rather than in r. The result [-] is four times the deviation in the middle of the edge divided by
+ * the difference of u_y between the ends. It is 0 on steep edges, where u_y also depends on y. */
 static double dip_of(const element *e, int a, int b) {
   static const double level = 0.2, steep = 0.4; /* slopes */
   const double dr = e->xy[b][0] - e->xy[a][0], dy = e->xy[b][1] - e->xy[a][1];
@@ -46,22 +46,25 @@ static double dip_of(const element *e, int a, int b) {
   return fmin(1, (steep - fabs(dy / dr)) / (steep - level)) * (dr / sum);
 }
 
-/* Adds the correction along that edge to the slopes of the functions by xi and eta. `along` is the
- * direction of the edge in xi and eta; across the element the correction decreases to zero. */
+/* Adds the correction along the edge from corner a to b to the derivatives `slope` of the corner
+ * functions by xi and eta. `along` is the direction of the edge (0: xi, 1: eta). The correction
+ * decreases to zero at the opposite edge. */
 static void bend_edge(const element *e, int a, int b, int along, const double at[2],
                       double slope[4][2]) {
   const double s = at[along], far = side[a][1 - along], share = (1 + far * at[1 - along]) / 2;
   const double dip = dip_of(e, a, b) / 4, value = dip * (s * s - 1);
   const double by[2] = {share * dip * 2 * s,
-                        far / 2 * value}; /* coordinates along and across the edge */
+                        far / 2 *
+                            value}; /* derivatives of the correction along and across the edge */
   for (int d = 0; d < 2; d++) {
     slope[b][d] += by[d != along];
     slope[a][d] -= by[d != along];
   }
 }
 
-/* u_x is bilinear. u_y, which is even in r, is linear in r^2 along the edges: with a u_y linear in
- * r the curvature under a pressure at the axis would be up to 5 % too stiff. */
+/* Computes an integration point of a quadrilateral. u_x is bilinear. u_y is even in r and is
+ * therefore linear in r^2 along the edges. With u_y linear in r the element would be up to 5 % too
+ * stiff under a pressure at the axis. */
 static void quad_point(const element *e, double xi, double eta, point *p) {
   const double at[2] = {xi, eta};
   double n[4], ux[4][2], uy[4][2], slope[4][2];
@@ -80,8 +83,8 @@ static void quad_point(const element *e, double xi, double eta, point *p) {
   fill_strains(e, n, ux, uy, det, p);
 }
 
-/* Adds this correction in a triangle, at a point where corner c has the weight `own` and the others
- * the rest. */
+/* Computes an integration point of a triangle, with the same correction of u_y. At this point
+ * corner c has the weight `own`, and the other corners share the rest. */
 static void triangle_point(const element *e, int c, double own, double area, point *p) {
   double n[3], ux[3][2], uy[3][2];
   arc_triangle_gradients(e, ux);
@@ -115,7 +118,8 @@ static double dilatation(const double strain[components]) {
   return strain[0] + strain[1] + strain[2];
 }
 
-/* Computes the mean dilatation for each displacement; returns the volume. */
+/* Computes the mean dilatation of the element for a unit of each of n displacements. Returns the
+ * volume [mm3]. */
 static double mean_dilatation(int n, int points, const point *p, double mean[8]) {
   double volume = 0;
   memset(mean, 0, 8 * sizeof *mean);

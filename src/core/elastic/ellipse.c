@@ -1,9 +1,10 @@
-/* Hertz' elliptic contact, by complete elliptic integrals from arithmetic-geometric means. */
+/* Solves Hertz' elliptic contact with complete elliptic integrals, which are computed by
+ * arithmetic-geometric means. */
 #include "archard/space.h"
 
 #include <math.h>
 
-/* Computes K(m) and E(m) of the parameter m = e^2. */
+/* Computes the complete elliptic integrals K(m) and E(m) for the parameter m = e^2. */
 static void elliptic(double m, double *K, double *E) {
   double a = 1, b = sqrt(1 - m), sum = m / 2, power = 0.5;
   for (int k = 0; k < 40 && a - b > 1e-16 * a; k++) {
@@ -17,15 +18,16 @@ static void elliptic(double m, double *K, double *E) {
   *E = *K * (1 - sum);
 }
 
-/* Returns the ratio of the radii, the larger over the smaller, for a ratio 1 / s of the half
- * widths. */
+/* Returns the ratio of the larger radius to the smaller one, for a ratio s of the smaller half
+ * width to the larger one. */
 static double ratio_of(double s) {
   double K, E;
   elliptic(1 - s * s, &K, &E);
   return (E / (s * s) - K) / (K - E);
 }
 
-/* Returns the smaller half width over the larger one, by bisection of its logarithm. */
+/* Returns the ratio of the smaller half width to the larger one for a ratio of the radii, by
+ * bisection of its logarithm. */
 static double slimness(double ratio) {
   double low = log(1e-8), high = log(1 - 1e-9);
   if (ratio < 1 + 1e-7) return 1;
@@ -54,12 +56,12 @@ arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star,
     if (check(name[k], value[k], error) != ARC_OK) return ARC_ARGUMENT;
   const double pi = acos(-1), large = fmax(radius_x, radius_z), small = fmin(radius_x, radius_z);
   const double s = slimness(large / small);
-  double K = pi / 2, E, share = pi / 4; /* for a circle: (K - E) / m */
+  double K = pi / 2, E, share = pi / 4; /* values for a circle; share is (K - E) / m */
   if (s < 1) {
     elliptic(1 - s * s, &K, &E);
     share = (K - E) / (1 - s * s);
   }
-  /* 1 / (2 large) = p0 b / E* / a^2 share, with b = s a and p0 = 3 load / (2 pi a b) */
+  /* a follows from 1 / (2 large) = p0 b / E* / a^2 share, with b = s a, p0 = 3 load / (2 pi a b) */
   const double a = cbrt(3 * load * large * share / (pi * E_star)), b = s * a;
   hertz->p_max = 3 * load / (2 * pi * a * b);
   hertz->approach = hertz->p_max * b / E_star * K;

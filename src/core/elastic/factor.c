@@ -1,6 +1,6 @@
 /* Sparse Cholesky factors by CHOLMOD, supernodal with AMD ordering. A supernodal factorisation
  * fails on an indefinite matrix (a missing support), where the simplicial LDL' would continue. The
- * status is read at once, because the next call resets it. */
+ * status of CHOLMOD is read directly after each call, because the next call resets it. */
 #include "core/elastic/factor.h"
 #include "core/base/dense.h"
 
@@ -16,7 +16,7 @@ struct factor {
   cholmod_common common;
   cholmod_factor *l;
   int last;                 /* number of unknowns of the Schur complement */
-  cholmod_dense *x, *y, *e; /* workspace kept between solves */
+  cholmod_dense *x, *y, *e; /* workspace that is reused by later solutions */
 };
 
 arc_status arc_sparse_add(sparse_entries *s, int row, int column, double value) {
@@ -72,8 +72,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-/* Returns an ordering for small fill in which the last unknowns stay last, so that their part of
- * the factor gives the Schur complement. */
+/* Computes a permutation for small fill in which the last unknowns stay last, so that their part of
+ * the factor gives the Schur complement. Returns 0 on failure. */
 static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
   const int n = (int)a->nrow;
   int *group = malloc((size_t)n * sizeof *group);
@@ -189,12 +189,14 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-/* Solves one system of cholmod_solve, from `from` to f->x. */
+/* Solves one of the systems of cholmod_solve with the right-hand side `from` and writes the
+ * solution to f->x. */
 static int solve_system(factor *f, int system, cholmod_dense *from) {
   return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
 }
 
-/* Setting the last rows to zero between the two solves excludes the last unknowns. */
+/* Solves with L and then with L'. The last unknowns are excluded by setting their rows to zero
+ * between the two solutions. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
   const size_t n = f->l->n, first = n - (size_t)f->last;
   double *rhs_values = calloc(n, sizeof *rhs_values);

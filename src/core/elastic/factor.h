@@ -17,8 +17,9 @@ void arc_sparse_free(sparse_entries *entries);
 
 typedef struct factor factor;
 
-/* Factorises the n x n matrix with its last `last` unknowns ordered last. ARC_NUMERIC: the matrix
- * is not positive definite, or the other unknowns are not all connected. Also ARC_MEMORY. */
+/* Factorises the n x n matrix with its last `last` unknowns ordered last. Errors: ARC_NUMERIC (the
+ * matrix is not positive definite, or some of the other unknowns are not connected to the rest),
+ * ARC_MEMORY. */
 arc_status arc_factor_create(int n, int last, const sparse_entries *entries, factor **result,
                              arc_error *error);
 void arc_factor_destroy(factor **f);
@@ -26,8 +27,8 @@ void arc_factor_destroy(factor **f);
 /* Computes the Schur complement of the last unknowns: schur [last x last]. Errors: ARC_MEMORY. */
 arc_status arc_factor_schur(const factor *f, double *schur, arc_error *error);
 
-/* Computes b := A^-1 b, where A is the matrix of all but the last unknowns, b [n - last]. Two
- * threads must not use one factor at the same time. */
+/* Replaces b [n - last] by A^-1 b, where A is the matrix without the last unknowns. Two threads
+ * must not use the same factor at once. Errors: ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error);
 
 /* Returns the memory of the factor [bytes]. */

@@ -1,11 +1,11 @@
-/* Gradients of the elements' functions in space. */
+/* Computes gradients of the elements' shape functions in space. */
 #include "core/elastic/element.h"
 
 #include <string.h>
 
 static const double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1};
 
-/* Computes the Jacobian of the bilinear map and its determinant. */
+/* Computes the Jacobian of the bilinear map and returns its determinant. */
 static double jacobian(const element *e, double xi, double eta, double j[2][2]) {
   memset(j, 0, 4 * sizeof(double));
   for (int c = 0; c < 4; c++) {

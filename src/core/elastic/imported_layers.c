@@ -1,5 +1,5 @@
-/* Layers below the surface of an imported mesh: for each node of the surface the range of each
- * layer along the chart's z. */
+/* Determines the layers below the surface of an imported mesh: for each node of the surface, the
+ * range of each layer along the chart's z. */
 #include "core/elastic/imported_layers.h"
 #include "core/base/list.h"
 
@@ -33,7 +33,7 @@ static const double *corner(const search *f, int e, int k) {
   return &f->sz[2 * f->body->mesh->element[4 * e + k]];
 }
 
-/* Computes the range of an element along s. */
+/* Computes the range of an element along s [mm]. */
 static void reach(const search *f, int e, double *low, double *high) {
   *low = *high = corner(f, e, 0)[0];
   for (int k = 1; k < arc_mesh_corners(f->body->mesh, e); k++) {
@@ -42,7 +42,8 @@ static void reach(const search *f, int e, double *low, double *high) {
   }
 }
 
-/* Extends the range by z of an edge at s, if the edge reaches s. */
+/* If the edge from p to q crosses the position s, extends the range low .. high by the z of the
+ * edge at s. */
 static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
   if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;
   const double z = p[0] == q[0] ? p[1] : p[1] + (q[1] - p[1]) * ((s - p[0]) / (q[0] - p[0]));
@@ -65,7 +66,7 @@ static int cut_element(search *f, int e, int i) {
   return found != NULL;
 }
 
-/* Returns the first node of the surface from s on. */
+/* Returns the index of the first surface node whose position is not less than s. */
 static int first_from(const search *f, double s) {
   int low = 0, high = f->body->mesh->surface;
   while (low < high) {
@@ -78,7 +79,8 @@ static int first_from(const search *f, double s) {
   return low;
 }
 
-/* Elements at the other side of a hole, where s jumps, are far from the surface. */
+/* Collects the parts of all elements below surface nodes. Skips elements on the opposite side of a
+ * hole, where s jumps, as they are far from the surface. Returns 0 if out of memory. */
 static int find_pieces(search *f) {
   const arc_mesh *m = f->body->mesh;
   for (int e = 0; e < m->elements; e++) {
@@ -93,7 +95,8 @@ static int find_pieces(search *f) {
 
 /* --- layers -------------------------------------------------------------------------------- */
 
-/* Joins the pieces of each node to layers; duplicates on a common edge are removed. */
+/* Joins the pieces below each node to layers, and removes duplicates on common edges of
+ * elements. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;
   int at = 0, count = 0;

@@ -1,4 +1,5 @@
-/* Imported meshes: checks against the definition of a model, and the values that they set in it. */
+/* Checks imported meshes against the definition of a model, and sets the values of the definition
+ * that follow from the meshes. */
 #include "core/elastic/imported_mesh.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
@@ -103,7 +104,8 @@ static double area_of(const arc_mesh *mesh, int e) {
   return twice / 2;
 }
 
-/* Returns the bulk material: the unnamed one, or the named one with the largest area. */
+/* Returns the bulk material of a mesh: the unnamed material if any element has it, else the named
+ * material with the largest area. */
 static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
   const arc_body_def *solid = &def->body[mesh->body];
   double area[ARC_MESH_MATERIALS] = {0};
@@ -120,7 +122,7 @@ static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Refuses elements across the axis. */
+/* Checks that no element extends across the axis x = 0. */
 static arc_status check_across(const arc_mesh *mesh, double width, arc_error *error) {
   for (int e = 0; e < mesh->elements; e++) {
     const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
@@ -159,10 +161,10 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
                   arc_body_name(mesh->body), least, most);
 }
 
-/* Checks that both surfaces in a hole are near the arc of the given radii, along which the chart
- * lies. */
+/* For a hole, checks that the surface nodes of a mesh are near the arc of the given radius, as the
+ * chart follows this arc. */
 static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
-  static const double most = 0.05; /* share of the radius */
+  static const double most = 0.05; /* largest distance from the arc, as a share of the radius */
   const chart c = arc_chart_of(def);
   const arc_body_def solid = arc_model_solid(def, mesh->body);
   const double radius = fabs(arc_body_radius(&solid));

@@ -1,10 +1,11 @@
-/* Fields of the shape that are allowed with an imported mesh, which defines the shape itself. */
+/* Checks which fields of a body's shape are given with an imported mesh, which defines the shape
+ * itself. */
 #include "core/elastic/imported_mesh.h"
 
 #include <string.h>
 
-/* Fields that are allowed in a hole, where the radii define the arc along which contact is
- * solved. */
+/* Returns true for the radii of a hole. They are allowed because they define the arc along which
+ * the contact is solved. */
 static int tells_arc(const arc_model_def *def, const char *name) {
   return arc_model_is_hole(def) &&
          (strcmp(name, "radius") == 0 || strcmp(name, "inner") == 0 || strcmp(name, "outer") == 0);

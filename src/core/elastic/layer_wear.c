@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* Returns the wear coefficient of a layer relative to the largest; 1 if no material has one. */
+/* Returns the wear coefficient of a layer divided by the largest coefficient of the body, or 1 if
+ * no material has a coefficient. */
 static double share_of(const arc_model_def *def, arc_body body, int layer) {
   const double largest = arc_model_wear_k(def, body);
   const arc_material own = def->material[body];

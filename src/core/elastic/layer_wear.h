@@ -1,6 +1,6 @@
-/* Wear through layers, where the coefficient is a table over depth. A depth at the largest
- * coefficient is converted layer by layer, so that an update through several layers uses the
- * coefficient of each. */
+/* Wear through layers, whose wear coefficients form a table over depth. A depth computed with the
+ * largest coefficient is converted layer by layer, so that an update through several layers uses
+ * the coefficient of each layer. */
 #ifndef ELASTIC_LAYER_WEAR_H
 #define ELASTIC_LAYER_WEAR_H
 
@@ -14,12 +14,12 @@ typedef struct layers_below {
       *solid; /* body with a mesh; NULL: each layer has the same thickness everywhere */
 } layers_below;
 
-/* Returns true if the wear depends on the layer at the surface. */
+/* Returns true if the layers of a body have different wear coefficients. */
 int arc_layer_wear_differs(const arc_model_def *def, arc_body body);
-/* Converts a depth [mm] at the largest wear coefficient to the depth with the coefficients of the
- * layers below site i, beginning at depth h. */
+/* Converts `due`, a depth [mm] computed with the largest wear coefficient, to the depth [mm] with
+ * the coefficients of the layers below site i, beginning at depth h [mm]. */
 double arc_layer_wear(const layers_below *b, int i, double h, double due);
-/* Returns the wear coefficient at depth h below site i, relative to the largest. */
+/* Returns the wear coefficient at depth h [mm] below site i, divided by the largest coefficient. */
 double arc_layer_wear_share(const layers_below *b, int i, double h);
 
 #endif

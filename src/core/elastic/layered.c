@@ -1,6 +1,6 @@
-/* Compliance of layered bodies for waves of pressure, in closed form, computed layer by layer from
- * the base upwards. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x), and
- * stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x). Within a layer
+/* Computes the compliance of layered bodies for waves of pressure in closed form, layer by layer
+ * from the base upwards. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x),
+ * and stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x). Within a layer
  * these four functions of the depth, in units of 1 / q, satisfy s' = A s with (A^2 - 1)^2 = 0, so
  * exp(A d) has four terms. The relation of displacements to stresses is propagated from the lower
  * to the upper face of each layer. */
@@ -11,14 +11,15 @@
 #include <math.h>
 #include <string.h>
 
-enum { half = 2, whole = 4 }; /* 2 displacements or 2 stresses; 4 together */
+enum { half = 2, whole = 4 }; /* numbers of displacements or stresses, and of both together */
 
 /* Depth [1 / q] below which layers have no influence. */
 static const double deep = 20;
 
 typedef double square[whole * whole];
 
-/* Computes the matrix A of a material. For plane stress it uses the modulus E and a smaller nu. */
+/* Computes the matrix A of a material. Plane stress uses E and nu instead of E* and nu / (1 -
+ * nu). */
 static void find_rates(arc_space space, arc_material m, square a) {
   const double G = m.E / (2 * (1 + m.nu));
   const double across = space == ARC_PLANE_STRESS ? m.nu : m.nu / (1 - m.nu);
@@ -32,7 +33,7 @@ static void find_rates(arc_space space, arc_material m, square a) {
   a[dense_at(3, 2, whole)] = -1;
 }
 
-/* Computes exp(-A d) without the factor that would overflow. */
+/* Computes exp(-A d) divided by exp(d), as the complete matrix could overflow. */
 static void find_transfer(const square a, double d, square up) {
   const double e = exp(-2 * d), cosh = (1 + e) / 2, sinh = -expm1(-2 * d) / 2;
   const double c[whole] = {cosh - d * sinh / 2, -(3 * sinh - d * cosh) / 2, d * sinh / 2,
@@ -73,7 +74,8 @@ static void add_layer_above(arc_space space, arc_material m, double d, double c[
   }
 }
 
-/* Returns the depth of the base; INFINITY for solid arcs, which are treated as half-planes. */
+/* Returns the depth of a body's rigid base [mm], or INFINITY for solid arcs, which are treated as
+ * half-planes. */
 static double depth_of(const arc_body_def *b) {
   return arc_body_is_core(b) ? INFINITY : arc_body_depth(b);
 }

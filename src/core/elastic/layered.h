@@ -1,4 +1,4 @@
-/* Stiffness of layered bodies against pressure waves. */
+/* Stiffness of layered bodies under pressure waves. */
 #ifndef ELASTIC_LAYERED_H
 #define ELASTIC_LAYERED_H
 
@@ -7,15 +7,16 @@
 /* Returns the modulus of a half-plane of the material [MPa]: E*, in plane stress E. */
 double arc_material_modulus(arc_space space, arc_material material);
 
-/* Returns the modulus [MPa] of the half-plane that yields as much to a pressure of wave number q
- * [1/mm] as a body with its layers. Without layers and without a near base it equals the modulus of
- * the material to the bit. */
+/* Returns the modulus [MPa] of the half-plane that has the same displacement under a pressure of
+ * wave number q [1/mm] as a body with its layers. Without layers and without a near base it equals
+ * the modulus of the material to the bit. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
-/* Returns this modulus for layers, from the surface inwards, on a base of the body's material that
- * is `base` mm thick (INFINITY: a half-plane) and fixed below. */
+/* Returns the same modulus for a list of layers (from the surface inwards) on a base of the
+ * material `own`, which is `base` mm thick (INFINITY: a half-plane) and fixed below. */
 double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, double base,
                           arc_material own, double q);
-/* Returns the contact modulus of two such bodies [MPa]. */
+/* Returns the contact modulus [MPa] of two bodies with layers for a pressure of wave number q
+ * [1/mm]. */
 double arc_pair_modulus(arc_space space, const arc_body_def body[ARC_BODIES],
                         const arc_material own[ARC_BODIES], double q);
 

@@ -1,6 +1,6 @@
-/* Automatic meshes: the values of "auto" in a model's definition for its contact. All lengths of
- * the paper's mesh are scaled with the half width of the contact, so that the error is the same for
- * every contact. */
+/* Computes the values of "auto" in a model's definition for its contact. All lengths of the paper's
+ * mesh are scaled with the half width of the contact, so that the error is the same for every
+ * contact. */
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/mesh/mesh.h"
@@ -30,7 +30,8 @@ double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
   return arc_body_widest_zone(&solid);
 }
 
-/* Returns the largest depth of rows of the usual height, a tenth of the radius. */
+/* Returns the largest automatic element size [mm]. With it the height of a row is at most a tenth
+ * of the smallest dimension, and the depth of the wear box at most a quarter. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
@@ -38,23 +39,25 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
-/* Largest automatic number of columns for a contact with sharp edges, as elements have the same
- * size over the whole zone, which is as deep as wide. */
+/* Largest automatic number of columns for a contact with sharp edges. It is limited because
+ * elements have the same size over the whole zone, which is as deep as wide. */
 static const double most_columns = 320;
 
 static double smallest_size(const contact_estimate *e) {
   return 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
 }
 
-/* Resolves the edges of the contact as finely as in the paper's mesh, and twice as finely for
- * spots, whose pressure at the axis would be 0.3 % low. The ends of a flat get a node. */
+/* Returns the element size [mm] that resolves the edges of the contact as finely as in the paper's
+ * mesh. For round spots the size is halved, as their pressure at the axis would be 0.3 % low
+ * otherwise. The ends of a flat get a node. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
-/* Uses eight elements per wave of a rough profile, and five in the spots that touch. */
+/* Returns the element size [mm] with eight elements per wave of a rough profile and five elements
+ * in each spot in contact. */
 static double size_of_waves(const contact_estimate *e) {
   enum { a_wave = 8, a_spot = 5 };
   return fmin(e->wave / a_wave, fmax(e->spot / a_spot, smallest_size(e)));
@@ -67,9 +70,9 @@ static void fit_size(arc_model_def *def, const contact_estimate *e) {
       fmin(fmin(contact_size(def, e), size_of_waves(e)) / mesh->fineness, largest_size(def));
 }
 
-/* Limits the height of rows so that two fit into soft, nearly incompressible layers, as a
- * single row locks where it is squeezed out sideways. Rows do not become too flat: much thinner
- * layers are as stiff as their foundation. */
+/* Limits the height of rows [mm] so that two rows fit into soft, nearly incompressible layers, as a
+ * single row locks where the layer is squeezed out sideways. Much thinner layers are ignored, as
+ * they are as stiff as their foundation and would need very flat rows. */
 static double height_in_layers(const arc_model_def *def, double height) {
   static const double incompressible = 0.4;
   const double flattest = def->mesh.size / 16;
@@ -121,7 +124,7 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
-/* Rounds up, so that similar runs share a model. */
+/* Rounds a zone [mm] up to ten elements, so that similar runs share a model. */
 static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
   return fmin(rounded, arc_model_widest_zone(def, body));
@@ -145,8 +148,8 @@ void arc_model_fit_alone(arc_model_def *def) {
 
 /* --- cost */
 
-/* Measured on meshes of 20 to 2.5 um: bytes per node for the stiffness and its factor, and dense
- * blocks over the wear box. */
+/* Returns the approximate memory of one body [bytes]: the stiffness and its factor, and dense
+ * blocks over the wear box. The factors were measured on meshes of 20 to 2.5 um. */
 static double body_memory(const arc_model_def *def, arc_body body) {
   const arc_body_def solid = arc_model_solid(def, body);
   const double nodes = arc_mesh_nodes(&def->mesh, body, &solid);

@@ -4,19 +4,21 @@
 
 #include "archard/model.h"
 
-/* Returns the widest zone of a body of the model [mm], as arcs curve away from the contact. */
+/* Returns the width of the widest zone of a body of the model [mm], which is limited where arcs
+ * curve away from the contact. */
 double arc_model_widest_zone(const arc_model_def *def, arc_body body);
 
 /* Returns the largest possible depth of the wear box in both bodies [mm]. */
 double arc_model_deepest_box(const arc_model_def *def);
 
-/* Returns the "auto" size of the elements for a half width, at fineness 1 [mm]. */
+/* Returns the "auto" size of the elements [mm] for a half width [mm] at fineness 1. */
 double arc_model_size_for(double half_width);
 
 /* Returns the approximate peak memory of building the model [bytes]. */
 double arc_model_memory(const arc_model_def *def);
 
-/* Returns the margin for the edge peaks of worn contacts, in half widths. */
+/* Half width of a zone divided by the half width of the contact, with a margin for the edge peaks
+ * of worn contacts. */
 #define ARC_CONTACT_MARGIN 1.3
 
 #endif

@@ -1,4 +1,4 @@
-/* A model: two condensed bodies, with a reference count. */
+/* Models of two condensed bodies: settings, construction, warnings. */
 #include "core/elastic/model.h"
 #include "core/base/callbacks.h"
 #include "core/base/memory.h"
@@ -20,7 +20,7 @@
 typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
-  double *profile[ARC_BODIES]; /* heights of the definition's profiles */
+  double *profile[ARC_BODIES]; /* copies of the heights of profiles in the definition */
   long version; /* version of the newest compliance; the next one gets the next number */
 } elastic_model;
 
@@ -69,10 +69,10 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* A model under construction, on a thread that may outlive its caller. */
+/* A model under construction. Its thread may continue after the caller has returned. */
 typedef struct build {
   elastic_model *model;
-  arc_mesh *given[ARC_BODIES]; /* NULL: to be meshed */
+  arc_mesh *given[ARC_BODIES]; /* imported meshes; NULL: the body is meshed */
   work_progress progress;
   arc_error error;
 } build;
@@ -96,7 +96,7 @@ static void discard(void *job) {
   free(b);
 }
 
-/* Copies profiles, which the caller owns. */
+/* Replaces the profiles of the definition, which the caller owns, by copies. */
 static arc_status keep_profiles(elastic_model *m) {
   arc_status status = ARC_OK;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -130,7 +130,7 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
 
-/* Builds a model; it owns the imported meshes (NULL: none) from now on. */
+/* Builds a model. The model then owns the imported meshes `given` (NULL: none). */
 static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                        const arc_callbacks *callbacks, arc_model **result,
                                        arc_error *error) {
@@ -226,11 +226,11 @@ double arc_model_apparent_modulus(const arc_model *m, double q) {
   return arc_pair_modulus(m->def.geometry, solid, own, q);
 }
 
-/* Largest nu without a warning: bilinear elements are too stiff by 0.4 % of the pressure at nu =
- * 0.45 and 20 um, by 3 % at 0.49. */
+/* Warns if CPE4 elements of a body lock, which is assumed for nu above 0.45. At 20 um their error
+ * of the pressure is 0.4 % at nu = 0.45 and 3 % at 0.49. */
 static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
   const elastic_body *body = meshed(m)->body[which];
-  if (m->def.geometry == ARC_PLANE_STRESS) return; /* for plane stress */
+  if (m->def.geometry == ARC_PLANE_STRESS) return; /* elements do not lock in plane stress */
   if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
   arc_warn(callbacks,
            "CPE4 elements lock at nu = %g of the %s: pressures may be far too high; use "
@@ -240,12 +240,12 @@ static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks
 
 enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of its edges */
 
-/* Smallest number of elements in the spots of a rough profile: pressures were 3 and 4 % off with
- * 1.9 and 2.1 elements. */
+/* Smallest number of elements in the spots of a rough profile. With 1.9 and 2.1 elements the errors
+ * of the pressure were 3 % and 4 %. */
 static const double least_of_spot = 3;
 
-/* Smallest number of elements in sharp edges: with three elements peaks are 6 % low, with two 16
- * %. */
+/* Warns if the spots or the sharp edges of the unworn contact have too few elements. In edges with
+ * three elements the pressure peaks are 6 % too low, with two elements 16 %. */
 static void warn_edges(const arc_model *m, double load, const arc_callbacks *callbacks) {
   const double size = m->def.mesh.size;
   if (!(load > 0) || arc_model_is_given(m)) return;
@@ -270,7 +270,8 @@ static double height_at(const elastic_body *body, double s) {
   return arc_body_top(body, next)[1];
 }
 
-/* Returns the slope of a hollow surface at the edges of a contact; negative for others. */
+/* Returns the slope of a hollow surface at the edges of a contact. The result is negative for other
+ * surfaces. */
 static double hollow_slope(const arc_model *m, arc_body which, double half_width) {
   const elastic_body *body = meshed(m)->body[which];
   const double rise =
@@ -278,8 +279,8 @@ static double hollow_slope(const arc_model *m, arc_body which, double half_width
   return (which == ARC_PLATE ? rise : -rise) / half_width;
 }
 
-/* Warns if an imported mesh seems to be a hole, where slopes are not small: the pressure in the
- * middle is 0.3 % low at a slope of 0.15, 2 % at 0.4. */
+/* Warns if an imported mesh seems to be a hole, where slopes are not small. The pressure in the
+ * middle is 0.3 % too low at a slope of 0.15 and 2 % at 0.4. */
 static void warn_hollow(const arc_model *m, double half_width, const arc_callbacks *callbacks) {
   const double steep = 0.15;
   if (!arc_model_is_given(m) || meshed(m)->body[ARC_PLATE]->chart.polar || !(half_width > 0))

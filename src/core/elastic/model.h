@@ -7,14 +7,15 @@
 /* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns if the model has fewer than four elements in a contact of this half width [mm] or in a
- * sharp edge of the unworn contact under a load [N] (0: it is worn), and if the elements of a body
- * lock. */
+/* Warns if the model has fewer than four elements in a contact of this half width [mm], or in a
+ * sharp edge of the unworn contact under a load [N] (0: the contact is worn). Also warns if the
+ * elements of a body lock. */
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 
-/* Version numbers of compliances, counted by the model: equal numbers mean equal bits
- * for all shapes. The unworn compliance has the first one; 0 is not used. */
+/* Version numbers of compliances, counted by the model. Compliances with equal numbers are equal to
+ * the bit, for all shapes. The unworn compliance has the number ARC_UNWORN_VERSION; 0 is not
+ * used. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
@@ -22,8 +23,8 @@ long arc_model_next_version(arc_model *model);
  * arc_pair_modulus, including the layers of imported bodies. */
 double arc_model_apparent_modulus(const arc_model *model, double q);
 
-/* Functions of the kind for meshed bodies: see arc_model_check, arc_model_build_with_callbacks,
- * arc_model_release and arc_model_bytes. */
+/* Implementations of arc_model_check, arc_model_build_with_callbacks, arc_model_release,
+ * arc_model_bytes and arc_model_mesh for meshed bodies. */
 arc_status arc_elastic_check(const arc_model_def *def, arc_error *error);
 arc_status arc_elastic_build(const arc_model_def *def, const arc_callbacks *callbacks,
                              arc_model **model, arc_error *error);

@@ -34,7 +34,8 @@ static const char *kind_of(const arc_model_def *def, arc_body body) {
   return arc_solid_names[arc_model_solid(def, body).kind];
 }
 
-/* Returns true for "cylinder" as a name of a lower cylinder, as this word means the upper body. */
+/* Returns true if the kind of a body can be its name: the other body has another kind, and the body
+ * is not a lower cylinder, as the word "cylinder" means the upper body. */
 static int is_named_by_kind(const arc_model_def *def, arc_body body) {
   const char *kind = kind_of(def, body);
   if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
@@ -107,7 +108,7 @@ static double reach_of(const arc_body_def *b) {
   return arc_body_is_round(b) ? fabs(arc_body_radius(b)) : b->width / 2;
 }
 
-/* Checks that a profile about the axis is symmetric. */
+/* Checks that a profile is symmetric about the axis of revolution. */
 static arc_status check_profile_turns(const arc_body_def *b, const char *path, arc_error *error) {
   const arc_series *y = &b->y_series;
   for (int i = 0; i < y->count; i++) {
@@ -121,7 +122,7 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
-/* Checks a body of revolution. */
+/* Function that checks one body of a pair of revolution. */
 typedef arc_status turn_check(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error);
 
