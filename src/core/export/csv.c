@@ -1,4 +1,4 @@
-/* Comma-separated columns. */
+/* Writes columns of numbers as comma-separated values (CSV). */
 #include "core/export/output.h"
 
 static void write_name(FILE *out, const char *name, const char *unit) {

@@ -1,8 +1,8 @@
-/* Input decks: one mesh with its sets for a preprocessor, or the complete problem of a contact for
- * CalculiX. The plate's nodes and elements follow the cylinder's; numbers start at 1. The complete
- * problem is a slab one element thick, fixed along z on both faces, which is plane strain with the
- * model's elements. CalculiX also expands its plane elements to such slabs, but has no plane
- * elements with incompatible modes. */
+/* Writes input decks: one mesh with its sets for a preprocessor, or the complete problem of a
+ * contact for CalculiX. Numbers start at 1; nodes and elements of the plate follow those of the
+ * cylinder. The complete problem is a slab one element thick that is fixed along z on both faces,
+ * which is plane strain with the model's elements. CalculiX also expands its plane elements to such
+ * slabs, but it has no plane elements with incompatible modes. */
 #include "core/elastic/model.h"
 #include "core/export/output.h"
 #include "core/mesh/body_shape.h"
@@ -11,14 +11,14 @@
 #include <string.h>
 
 typedef struct numbering {
-  int node, element; /* added to 0-based numbers */
-  int layer;         /* offset between the nodes of the slab's two faces; 0: plane */
+  int node, element; /* numbers of the first node and element of a body */
+  int layer; /* offset between the node numbers of the slab's two faces; 0: plane elements */
 } numbering;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/* CalculiX reads 20 characters of a number and ignores the rest, even an exponent. 13 digits fit
- * with sign, point and any exponent. */
+/* Largest width of a number. CalculiX reads 20 characters and ignores the rest, even an exponent.
+ * 13 digits fit with sign, point and any exponent. */
 enum { DECK_WIDTH = 20 };
 
 static arc_number_text number(double value) {
@@ -116,7 +116,7 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   write_surface(out, m, at, name);
 }
 
-/* Fails for meshes without a wear box, whose faces a deck needs. */
+/* Fails for a mesh without a wear box, as the deck needs the faces of the box. */
 static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
   if (mesh->rows > 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -143,7 +143,7 @@ typedef struct deck {
   const arc_contact *contact;
   arc_model *model;
   const arc_model_def *def;
-  double *xy; /* coordinates; large enough for the nodes of either body */
+  double *xy; /* coordinates of nodes [mm]; the array is large enough for either body */
   int nodes;  /* number of nodes on one face of the slab */
 } deck;
 
@@ -151,7 +151,8 @@ static const arc_mesh *mesh_of(const deck *d, int body) {
   return arc_model_mesh(d->model, (arc_body)body);
 }
 
-/* Returns the number of the node for the plate's rigid base, which follows all other nodes. */
+/* Returns the number of the node of the plate's rigid base. It follows the numbers of all other
+ * nodes. */
 static int base_node(const deck *d) {
   return 2 * d->nodes + 1;
 }
@@ -170,7 +171,8 @@ static void write_material(FILE *out, const char *name, arc_material material) {
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
 }
 
-/* Writes one element set for each layer, and one for the body below the layers. */
+/* Writes one element set with its material for each layer, and one for the body below the
+ * layers. */
 static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   const arc_body_def *solid = &d->def->body[m->body];
   const int layers = arc_body_layers(solid);
@@ -217,8 +219,8 @@ static void write_base(const deck *d) {
             m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
 }
 
-/* Returns the penalty stiffness for which the bodies overlap by only a small part of the gap at the
- * contact's edge, for any element size. */
+/* Returns the penalty stiffness [N/mm3]. With it the bodies overlap by only a small part of the gap
+ * at the contact's edge, for any element size. */
 static double penalty(const deck *d) {
   return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }
@@ -230,8 +232,8 @@ static void write_contact(const deck *d) {
                   "plate-contact, cylinder-contact\n");
 }
 
-/* Fixes the support of a body along x: its whole set, or single nodes if only the middle is
- * fixed. */
+/* Fixes the support of a body along x: the whole set of fixed nodes, or single nodes if only the
+ * middle of the support is fixed. */
 static void hold_sideways(const deck *d, const arc_mesh *m, int first) {
   if (m->solid.hold != ARC_HOLD_FREE) {
     fprintf(d->out, "%s-fixed, 1, 1\n", arc_body_name(m->body));
@@ -250,8 +252,8 @@ static void write_supports(const deck *d) {
   hold_sideways(d, lower, upper->nodes + 1);
 }
 
-/* Writes the load steps. Under a load alone the separated bodies would have no support, so the
- * first step prescribes the approach of this load. */
+/* Writes the load steps. In the first step the separated bodies would have no support under a load,
+ * so this step prescribes the approach that the load causes. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
   write_supports(d);

@@ -1,4 +1,5 @@
-/* Gmsh files (4.1, text) of both bodies, with the physical groups that arc_mesh_read_msh reads. */
+/* Writes Gmsh files (4.1, text) of both bodies, with the physical groups that arc_mesh_read_msh
+ * reads. */
 #include "core/export/output.h"
 
 #include <math.h>
@@ -11,16 +12,17 @@ static const char *const curve_names[] = {"contact", "fixed"};
 
 /* A surface of the file: the part of a body with one material. */
 typedef struct msh_part {
-  int body, material; /* material -1: that of the body, which has no name */
+  int body, material; /* material -1: the body's own material, which has no name */
 } msh_part;
 enum { PARTS = ARC_BODIES * (ARC_MESH_MATERIALS + 1) };
 
-/* Numbering of the file. Surface p + 1 is part p. Curves 2 b + 1 and 2 b + 2 are the contact and
- * the fixed part of body b. Groups have the numbers of their entities. */
+/* Data of the file. Entities are numbered as follows: surface p + 1 is part p, and curves 2 b + 1
+ * and 2 b + 2 are the contact and the fixed part of body b. Physical groups have the same numbers
+ * as their entities. */
 typedef struct msh_output {
   FILE *out;
-  const arc_mesh *mesh[ARC_BODIES]; /* NULL: body not written */
-  char *fixed[ARC_BODIES];          /* [nodes] 1: fixed */
+  const arc_mesh *mesh[ARC_BODIES]; /* meshes of the bodies; NULL: the body is not written */
+  char *fixed[ARC_BODIES];          /* [nodes] 1: the node is fixed */
   int lines[ARC_BODIES][CURVES];    /* number of lines of each curve */
   msh_part part[PARTS];
   int parts, nodes, elements, bodies; /* numbers of written entities */
@@ -40,8 +42,8 @@ static int part_of(const msh_output *o, int body, int material) {
   return p;
 }
 
-/* Lists the parts of a body in the order of materials: materials with elements, and named materials
- * without elements. */
+/* Lists the parts of a body in the order of its materials. Named materials without elements are
+ * included. */
 static void find_parts(msh_output *o, int body) {
   const arc_mesh *m = o->mesh[body];
   for (int material = -1; material < ARC_MESH_MATERIALS; material++) {
@@ -63,8 +65,8 @@ static void write_part_name(const msh_output *o, const msh_part *p) {
 
 /* --- the curves ------------------------------------------------------------------------------- */
 
-/* Counts the lines of a curve, and writes them if `tag`, the number of the next line, is not
- * NULL. */
+/* Data for counting or writing the lines of a curve. `tag` points to the number of the next
+ * line. */
 typedef struct line_sink {
   FILE *out;
   int *tag; /* NULL: lines are only counted */
@@ -130,7 +132,7 @@ static void write_names(const msh_output *o) {
   fprintf(o->out, "$EndPhysicalNames\n");
 }
 
-/* Writes the number and extent of an entity; the extent is that of the whole body. */
+/* Writes the number of an entity, and the extent of its body as the extent of the entity. */
 static void write_extent(const msh_output *o, int tag, int body) {
   const double *xy = o->mesh[body]->xy;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -179,8 +181,9 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-/* Returns the end of the block of elements that begins at e: elements of one type and material.
- * Blocks keep the order of elements, so that assembled sums have the same bits. */
+/* Returns the index after the last element of the block that begins at element e. The elements of a
+ * block have the same type and material. Blocks keep the order of elements, so that sums over
+ * elements have the same bits. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;
@@ -253,7 +256,7 @@ static arc_status write_text(char **text, msh_output *o, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for writing a mesh");
 }
 
-/* Collects the data of the file. The caller frees the data, also after an error. */
+/* Collects the data of the file. The caller frees them with end(), also after an error. */
 static arc_status begin(msh_output *o, const arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   arc_status status = ARC_OK;
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)

@@ -1,4 +1,4 @@
-/* An output file that gets its name when it is complete. */
+/* Output files that get their names when they are complete. */
 #ifndef EXPORT_OUTPUT_H
 #define EXPORT_OUTPUT_H
 
@@ -14,8 +14,8 @@ typedef struct output_file {
 
 /* Opens a temporary file for `path`. Errors: as for arc_atomic_file_create. */
 arc_status arc_output_open(output_file *file, const char *path, arc_error *error);
-/* Flushes and closes the file, and gives it its name. After any write error discards the file and
- * returns ARC_IO. */
+/* Flushes and closes the file, and renames it to its final name. After a write error the file is
+ * discarded, and the function returns ARC_IO. */
 arc_status arc_output_close(output_file *file, arc_error *error);
 
 #endif

@@ -1,4 +1,5 @@
-/* Legacy VTK text files: an unstructured grid with displacements and stresses at its nodes. */
+/* Writes legacy VTK text files: an unstructured grid with displacements and stresses at its
+ * nodes. */
 #include "core/export/output.h"
 
 enum { vtk_triangle = 5, vtk_quad = 9 };

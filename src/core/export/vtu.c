@@ -1,5 +1,5 @@
-/* VTK unstructured grids in XML. The binary data follow the XML description; each array is preceded
- * by its number of bytes. */
+/* Writes VTK unstructured grids in XML. The binary data follow the XML description. Each array is
+ * preceded by its number of bytes. */
 #include "core/export/output.h"
 
 #include <stdint.h>
@@ -25,14 +25,14 @@ typedef struct array {
   void *data;
 } array;
 
-/* Maximum number of arrays: points, time, displacement, layers, three arrays of the cells, and the
- * columns. */
+/* Largest number of arrays: points, time, displacement, layers, three arrays of the cells,
+ * stresses, and surface values. */
 #define AND_ONE(name, unit, text) +1
 enum { MOST_ARRAYS = 7 ARC_FIELD_STRESSES(AND_ONE) ARC_SURFACE_COLUMNS(AND_ONE) };
 
 typedef struct grid {
   const arc_mesh *mesh;
-  const arc_contact *contact; /* NULL: only the mesh */
+  const arc_contact *contact; /* NULL: only the mesh is written */
   array list[MOST_ARRAYS];    /* sorted by section */
   int count;
   int failed; /* 1: an allocation failed */
@@ -42,7 +42,8 @@ static void grid_free(grid *g) {
   for (int i = 0; i < g->count; i++) free(g->list[i].data);
 }
 
-/* Adds an array of zeros. Returns its values, or NULL. */
+/* Adds an array whose values are zero. Returns the address of the values, or NULL if out of
+ * memory. */
 static void *add(grid *g, array a) {
   a.data = calloc(a.tuples * (size_t)a.components, type_sizes[a.type]);
   if (a.data)
@@ -103,8 +104,8 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-/* Adds the numbers of layers from the surface downwards, or of materials of an imported mesh.
- * Elements without a layer have the highest number. */
+/* Adds the number of its layer for each element, from 1 at the surface, or the number of its
+ * material in an imported mesh. Elements outside all layers have the highest number. */
 static void add_layers(grid *g) {
   const arc_mesh *m = g->mesh;
   if (!m->layer || arc_body_layers(&m->solid) == 0) return;
@@ -162,8 +163,8 @@ static void describe(FILE *out, const array *a, uint64_t offset) {
     fprintf(out, "/>\n");
 }
 
-/* Writes the descriptions of a section's arrays. Offsets are relative to the mark before the
- * data. */
+/* Writes the descriptions of the arrays of a section. Offsets [bytes] are counted from the mark `_`
+ * before the data. */
 static void describe_section(FILE *out, const grid *g, section part) {
   uint64_t offset = 0;
   fprintf(out, "<%s>\n", section_names[part]);

@@ -1,7 +1,8 @@
-/* One increment of Coulomb friction: pressures at constant shear and shear at constant bounds,
- * alternately, until gaps no longer change. Both are symmetric problems whose solvers always end.
- * For similar bodies this converges quickly. Where the coupling is strong, friction_newton.c is
- * tried in between. */
+/* Solves one increment of Coulomb friction by sweeps. Each sweep solves for the pressures at
+ * constant shear, and then for the shear at constant bounds, until the gaps no longer change. Both
+ * are symmetric problems whose solvers always end. The sweeps converge quickly for bodies of
+ * similar materials. If the coupling is strong, the method of friction_newton.c is tried between
+ * sweeps. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -15,7 +16,8 @@ static const double settled = 1e-13;
 
 /* --- the shear problem of an increment -------------------------------------------------------- */
 
-/* Limits the force to that of friction, which only an intermediate iterate may exceed. */
+/* Sets the tangential force of the shear problem and limits it to the force of friction. Only an
+ * intermediate iterate may exceed this limit. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -28,7 +30,8 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-/* Sets up the shear problem for the present forces, beginning with the states in w->slip. */
+/* Sets up the shear problem for the present normal forces. The states of stick and slip in w->slip
+ * are its warm start. */
 static void set_shear(friction_task *k) {
   const contact_problem *p = k->p;
   shear_problem *s = &k->w->shear;
@@ -63,7 +66,7 @@ static void take_shear(friction_task *k) {
 
 /* --- sweeps ----------------------------------------------------------------------------------- */
 
-/* Returns the part of the load carried by shear on slopes [N/mm]. */
+/* Returns the part of the load that shear on inclined surfaces carries [N/mm]. */
 static double carried_by_shear(const friction_task *k) {
   double sum = 0;
   for (int i = 0; i < k->p->count && !k->g->flat; i++)
@@ -76,7 +79,8 @@ static void set_gaps(friction_task *k) {
     k->p->gap[i] = k->w->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->w->sheared[i];
 }
 
-/* Returns the largest change of gaps in contact, relative to the displacement by pressures. */
+/* Returns the largest change of the gaps of nodes in contact [-], relative to the displacement by
+ * pressures. */
 static double changed(const friction_task *k, const double *sheared) {
   double most = 0, all = 0;
   for (int i = 0; i < k->p->active; i++) {
@@ -88,7 +92,8 @@ static double changed(const friction_task *k, const double *sheared) {
   return most / all;
 }
 
-/* Sets the shear of the next sweep: the new one, or a mean if the sweeps oscillate. */
+/* Sets the shear of the next sweep: the new shear, or a mean of the old and new shear after many
+ * sweeps, which may oscillate. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
   for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
@@ -117,7 +122,8 @@ static int sweep(friction_task *k) {
   return 0;
 }
 
-/* For similar materials sweeps converge quickly once the sets are right. */
+/* Returns true if the sweeps converge quickly, as they do for similar materials once the sets are
+ * right. */
 static int is_closing_in(const friction_task *k, double before) {
   static const double quick = 0.02;
   return k->change < quick * before;
@@ -147,8 +153,8 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* Solves once more with the change of the compliance times the forces added to the gaps, as in
- * contact_problem.c. */
+/* Adds the change of the compliance times the forces to the gaps without shear, as in
+ * contact_problem.c. Returns 0 if the compliance has not changed. */
 static int add_compliance_change(friction_task *k) {
   contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;
@@ -170,13 +176,15 @@ static double touch(const contact_problem *p) {
   return least;
 }
 
-/* Sets the nodes in contact before as the start of an unsolved problem. */
+/* Sets the active set of an unsolved problem to the nodes that were in contact before the
+ * increment. */
 static void set_of(contact_problem *p, const friction_state *s) {
   for (int c = 0; c < p->count; c++)
     if (s->f[p->lo + c] > 0) p->set[p->active++] = c;
 }
 
-/* Reuses the factor of the shear problem if the problem is the same. */
+/* Updates the tangential matrices. The factor of the shear problem is reused only if the matrices
+ * have not changed. */
 static void reuse_factor(tangential_compliance *g, const contact_problem *p,
                          friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
@@ -212,7 +220,7 @@ double arc_friction_slip(const friction_task *k, int candidate) {
   return k->dx + k->w->shear.shift + up + k->w->before[candidate] - k->w->dragged[candidate];
 }
 
-/* Computes the slip of the open candidates. */
+/* Computes the slip of the candidates that are not in contact. */
 static void slip_of_open(friction_task *k) {
   const contact_problem *p = k->p;
   friction_workspace *w = k->w;
@@ -257,7 +265,7 @@ static void commit(friction_task *k, friction_state *s) {
   arc_tangential_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
 }
 
-/* Handles the separation of the bodies. */
+/* Sets the solution and the state for bodies that are apart. */
 static void lift(friction_task *k, friction_state *s) {
   contact_problem *p = k->p;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);

@@ -1,29 +1,30 @@
 /* Coulomb friction on a contact problem: the tangential part of the contact matrix, the state
  * between increments, and one increment of load and motion.
  *
- * Shear forces t belong to the cylinder's nodes, as f does. t acts on the cylinder along (1, m),
- * the tangent in +x of the surface with slope m, and -t on the plate; q = t / w is the shear
- * traction. Slip ds is the motion of the plate's surface relative to the cylinder's along +x:
+ * Shear forces t are given at the cylinder's nodes, as the forces f are. t acts on the cylinder
+ * along (1, m), the tangent in +x of the surface with slope m. -t acts on the plate. q = t / w is
+ * the shear traction for the width w of the node. Slip ds is the motion of the plate's surface
+ * relative to the cylinder's along +x:
  *
  *   gap - approach + m (x - problem x) + A_nn f + A_nt t >= 0,  f >= 0,  f gap = 0
  *   ds = dx + m d(approach) - d(r),   r = A_tn f + A_tt t
  *   |t| <= mu f,   ds = 0 where |t| < mu f,   t ds >= 0
  *   sum (f + m t) = line,   sum (t - m f) = tangential, the force that drives the plate along x
  *
- * so that x, tangential, q and ds are all positive for a plate that is pushed along +x. d is the
+ * Therefore x, tangential, q and ds are all positive for a plate that is pushed along +x. d is the
  * change over the increment (backward Euler). r before the increment is computed from the
- * displacements of the points of both surfaces, for those points that face each other now. */
+ * displacements of those points of both surfaces that face each other now. */
 #ifndef FRICTION_FRICTION_H
 #define FRICTION_FRICTION_H
 
 #include "core/contact/contact_problem.h"
 
-/* The shear problem at constant pressures: min t'A t / 2 - drive't over |t| <= bound. If by_force
- * is set, also sum t = total, with the multiplier `shift` (shear.c). Arrays of n, by node in
- * contact. */
+/* The shear problem at constant pressures: minimise t'A t / 2 - drive't with |t| <= bound. If
+ * by_force is set, the condition sum t = total is added, with the multiplier `shift` (shear.c).
+ * Arrays have one value for each of the n nodes in contact. */
 typedef struct shear_problem {
   int n;
-  const int *at;   /* [n] the candidates in contact */
+  const int *at;   /* [n] numbers of the candidates in contact */
   const double *a; /* A_tt [ld x ld], by candidate */
   int ld;
   int by_force;
@@ -31,27 +32,28 @@ typedef struct shear_problem {
   double shift; /* [mm] motion of the plate that causes `total`; 0 for a given motion */
   double *bound, *drive;
   double *t, *slip;
-  int *direction;   /* 0: sticks; 1 and -1: slips along and against x. Warm start and result */
-  int *list, *pick; /* the stuck nodes: candidates, and positions in the list */
+  int *direction; /* 0: the node sticks; 1 or -1: it slips along or against x. Warm start and result
+                   */
+  int *list, *pick; /* [stuck] candidates of the nodes that stick, and their indices in `at` */
   int stuck;
   int factored; /* 1 if factor and ones are valid for list and a */
   double *factor, *ones, *target;
-  double *held, *pulled; /* forces of the nodes that slip; A_tt t by candidate */
+  double *held, *pulled; /* forces of the nodes that slip; product A_tt t by candidate */
   int iterations;
 } shear_problem;
 
 /* Solves the problem. Returns 1 if solved, 0 if not, -1 on breakdown. */
 int arc_shear_solve(shear_problem *s);
-/* Determines the nodes that stick from `direction`, and the forces that resist a unit of motion:
- * stuck, list, pick, factor, ones. Returns non-zero on breakdown. */
+/* Lists the nodes that stick by `direction` (stuck, list, pick), and computes the factor of their
+ * matrix and the forces `ones` that resist a unit of motion. Returns non-zero on breakdown. */
 int arc_shear_factorise(shear_problem *s);
 
 /* Tangential part of the contact matrix of a problem. */
 typedef struct tangential_compliance {
   int nc, np, count;
-  long version; /* version of the problem that it belongs to; 0: none */
+  long version; /* version of the problem for which the matrices were computed; 0: none */
   double x;
-  int flat;   /* 1 if the surfaces have no slopes */
+  int flat;   /* 1: all slopes of the surfaces are zero */
   double *nt; /* [count x count] A_nt, gaps under shear forces */
   double *tn; /* [count x count] A_tn, the transpose of A_nt */
   double *tt; /* [count x count] A_tt */
@@ -60,49 +62,51 @@ typedef struct tangential_compliance {
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
 void arc_tangential_free(tangential_compliance *g);
 size_t arc_tangential_bytes(const tangential_compliance *g);
-/* Updates the matrices for an updated problem, with a workspace [2 * (nc + np)]. */
+/* Updates the matrices for an updated problem. work is a workspace [2 * (nc + np)]. */
 void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work);
 
-/* Workspace of an increment, which has its solution until the next increment. It can be used for
- * all problems. */
+/* Workspace of an increment. It contains the solution of the last increment, and it can be used for
+ * any problem of the model. */
 typedef struct friction_workspace {
   int nc, np;
   double *gap;     /* [nc] gaps with the plate at the increment's x, without shear */
   double *sheared; /* [nc] A_nt t */
   double *before;  /* [nc] r before the increment, by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
-  double *slip;    /* [nc] solution: ds [mm], by candidate, also of open ones; 0 where it sticks */
-  double *reserve; /* [nc] solution: shear force until a node slips in the direction of the plate's
-                      motion [N/mm], by candidate; 0 where it slips */
-  double *dragged; /* [nc] A_tn f, or r of all forces; by candidate */
+  double
+      *slip; /* [nc] solution: ds [mm], by candidate, also without contact; 0 where nodes stick */
+  double *reserve; /* [nc] solution: additional shear force at which a node slips in the direction
+                      of the plate's motion [N/mm], by candidate; 0 where nodes slip */
+  double *dragged; /* [nc] A_tn f, or r under all forces; by candidate */
   double *work;    /* [4 * (nc + np)] workspace for displacements */
   shear_problem shear;
   const tangential_compliance
-      *compliance; /* problem to which the factor of the shear problem belongs */
+      *compliance; /* matrices for which the factor of the shear problem was computed */
   long version;
   double x;
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
   int sweeps_before_newton; /* number of sweeps before the coupled iteration: 4, more in tests */
-  int by_force; /* number of sweeps before the motion is bracketed for a given force: 50, 0 in tests
+  int by_force; /* number of sweeps before the motion for a given force is bracketed: 50, 0 in tests
                  */
   int sweeps;   /* number of sweeps of the last increment */
   int iterations; /* number of active sets in all sweeps */
-  int newton;     /* 1 if the coupled iteration solved it */
-  int bracketed;  /* 1 if the motion was bracketed for a given force */
+  int newton;     /* 1: the coupled iteration solved the increment */
+  int bracketed;  /* 1: the motion for a given force was bracketed */
 } friction_workspace;
 
 arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
 void arc_friction_workspace_free(friction_workspace *w);
 size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
-/* Errors of a sum over nodes from its two ends [mm, N], by order; see slip_energy.c. */
+/* Errors at one end of a sum over nodes, of even order [mm] and odd order [N]; see
+ * slip_energy.c. */
 typedef struct friction_terms {
   double even, odd;
 } friction_terms;
 
-/* A reversal: its force [N/mm], and the energy between the nodes of the motion before the reversal
- * [N]. */
+/* A reversal of the motion: the tangential force at the reversal [N/mm], and the energy that the
+ * motion before the reversal dissipated between the nodes [N]. */
 typedef struct friction_turn {
   double force, energy;
 } friction_turn;
@@ -113,12 +117,13 @@ typedef struct friction_memory {
   int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if load and motion
                 change together */
   int fresh; /* 1 if the first motion began without shear */
-  int count; /* number of turning points, each between the two previous ones */
+  int count; /* number of reversals; the force of each is between those of the two previous ones */
   friction_turn turn[ARC_FRICTION_TURNS];
-  double energy; /* [N] energy between the nodes in the present motion */
+  double energy; /* [N] energy dissipated between the nodes in the present motion */
 } friction_memory;
 
-/* State between increments. The next solution depends on nothing else. */
+/* State of a contact with friction between increments. The next solution depends on this state
+ * only. */
 typedef struct friction_state {
   int nc, np;
   double x;          /* [mm] position of the plate's base */
@@ -126,9 +131,9 @@ typedef struct friction_state {
   double line;       /* [N/mm] load per thickness */
   double tangential; /* [N/mm] tangential force per thickness */
   double energy;     /* [N] energy per thickness dissipated in all increments */
-  double between;    /* [N] part of this energy between the nodes (slip_energy.c) */
+  double between;    /* [N] part of `energy` dissipated between the nodes (slip_energy.c) */
   friction_memory memory;
-  double *f, *t;     /* [nc] forces by cylinder node [N/mm] */
+  double *f, *t;     /* [nc] normal and shear forces by cylinder node [N/mm] */
   double *slip;      /* [nc] ds of the last increment [mm] */
   double *slip_path; /* [nc] sum of ds [mm] */
   double
@@ -138,10 +143,10 @@ typedef struct friction_state {
 /* Creates an unloaded state with the plate's base at x [mm]. */
 arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
 void arc_friction_free(friction_state *s);
-/* Resets a state to the unloaded state. */
+/* Resets a state to the unloaded state with the plate's base at x [mm]. */
 void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
-/* Returns the size of the state's arrays, one block from f on [bytes]. */
+/* Returns the size [bytes] of all arrays of a state, which are one block from f on. */
 size_t arc_friction_bytes(const friction_state *s);
 
 /* Loads and position of the plate at the end of an increment. */
@@ -153,18 +158,19 @@ typedef struct friction_step {
   double tangential; /* [N/mm] tangential force per thickness */
 } friction_step;
 
-/* Returns increment i of n of pressing up to a step, in which the width of the contact grows in
- * equal steps. */
-/* Returns the automatic number of these increments: four for each element that the edge of the
- * contact crosses, at least 20. */
+/* Returns the automatic number of increments of pressing: four for each element that the edge of
+ * the contact crosses, at least 20 and at most 400. */
 int arc_friction_press_increments(const arc_model *model, double load);
+/* Returns increment i of n of pressing up to the step `to`. The width of the contact grows in equal
+ * steps. */
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
-/* Makes one increment from `s`, on an updated problem whose position is that where points face each
- * other: step->x, or any position near it if the plate moves little, as under forces. The solution
- * is in p->f, p->approach, w->t and w->slip, and p->gap has the gaps including the displacements by
- * shear. On ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE and ARC_NUMERIC
- * the state is unchanged. */
+/* Solves one increment from the state `s` to `step` and updates the state. The problem is updated
+ * for the plate's position step->x, or for a position near it if the plate moves little, as under
+ * forces; this position determines which points face each other. The solution is written to p->f,
+ * p->approach, w->t and w->slip. p->gap then has the gaps including the displacements by shear. On
+ * ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE and ARC_NUMERIC the state
+ * is unchanged. */
 arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
                               const friction_step *step, friction_state *s, arc_error *error);
 
@@ -173,7 +179,7 @@ arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, fric
 void arc_friction_warn(const arc_model *model, double mu, const char *who,
                        const arc_callbacks *callbacks);
 
-/* Writes the forces of the solution on a body's surface [N/mm], in the form of
+/* Writes the normal and shear forces of the solution on a body's surface [N/mm] in the order of
  * arc_contact_problem_forces_on. */
 void arc_friction_forces_on(const contact_problem *p, friction_workspace *w, arc_body body,
                             double *force);
@@ -187,52 +193,60 @@ typedef struct friction_task {
   friction_workspace *w;
   const friction_step *step;
   const friction_state *from;
-  double approach; /* [mm] approach before the increment; from no contact, that of first contact */
-  int by_force;    /* 1 if the tangential force is given, 0 if the motion is */
-  double dx;       /* [mm] displacement of the plate; under a given force w->shear.shift is added */
-  double change;   /* change of the gaps in the last sweep, see friction.c */
-  double shift, held; /* motion [mm], and load carried by shear [N/mm], which the gaps include */
-  int over;           /* 1 if the last force exceeded friction */
+  double approach; /* [mm] approach before the increment; if the bodies were apart, the approach of
+                      first contact */
+  int by_force;    /* 1: the tangential force is given; 0: the motion is given */
+  double
+      dx; /* [mm] displacement of the plate, to which w->shear.shift is added under a given force */
+  double change; /* [-] relative change of the gaps in the last sweep, see friction.c */
+  double shift,
+      held; /* motion [mm] and load carried by shear [N/mm] that the present gaps include */
+  int over; /* 1: the last tangential force exceeded the limit of friction */
 } friction_task;
 
-/* Solves for pressures and shear alternately, under a given force or motion. Returns 1 if solved, 0
- * if not, -1 on breakdown. */
+/* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
+ * sweeps. Returns 1 if solved, 0 if not, -1 on breakdown. */
 int arc_friction_sweeps(friction_task *k, int limit);
-/* Solves for the motion that causes a given force (friction_force_control.c), if the sweeps do not
- * converge. */
+/* Solves for the motion that causes a given force (friction_force_control.c). It is used if the
+ * sweeps do not converge. Returns 1 if solved, else 0. */
 int arc_friction_bracket(friction_task *k);
 
-/* Records turning points, before the forces of the increment are stored. */
+/* Records a reversal of the motion. It is called before the forces of the increment are stored. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
-/* Removes loops that the present motion has closed, and adds the rest of their energy. */
+/* Removes the loops that the present motion has closed, and adds the rest of the energy between the
+ * nodes for these loops. */
 void arc_friction_close_loops(friction_state *s);
-/* Returns the progress of the present motion as the equivalent force on surfaces without shear
- * [N/mm]. */
+/* Returns the change of the tangential force [N/mm] on surfaces without shear that is equivalent to
+ * the present motion up to `force` [N/mm]. */
 double arc_friction_rise(const friction_memory *m, double force);
 
-/* Adds the energy dissipated between the nodes, and computes their reserves. */
+/* Adds the energy dissipated between the nodes in an increment to the state, and computes
+ * w->reserve. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
 /* Returns ds of a candidate [mm] under the forces of w->dragged. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
 /* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
- * sweep (friction_newton.c). Returns 1 if solved, else 0; then only p's set and w's directions have
- * changed. */
+ * sweep (friction_newton.c). Returns 1 if solved. Otherwise returns 0 and restores the shear, the
+ * slip, the set and the motion of the last sweep. */
 int arc_friction_newton(friction_task *k);
 
-/* result [count] := A_nt t, by candidate. */
+/* Computes result [count] = A_nt t, the gaps under shear forces, by candidate. */
 void arc_tangential_gaps(const tangential_compliance *g, const double *t, double *result);
-/* r := A_tn f at candidates first .. last - 1, and r := A_tn f + A_tt t at all of them. */
+/* The first function computes r = A_tn f at the candidates first .. last - 1. The second one
+ * computes r = A_tn f + A_tt t at all candidates. */
 void arc_tangential_drag(const tangential_compliance *g, const double *f, int first, int last,
                          double *r);
 void arc_tangential_drag_all(const tangential_compliance *g, const double *f, const double *t,
                              double *r);
-/* Computes r from displacements u on a problem, by candidate, with a workspace [np]. */
+/* Computes r by candidate of a problem from the displacements u of both surfaces. work is a
+ * workspace [np]. */
 void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIES], double *work,
                              double *r);
-/* Computes the displacements of both surfaces under forces f, t [nc] by cylinder node, with a
- * workspace [4 * (nc + np)]. */
+/* Computes the displacements u of both surfaces under forces f, t [nc] by cylinder node. If `flat`
+ * is true, it omits displacements along y, which are not used. work is a workspace [4 * (nc +
+ * np)]. */
 void arc_tangential_displace(const contact_problem *p, int flat, const double *f, const double *t,
                              double *const u[ARC_BODIES], double *work);
 

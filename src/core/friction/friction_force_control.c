@@ -1,6 +1,7 @@
-/* Computes the motion for a given tangential force. At constant pressures, if all nodes slip, a
- * whole range of motions has the same force; slopes make the motion unique through the pressures.
- * The force increases with the motion, so the motion can be bracketed. */
+/* Computes the motion for a given tangential force. If all nodes slip at constant pressures, a
+ * whole range of motions has the same force. On inclined surfaces the pressures change with the
+ * motion and make it unique. The force increases with the motion, so the motion can be
+ * bracketed. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -11,7 +12,7 @@ enum { sweeps = 1000, doublings = 60, halvings = 200 };
 /* Tolerance of the force, relative to the load. */
 static const double close_enough = 1e-13;
 
-/* Sets the motion to `dx` and updates gaps on slopes. */
+/* Sets the motion to `dx` [mm] and updates the gaps of inclined surfaces. */
 static void move_to(friction_task *k, double dx) {
   for (int c = 0; c < k->p->count; c++) k->w->gap[c] += k->p->slope[k->p->lo + c] * (dx - k->dx);
   k->dx = dx;
@@ -27,10 +28,12 @@ static double excess(friction_task *k, double dx) {
 }
 
 typedef struct range {
-  double x[2], off[2]; /* motions with smaller and larger forces */
+  double x[2],
+      off[2]; /* motions [mm] with smaller and larger forces; excess of these forces [N/mm] */
 } range;
 
-/* Doubles the distance from the first motion until the force exceeds the given one. */
+/* Brackets the motion: doubles the distance from the first motion until the given force lies
+ * between two forces. Returns 0 on failure. */
 static int enclose(friction_task *k, range *r) {
   const contact_problem *p = k->p;
   const double from = k->dx, off = excess(k, from);
@@ -50,7 +53,8 @@ static int enclose(friction_task *k, range *r) {
   return 0;
 }
 
-/* Makes secant steps within the bracket, and bisects it every third time. */
+/* Narrows the bracket by secant steps, and by bisection in every third step. Returns 1 if the force
+ * is reached, else 0. */
 static int narrow(friction_task *k, range *r) {
   const double enough = close_enough * k->step->line;
   for (int i = 1; i <= halvings; i++) {

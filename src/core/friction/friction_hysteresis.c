@@ -1,11 +1,11 @@
-/* Memory of the tangential forces under a constant load. During a motion in one direction nodes
- * slip one after the other. At a reversal all nodes stick; then the same nodes slip back in the
- * same order, each after twice the force. When the force is back at the start of an inner loop,
- * that loop is removed (rules of Masing and Madelung). Later states therefore depend only on the
- * forces at those reversals that no later motion has passed. The first motion, on surfaces without
- * shear, is half of such a motion from the opposite reversal. If another load has left shear, the
- * first motion has no reference; later motions have one as long as the force stays within its range
- * since then. */
+/* Stores the reversals of the tangential force under a constant load. During a motion in one
+ * direction nodes slip one after the other. At a reversal all nodes stick. Then the same nodes slip
+ * back in the same order, each after twice the change of force. When the force returns to the start
+ * of an inner loop, this loop is removed (rules of Masing and Madelung). Later states therefore
+ * depend only on the forces at the reversals that no later motion has passed. The first motion, on
+ * surfaces without shear, is half of a motion from the opposite reversal. If an earlier load has
+ * left shear, the first motion has no reference. Later motions then have a reference as long as the
+ * force stays within its range since that load. */
 #include "core/friction/friction.h"
 
 #include <math.h>
@@ -14,7 +14,8 @@
 /* Forces or loads are equal if they differ by less than this share of the load. */
 static const double rounding = 1e-9;
 
-/* Returns the direction of the plate under a constant load; 0 if it is unknown. */
+/* Returns the direction of the plate's motion under a constant load: 1 or -1, or 0 if it is unknown
+ * or the load changes. */
 static int sense_of(const friction_task *k, const friction_state *s) {
   static const double still = 1e-12;
   const double motion = k->dx + k->w->shear.shift;
@@ -23,7 +24,7 @@ static int sense_of(const friction_task *k, const friction_state *s) {
   return motion > 0 ? 1 : -1;
 }
 
-/* Returns true if the shear is negligible. */
+/* Returns true if the shear is small compared with the limit of friction. */
 static int is_free(const friction_state *s, double mu) {
   static const double little = 0.1;
   double sum = 0;
@@ -38,7 +39,8 @@ static double loop_end(const friction_memory *m) {
   return m->turn[m->count - 2].force;
 }
 
-/* Removes the closed loop and continues on the motion before the loop. */
+/* Removes the closed loop and continues with the motion before the loop. Returns the energy between
+ * the nodes [N] that the present motion still lacks for the complete loop. */
 static double close_loop(friction_memory *m) {
   friction_turn *last = &m->turn[m->count - 1];
   const double whole = (m->count == 2 && m->fresh ? 2 : 1) * last->energy;
@@ -63,7 +65,7 @@ double arc_friction_rise(const friction_memory *m, double force) {
   return m->count == 1 && m->fresh ? change : change / 2;
 }
 
-/* Removes the oldest turning point. */
+/* Appends a reversal at a force [N/mm]. If the list is full, the oldest reversal is removed. */
 static void note_turn(friction_memory *m, double force) {
   if (m->count == ARC_FRICTION_TURNS) {
     memmove(&m->turn[0], &m->turn[1], (ARC_FRICTION_TURNS - 1) * sizeof *m->turn);

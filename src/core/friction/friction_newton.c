@@ -1,9 +1,9 @@
-/* Solves for pressures and shear of an increment together, by semismooth Newton on the sets
- * (contact or not; stick, slip along or against x). The matrix of a set is not symmetric, since
- * shear follows pressure where nodes slip. The method converges fast from good sets but need not
- * converge; friction.c starts it and continues without it on failure. The unknowns are the forces f
- * in contact, then the shear t of the nodes that stick. The approach, and the plate's motion under
- * a given tangential force, follow from the resultants. */
+/* Solves for pressures and shear of an increment together, by semismooth Newton on the sets of
+ * nodes (no contact, stick, slip along x, slip against x). The matrix of a set is not symmetric,
+ * since shear is proportional to pressure where nodes slip. The method converges fast from good
+ * sets, but it may fail. Then friction.c continues without it. The unknowns are the forces f in
+ * contact, then the shear t of the nodes that stick. The approach, and the plate's motion under a
+ * given tangential force, follow from the resultants. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -14,9 +14,11 @@ enum { newton_limit = 10, right_hand_sides = 3 };
 
 typedef struct newton_system {
   friction_task *k;
-  int na, ns, n;          /* numbers of nodes in contact, of nodes that stick, and of unknowns */
-  int *direction, *stuck; /* [nc] index by candidate; [ns] the candidates that stick */
-  double *a, *b;          /* matrix [n x n]; solutions [n x 3]: base, by approach, by motion */
+  int na, ns, n; /* numbers of nodes in contact, nodes that stick, and unknowns */
+  int *direction,
+      *stuck;    /* [nc] state by candidate (0: sticks; 1, -1: slips); [ns] candidates that stick */
+  double *a, *b; /* matrix [n x n]; solutions [n x 3] without rigid motion, per unit of approach,
+                    and per unit of motion */
 } newton_system;
 
 static void set_workspace(newton_system *c) {
@@ -41,13 +43,14 @@ static double slope_at(const newton_system *c, int candidate) {
   return c->k->p->slope[c->k->p->lo + candidate];
 }
 
-/* Returns the shear caused by a unit of force at a node: mu if the node slips. */
+/* Returns the shear caused by a unit of normal force at a node: mu or -mu if the node slips, 0 if
+ * it sticks. */
 static double pull_at(const newton_system *c, int candidate) {
   return c->direction[candidate] * c->k->step->mu;
 }
 
-/* Computes the column of the force at `from`: gaps of the nodes in contact, then r of the nodes
- * that stick. */
+/* Computes the matrix column of the normal force at candidate `from`: gaps of the nodes in contact,
+ * then r of the nodes that stick. */
 static void fill_force(newton_system *c, int column, int from) {
   const contact_problem *p = c->k->p;
   const tangential_compliance *g = c->k->g;
@@ -86,7 +89,7 @@ static void fill_sides(newton_system *c) {
   }
 }
 
-/* Computes the contribution of an unknown to the load and the tangential force. */
+/* Computes the contribution of a unit of an unknown to the load and to the tangential force. */
 static void share_of(const newton_system *c, int unknown, double *load, double *tangential) {
   const int shear = unknown >= c->na;
   const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];
@@ -95,7 +98,8 @@ static void share_of(const newton_system *c, int unknown, double *load, double *
   *tangential = shear ? 1 : pull - m;
 }
 
-/* Solves for approach and motion from the resultants. Returns 0 if they are undetermined. */
+/* Computes the approach rigid[0] and the motion rigid[1] from the given load and tangential force.
+ * Returns 0 if they are undetermined. */
 static int find_rigid(newton_system *c, double rigid[2]) {
   double sum[right_hand_sides][2] = {{0}};
   for (int u = 0; u < c->n; u++) {
@@ -197,7 +201,7 @@ static int iterate(newton_system *c) {
   return 0;
 }
 
-/* Saves shear, slip and set, from which the sweeps start if the iteration fails. */
+/* Saves shear, slip and active set, with which the sweeps continue if the iteration fails. */
 static void save(const newton_system *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);

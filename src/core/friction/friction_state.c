@@ -1,4 +1,4 @@
-/* State of friction: memory, copies, initial state. */
+/* State of a contact with friction: allocation, copies, initial state, increments of pressing. */
 #include "core/friction/friction.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ arc_status arc_friction_create(friction_state *s, const arc_model *model, double
                         .np = arc_model_mesh(model, ARC_PLATE)->surface,
                         .x = x};
   const size_t nc = (size_t)s->nc;
-  s->f = calloc(numbers_of(s), sizeof(double)); /* one block for all */
+  s->f = calloc(numbers_of(s), sizeof(double)); /* one block for all arrays */
   if (!s->f) return ARC_MEMORY;
   s->t = s->f + nc;
   s->slip = s->t + nc;

@@ -1,7 +1,8 @@
-/* Shear forces under given bounds: a symmetric box-constrained problem. The solver is a primal-dual
- * active set method (semismooth Newton) over stick and slip along and against x, which begins with
- * the last sets. If sets repeat, or if no node can carry a given force, it is replaced by a primal
- * active-set method, whose objective decreases with every set, so that no set repeats. */
+/* Computes shear forces under given bounds, which is a symmetric problem with box constraints. The
+ * solver is a primal-dual active set method (semismooth Newton) over the states stick, slip along x
+ * and slip against x, which begins with the last states. If sets repeat, or if no node can carry a
+ * given force, a primal active-set method is used instead. Its objective decreases with every set,
+ * so no set repeats. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -10,7 +11,8 @@
 
 enum { newton_limit = 20 };
 
-/* pulled [by candidate] := A_tt t at all candidates from the first to the last node. */
+/* Computes pulled = A_tt t, by candidate, at all candidates from the first to the last node in
+ * contact. */
 static void pull(shear_problem *s, const double *t) {
   const int first = s->at[0], last = s->at[s->n - 1] + 1;
   memset(&s->pulled[first], 0, (size_t)(last - first) * sizeof *s->pulled);
@@ -45,7 +47,7 @@ int arc_shear_factorise(shear_problem *s) {
   return 0;
 }
 
-/* Computes the motion for which the stuck nodes carry the rest of the given force. */
+/* Computes the motion `shift` for which the nodes that stick carry the rest of the given force. */
 static void find_shift(shear_problem *s) {
   double rest = s->total, sum = 0;
   for (int i = 0; i < s->n; i++)
@@ -57,8 +59,9 @@ static void find_shift(shear_problem *s) {
   s->shift = rest / sum;
 }
 
-/* target [stuck] := forces that prevent slip of the stuck nodes, with the other nodes at their
- * bounds. Returns -1 on breakdown, 0 if no node can carry the given force. */
+/* Computes target [stuck], the forces that prevent slip of the nodes that stick, with the other
+ * nodes at their bounds. Returns 1 if solved, 0 if no node can carry the given force, -1 on
+ * breakdown. */
 static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
@@ -85,7 +88,7 @@ static void measure_slip(shear_problem *s) {
     s->slip[i] = s->direction[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
 }
 
-/* Revises the states; returns true if one changed. */
+/* Updates the state of each node (stick or direction of slip). Returns true if a state changed. */
 static int update_directions(shear_problem *s) {
   int changed = 0;
   for (int i = 0; i < s->n; i++) {
@@ -112,7 +115,7 @@ static int newton(shear_problem *s) {
   return 0;
 }
 
-/* Computes feasible forces with the given sum. */
+/* Sets all nodes to stick, with forces within the bounds that have the given sum. */
 static void start_inside(shear_problem *s) {
   double all = 0;
   for (int i = 0; i < s->n; i++) all += s->bound[i];
@@ -122,8 +125,8 @@ static void start_inside(shear_problem *s) {
   }
 }
 
-/* Moves towards the target as far as the bounds allow. A node that reaches its bound slips from
- * then on. Returns 1 for a full step, 0 if a bound was reached, -1 on breakdown. */
+/* Changes the forces towards the target as far as the bounds allow. A node that reaches its bound
+ * slips from then on. Returns 1 for a full step, 0 if a node reached its bound, -1 on breakdown. */
 static int advance(shear_problem *s) {
   const int solved = solve_stuck(s);
   if (solved <= 0) return solved < 0 ? -1 : 1;
@@ -147,7 +150,7 @@ static int advance(shear_problem *s) {
   return 0;
 }
 
-/* Returns the node with the largest slip against its force, or -1. */
+/* Returns the node with the largest slip against its force, or -1 if there is none. */
 static int most_wrong(const shear_problem *s) {
   int worst = -1;
   double most = 0;
@@ -173,7 +176,8 @@ static int descend(shear_problem *s) {
   return 0;
 }
 
-/* Solves without friction, where all nodes slip. */
+/* Solves the problem if all bounds are zero, so that all nodes slip. Returns 0 for other
+ * problems. */
 static int is_free(shear_problem *s) {
   for (int i = 0; i < s->n; i++)
     if (s->bound[i] > 0) return 0;

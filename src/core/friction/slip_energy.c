@@ -1,26 +1,27 @@
-/* Energy dissipated by slip between the nodes. Consider a plate that is pushed in one direction
- * under a constant load, on surfaces without shear. The nodes slip one by one from the edge of the
- * contact inwards, node j when the force has risen by D_j; from then on the tangential compliance
- * is larger by C_j. Up to a rise of D they dissipate sum_j D_j C_j (D - D_j). Surfaces slip
- * continuously, so the sum approximates an integral. By the Euler-Maclaurin formula its error
- * depends only on its two ends, the edge of the contact and the edge of the stick zone, and on
- * their positions between nodes. These positions are measured by the force between the slip of two
- * neighbouring nodes: the inner node slips after its reserve r is used, that is after r / e at a
- * share e of the force; the outer node has slipped by s at a rate of c per force, that is since s /
- * c. Beyond the edge of the contact mu times the gap replaces s, because force and slip behave as
- * load and gap do. Terms of fourth order in the element size are neglected.
+/* Computes the energy dissipated by slip between the nodes. Consider a plate that is pushed in one
+ * direction under a constant load, on surfaces without shear. The nodes slip one by one from the
+ * edge of the contact inwards. Node j slips when the force has risen by D_j; from then on the
+ * tangential compliance is larger by C_j. Up to a rise of D the nodes dissipate sum_j D_j C_j (D -
+ * D_j). Surfaces slip continuously, so the sum approximates an integral. By the Euler-Maclaurin
+ * formula the error of the sum depends only on its two ends, which are the edge of the contact and
+ * the edge of the stick zone, and on their positions between nodes. These positions are measured by
+ * the changes of force until or since two neighbouring nodes begin to slip. The inner node slips
+ * after a change of r / e, where r is its reserve and e its share of the force. The outer node
+ * began to slip before a change of s / c, where s is its slip and c its slip per force. Beyond the
+ * edge of the contact mu times the gap replaces s, because force and slip are related as load and
+ * gap are. Terms of fourth order in the element size are neglected.
  *
  * A motion after a reversal is twice a motion of half its length from surfaces without shear
- * (friction_hysteresis.c), so the ends are those of such a motion for any history of forces.
+ * (friction_hysteresis.c). The ends of the sum are therefore known for any history of forces.
  * Between bodies of different materials pressures depend on shear, and nodes may slip in another
- * order: the correction is then less accurate, but still an improvement. */
+ * order. The correction is then less accurate, but still an improvement. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Lower or upper ends of the sum, on all sides. */
+/* Lower or upper ends of the sum, at all edges of contact or stick zones. */
 typedef struct sum_ends {
   friction_task *k;
   double unit; /* force per unit of motion on the nodes that stick [N/mm2] */
@@ -48,17 +49,19 @@ static double slipped(const sum_ends *e, int in, int side) {
   return slip + e->k->step->mu * e->k->p->open[out];
 }
 
-/* Returns the force until the q-th of the nodes that stick slips [N/mm]. */
+/* Returns the change of the tangential force until the q-th of the nodes that stick slips
+ * [N/mm]. */
 static double until_slip(const sum_ends *e, int q) {
   const shear_problem *h = &e->k->w->shear;
   const int in = h->pick[q];
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Returns the share of the correction that applies, from the forces until the next node and the one
- * after it slip. Their ratio is 1.2 to 1.9 for smooth contacts of three to forty nodes, at any
- * position of the edges between nodes, and up to 2.7 if the plate's nodes are halfway between the
- * cylinder's. The share is 1, less at kinks of the surfaces, and 0 at edges of scars. */
+/* Returns the share of the correction that is applied, from the changes of force `step` and `next`
+ * [N/mm] until the next node slips and then the node after it. The ratio of both is 1.2 to 1.9 for
+ * smooth contacts of three to forty nodes, at any position of the edges between nodes, and up to
+ * 2.7 if the plate's nodes are halfway between the cylinder's. The share is 1 for smooth contacts,
+ * less at kinks of the surfaces, and 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
@@ -78,7 +81,8 @@ static void add_end(sum_ends *e, int q, int side) {
   e->terms.odd += weight * step * phase * (phase - 0.5) * (phase - 1) / 3;
 }
 
-/* Adds both sides of every stick zone, from the directions of the shear problem. */
+/* Adds the error terms of both sides of every stick zone, which are given by the directions of the
+ * shear problem. Returns 0 on breakdown. */
 static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
   sum_ends e = {.k = k};
@@ -92,8 +96,9 @@ static int find_terms(friction_task *k, friction_terms *terms) {
   return 1;
 }
 
-/* Solves the shear problem of a force along x on surfaces without shear, under the present
- * pressures. The search for slipping nodes begins with those of the solution. */
+/* Solves the shear problem for a force along x [N/mm] on surfaces without shear, under the present
+ * pressures. The iteration begins with the nodes that slip in the solution of the increment.
+ * Returns 1 if solved, else 0. */
 static int shear_unsheared(friction_task *k, double force) {
   shear_problem *h = &k->w->shear;
   double carried = 0;
@@ -112,7 +117,8 @@ static int shear_unsheared(friction_task *k, double force) {
   return 1;
 }
 
-/* Returns the error of the sum up to `rise` [N], with both ends under the present pressures. */
+/* Computes the error *energy [N] of the sum up to a change of force `rise` [N/mm], with both ends
+ * under the present pressures. Returns 1 on success, else 0. */
 static int sum_error(friction_task *k, double rise, double *energy) {
   friction_terms start, end;
   if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
@@ -121,8 +127,8 @@ static int sum_error(friction_task *k, double rise, double *energy) {
   return 1;
 }
 
-/* Returns the direction of slip of the nearest slipping node on one side of a candidate; 0 if the
- * contact ends before. */
+/* Returns the direction of slip (1 or -1) of the nearest slipping node on one side of a candidate
+ * and writes its distance in nodes to *apart. Returns 0 if the contact ends before such a node. */
 static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   const double *slip = k->w->slip, *f = k->p->f;
   int c = from;
@@ -131,8 +137,8 @@ static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Computes the reserves without a known history: up to the bound in the direction of the nearest
- * slipping nodes, or up to the nearer bound. */
+/* Computes the reserves for an unknown history: the force up to the bound in the direction of the
+ * nearest slipping nodes, or up to the nearer bound if no node slips. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;
@@ -154,8 +160,8 @@ static void take_reserve(friction_task *k) {
     if (h->direction[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
 }
 
-/* Computes the error of the sum as that of a motion on surfaces without shear, doubled after a
- * reversal. */
+/* Adds the error of the sum to the energy. It is computed for a motion on surfaces without shear,
+ * and doubled after a reversal. */
 static void add_sum_error(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;

@@ -1,6 +1,6 @@
-/* The tangential part of a problem's contact matrix, and displacements of both surfaces. Tangents
- * correspond to the normals of mortar.c: at the plate's nodes the tangent of the plate, at the
- * cylinder's nodes that of the opposite point. */
+/* Computes the tangential part of a problem's contact matrix, and displacements of both surfaces.
+ * Tangents are perpendicular to the normals of mortar.c: plate nodes use the tangent of the plate,
+ * and cylinder nodes use the plate's tangent at the opposite point. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
@@ -29,8 +29,9 @@ size_t arc_tangential_bytes(const tangential_compliance *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Adds `weight` times the response by xx to a unit of shear at a body's node `at`, for the nodes
- * first .. first + count - 1: gaps n, tangential displacements t. */
+/* Adds `weight` times the response to a unit of shear at node `at` of a body, without the
+ * correction of xx, for the nodes first .. first + count - 1. The response consists of gaps n and
+ * tangential displacements t. */
 ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
                                   int at, double weight, double *restrict n, double *restrict t) {
   const size_t from = dense_at(first, at, c->n);
@@ -44,13 +45,14 @@ ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int
   }
 }
 
-/* Returns the displacement of node l along the surface under a unit of shear at node `at`, minus
- * that by xx. */
+/* Returns the correction of xx: the displacement of node l along the surface under a unit of shear
+ * at node `at`, minus the displacement by xx. */
 static double beyond_xx(const compliance *c, int l, int at) {
   return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
 }
 
-/* Adds the response by the compliance for shear, which differs from xx near the diagonal. */
+/* Adds the response like respond_wide, with the correction of xx near the diagonal if `corrected`
+ * is true. */
 static void respond(const compliance *c, int corrected, const double *slopes, int first, int count,
                     int at, double weight, double *n, double *t) {
   respond_wide(c, slopes, first, count, at, weight, n, t);
@@ -63,8 +65,8 @@ static void respond(const compliance *c, int corrected, const double *slopes, in
   }
 }
 
-/* Computes the response to shear at candidate k of the plate's surface, by plate node, and of the
- * cylinder's surface. */
+/* Computes the responses to a unit of shear at candidate k: plate [2], by plate node, and cylinder
+ * [2], by candidate. Each consists of gaps and tangential displacements. */
 static void pull_at(const contact_problem *p, int k, double *const plate[2],
                     double *const cylinder[2]) {
   const compliance *c = shape_compliance(&p->shape->side[ARC_PLATE]);
@@ -106,7 +108,7 @@ void arc_tangential_update(tangential_compliance *g, const contact_problem *p, d
   g->x = p->x;
 }
 
-/* y += a x [n x n] in rows from .. to - 1, where x is zero except in the middle. */
+/* Adds a x to y in rows from .. to - 1, with a [n x n]. Zeros at both ends of x are skipped. */
 static void add_middle(int n, int from, int to, const double *a, const double *x, double *y) {
   int first = 0, last = n;
   while (first < last && x[first] == 0) first++;
@@ -146,14 +148,16 @@ void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIE
   }
 }
 
-/* Adds the displacements along the surface of nodes near k under shear at k that differ from xx. */
+/* Adds the correction of xx to the displacements u of the nodes near k, for a shear force at node
+ * k. */
 static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
   for (int l = k - ARC_SHEAR_REACH; l <= k + ARC_SHEAR_REACH && shear != 0; l++)
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
 }
 
-/* Computes u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces
- * only along x, the only component used. force [2 n] is workspace. */
+/* Computes the displacements u [2 n] under forces f along the normals and t along the tangents of a
+ * surface with slopes. If `flat` is true, it computes only displacements along x, as the others are
+ * not used. force [2 n] is workspace. */
 static void displace(const compliance *c, int corrected, const double *slope, int flat,
                      const double *f, const double *t, double *force, double *u) {
   double *fx = force, *fy = force + c->n;
