@@ -15,7 +15,7 @@ extern "C" {
  * for pairs of values, { sites along z, sites along x } for a map, and { 1, 1 } for a single
  * number. */
 typedef struct arc_array {
-  const char *name; /* such as "h"; a word of letters, digits and _ */
+  const char *name; /* a word of letters, digits and _, such as "h" */
   arc_body body;
   double update, distance; /* number of updates and sliding distance [mm] at this moment */
   size_t size[2];          /* number of rows, numbers per row */

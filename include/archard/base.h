@@ -1,7 +1,7 @@
 /* archard/base.h - status codes and errors, shared by every layer.
  *
- * Units everywhere: mm, N, MPa (N/mm2). Plane strain; forces in the engine are per mm of thickness
- * unless a name or comment says otherwise.
+ * Units are mm, N and MPa (N/mm2). Unless a name or comment says otherwise, the engine computes
+ * plane strain, and its forces are per mm of thickness.
  */
 #ifndef ARCHARD_BASE_H
 #define ARCHARD_BASE_H
@@ -61,9 +61,10 @@ typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
  * folder, or the file is not allowed (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
-/* Decides whether a file may be used; called by arc_file_find. `name` is used in messages; `path`
- * is absolute and has no links. This version allows all files; a program that is restricted to some
- * folders links its own function of this name. ARC_IO: the file is not allowed. */
+/* Decides whether a file may be used. arc_file_find calls this function. `name` is used in
+ * messages; `path` is absolute and has no links. This version allows all files; a program that is
+ * restricted to some folders links its own function of this name. ARC_IO: the file is not
+ * allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 
 /* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Also

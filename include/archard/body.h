@@ -1,7 +1,7 @@
 /* archard/body.h - shapes of bodies: outline, layers, supports.
  *
- * A body is the upper or the lower one of a pair. Its surface passes through the first point of
- * contact, the origin; it is symmetric about x = 0, except for measured profiles.
+ * A body is the upper or the lower one of a pair. Its surface passes through the origin, which is
+ * the first point of contact. The surface is symmetric about x = 0, except for measured profiles.
  */
 #ifndef ARCHARD_BODY_H
 #define ARCHARD_BODY_H
@@ -26,7 +26,8 @@ typedef enum arc_body {
 /* Names of the roles in the paper: "cylinder", "plate". */
 const char *arc_body_name(arc_body body);
 
-/* Kinds of bodies: X(name, "name", object with its functions, see src/core/mesh/body_shape.h). */
+/* Kinds of bodies: X(name, "name", object with the functions of this kind, see
+ * src/core/mesh/body_shape.h). */
 #define ARC_SOLID_LIST(X)                                                                          \
   X(SOLID_USUAL, "usual", usual)                                                                   \
   X(SOLID_CYLINDER, "cylinder", cylinder)                                                          \
@@ -66,7 +67,7 @@ extern const char *const arc_hold_names[];
 typedef struct arc_layer {
   ARC_LAYER_SETTINGS(
       ARC_MEMBER_NUMBER,
-      ARC_MEMBER_TEXT) /* exactly one of the two is set; without either there is no layer */
+      ARC_MEMBER_TEXT) /* name or thickness is set, not both; there is no layer if neither is set */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
@@ -109,12 +110,14 @@ extern const arc_setting arc_layer_settings[]; /* the material is a group of set
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
-  double y;            /* unused (0), as the series has the values */
-  arc_series y_series; /* heights [mm], positive out of the body. Profile: over x [mm], linear
-                          between points, constant beyond them. Map: over the index of the point, z
-                          fastest. Owned by the caller; a model keeps a copy */
-  double x, z;         /* unused (0) */
-  arc_series x_series, z_series;    /* for a map: positions of its points over their index [mm] */
+  double y; /* unused (0), as the series has the values */
+  arc_series
+      y_series; /* heights [mm], positive out of the body. A profile has them over x [mm], linear
+                   between points and constant beyond them; a map over the index of the point, with
+                   z fastest. The caller owns the arrays; a model stores a copy */
+  double x, z;  /* unused (0) */
+  arc_series x_series,
+      z_series; /* positions [mm] of the points of a map, over the index of the point */
   arc_layer layer[ARC_MOST_LAYERS]; /* layers from the surface inwards */
 } arc_body_def;
 
@@ -158,7 +161,8 @@ double arc_body_widest_zone(const arc_body_def *def);
 
 /* Returns the height of a profile's outermost point [mm]; 0 for other bodies. */
 double arc_body_crest(const arc_body_def *def);
-/* Returns the distance [mm] of the surface at x [mm] below its outermost point; 0 for arcs. */
+/* Returns the distance [mm] of the surface at x [mm] below its outermost point, whose height is
+ * `crest` [mm]. Returns 0 for arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Returns true if the surface is a map over x and z. */
@@ -171,8 +175,8 @@ double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Replaces the series of a body by copies in one block, *block, which is released by free() (NULL
- * if the body has no series). On ARC_MEMORY the body has no series. */
+/* Replaces the series of a body by copies in one block. The caller releases *block with free(); it
+ * is NULL if the body has no series. On ARC_MEMORY the body has no series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
 /* The first function returns the number of layers. The second one returns the depth of the lower

@@ -5,12 +5,12 @@
  * basis on the cylinder's side, so that the nodal forces f of the cylinder and B'f of the plate
  * balance identically, along x too. Pressures act along the normals of the worn surface.
  *
- * With Coulomb friction the solution depends on the previous one, over increments of load and
- * motion: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. q is the shear traction on the
- * cylinder along +x (on the plate along -x), ds the slip of the plate's surface relative to the
- * cylinder's, and Q the force that drives the plate along x. All are positive for a plate that
- * moves to +x. In two dimensions the displacement under a force depends on the size of the bodies,
- * which have a rigid top and a rigid base. */
+ * With Coulomb friction the solution is computed over increments of load and motion, each of which
+ * depends on the previous one: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. Here q is
+ * the shear traction on the cylinder along +x (on the plate along -x), ds is the slip of the
+ * plate's surface relative to the cylinder's, and Q is the force that drives the plate along x. All
+ * are positive for a plate that moves to +x. In two dimensions the displacement under a force
+ * depends on the size of the bodies, which have a rigid top and a rigid base. */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
@@ -44,9 +44,9 @@ typedef struct arc_shape arc_shape;
 
 /* Creates unworn surfaces. The wear box is condensed again once a surface node has moved by more
  * than the share `refresh` [-] of its element's present height, by a fifth of this share of the
- * remaining layer, or along x by a hundredth of this share of an element's width. With refresh 0 it
- * is condensed after every motion. In between, the compliance of a body without layers is updated
- * to first order. */
+ * remaining layer, or along x by a hundredth of this share of an element's width. With refresh 0
+ * the box is condensed after every motion. Between two condensations the compliance of a body
+ * without layers is updated to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -54,21 +54,21 @@ void arc_shape_destroy(arc_shape **shape);
 arc_model *arc_shape_model(const arc_shape *shape);
 
 /* Wears one body by `depth` [surface] at the candidate nodes [mm]. The nodes move along their
- * current normals (Eq. 8 of the paper), the scalar sums of the depths are stored too, and the nodes
- * of the wear box are moved along smoothly. Errors: ARC_GEOMETRY (an element of the wear box would
- * collapse; with frozen geometry a depth above 1e6 mm) or ARC_MEMORY/ARC_NUMERIC: the shape is
- * unchanged. */
+ * current normals (Eq. 8 of the paper), and the scalar sums of the depths are stored too. The nodes
+ * of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an element of the wear box
+ * would collapse; with frozen geometry a depth exceeds 1e6 mm), ARC_MEMORY, ARC_NUMERIC. On failure
+ * the shape is unchanged. */
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], like a plate under a stroke over its whole
  * width. The surface keeps its shape. With moving geometry, layers in the wear box become thinner.
- * Errors: ARC_MEMORY, ARC_NUMERIC: the shape is unchanged. */
+ * Errors: ARC_MEMORY, ARC_NUMERIC. On failure the shape is unchanged. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error);
 
 /* Interpolates the worn surfaces of `from` to the unworn surfaces `to` on another model of the same
- * bodies. The splines are smooth inside a scar, keep the worn area and give no negative depths. At
- * equal nodes the depths are equal to rounding. Wear outside the zones of the other model is lost.
- * Errors of arc_shape_wear; destroy `to` then. */
+ * bodies. The splines are smooth inside a scar, keep the worn area and give no negative depths. If
+ * both models have the same nodes, the depths are equal to rounding. Wear outside the zones of the
+ * other model is lost. Errors: those of arc_shape_wear. On failure `to` must be destroyed. */
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
 
 /* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, depth
@@ -78,8 +78,8 @@ arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *erro
 arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
                             double *depth, arc_error *error);
 
-/* Profile of a candidate surface; arrays of `count` doubles owned by the shape, valid until it
- * changes. */
+/* Profile of a candidate surface. The arrays have `count` values, are owned by the shape and are
+ * valid until the shape changes. */
 typedef struct arc_profile {
   int count;
   const double *x;      /* [mm] unworn position of the nodes */
@@ -90,8 +90,8 @@ typedef struct arc_profile {
 } arc_profile;
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body);
 
-/* Return the largest wear depth [mm], from the scalar sums, and the largest length of the vector
- * sum (Eq. 8). */
+/* The first function returns the largest wear depth [mm] from the scalar sums (Eq. 6), the second
+ * one the largest length of the vector sums (Eq. 8) [mm]. */
 double arc_shape_depth(const arc_shape *shape, arc_body body);
 double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 /* Writes the present nodes of a body, with the wear box moved, to xy [2 * nodes]. */
@@ -105,9 +105,9 @@ void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 #define ARC_SHAPE_STATE 10
 void arc_shape_state(const arc_shape *shape, arc_array state[ARC_SHAPE_STATE]);
 
-/* Restores a shape from its state, to the same bits. ARC_ARGUMENT: an array is missing, superfluous
- * or of a wrong size, or depths, positions or an order that no worn surface can have. Also
- * ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
+/* Restores a shape from its state; all values are equal to the bit. ARC_ARGUMENT: an array is
+ * missing, superfluous or of a wrong size, or depths or positions are impossible for a worn
+ * surface. Other errors: ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
@@ -167,10 +167,11 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
 /* A contact solution. Opaque. */
 typedef struct arc_contact arc_contact;
 
-/* Solves one problem. Later changes of the shape do not change the solution. Errors: ARC_ARGUMENT
- * (a setting out of its range), ARC_ZONE (the contact reaches the edge of a candidate zone; the
- * message has the zone needed), ARC_MEMORY, ARC_NUMERIC. Warns if the contact has fewer than four
- * elements, or if friction times Dundurs' beta exceeds 0.4, where the solution may not be unique.
+/* Solves one contact problem. Later changes of the shape do not change the solution. Errors:
+ * ARC_ARGUMENT (a setting out of its range), ARC_ZONE (the contact reaches the edge of a candidate
+ * zone; the message has the zone needed), ARC_MEMORY, ARC_NUMERIC. Warns if the contact has fewer
+ * than four elements, or if friction times Dundurs' beta exceeds 0.4, for which the solution may
+ * not be unique.
  */
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
@@ -209,9 +210,10 @@ extern const arc_setting arc_motion_settings[];
 /* Returns the default motion, which keeps the present x and load. */
 arc_motion_def arc_contact_motion(const arc_contact *contact);
 
-/* Computes the contact after a motion. Points that stick keep their partners; under a given x the
- * pairing of nodes follows the plate, which may slide as far as the zones reach. Errors: those of
- * arc_contact_solve; ARC_ARGUMENT for a tangential force above friction times load. */
+/* Computes the contact after a motion. Points that stick remain opposite to the same points of the
+ * other body. Under a given x the pairing of nodes follows the plate, which may slide as far as the
+ * zones reach. Errors: those of arc_contact_solve; ARC_ARGUMENT for a tangential force above
+ * friction times load. */
 arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
                             const arc_callbacks *callbacks, arc_contact **contact,
                             arc_error *error);
@@ -224,10 +226,10 @@ typedef struct arc_contact_result {
   double p_max;     /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
   double p_average; /* [MPa] largest pressure averaged over the length `average`; it converges with
                        the mesh */
-  double half_width; /* [mm] half the contact width */
-  double left,
-      right; /* [mm] contact edges, cylinder frame, between nodes: error 0.03 elements for unworn,
-                0.07 for smooth worn surfaces, 0.6 (r.m.s. 0.2) at edges of scars */
+  double half_width;   /* [mm] half the contact width */
+  double left, right;  /* [mm] contact edges in the cylinder's frame, computed between nodes; the
+                          error is 0.03 elements for unworn and 0.07 for smooth worn surfaces, 0.6
+                          (r.m.s. 0.2) at edges of scars */
   double normal_force; /* [N] integral of the pressure over the area; equals the load, in hollow
                           surfaces up to 4/pi of it */
   double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
@@ -242,8 +244,9 @@ typedef struct arc_contact_result {
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
-/* Nodal pressures on a body's candidate nodes, arrays of `count` values owned by the contact. x is
- * in the frame of the cylinder for both bodies (for plate nodes: own x + position of the plate). */
+/* Nodal pressures on a body's candidate nodes. The arrays have `count` values and are owned by the
+ * contact. x is in the frame of the cylinder for both bodies: for nodes of the plate it is their
+ * own x plus the position of the plate. */
 typedef struct arc_pressure {
   int count;
   const double *x; /* [mm] */
@@ -255,17 +258,17 @@ typedef struct arc_pressure {
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
-/* Shear on a body's candidate nodes, arrays of `count` values as in arc_pressure; zero without
- * friction. */
+/* Shear on a body's candidate nodes. The arrays have `count` values as in arc_pressure. Without
+ * friction the shear is zero. */
 typedef struct arc_shear {
   int count;
-  const double *x; /* [mm] */
+  const double *x; /* [mm] position of the nodes */
   const double *q; /* [MPa] shear traction: on the cylinder along +x, on the plate along -x */
 } arc_shear;
 arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
 
-/* Returns the slip [mm] of the plate's surface relative to the cylinder's nodes since the bodies
- * came together: `count` values at the cylinder's x; NULL without friction. */
+/* Returns the slip [mm] of the plate's surface relative to the cylinder's nodes since first
+ * contact: *count values at the cylinder's nodes. Returns NULL without friction. */
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
 /* Writes the edges [mm] of zone `index` (from 0, from left to right) that stuck in the last
@@ -273,20 +276,20 @@ const double *arc_contact_slip(const arc_contact *contact, int *count);
  * error of 0.15 of an element, or 0.3 if fewer than six elements stick. */
 int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
 
-/* Checks a solution, for tests and builds with checks: the forces of both bodies balance the load,
- * no force is tensile, no gap is negative, and no force acts across a gap. ARC_NUMERIC: the message
- * has the violated condition and by how much. */
+/* Checks a solution, for tests and builds with checks. The forces of both bodies must balance the
+ * load, no force may be tensile, no gap negative, and no force may act across a gap. ARC_NUMERIC:
+ * the message has the violated condition and by how much. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
-/* Columns of a field in the order of files: positions of the nodes, then values. X(name, unit,
- * text).
+/* Columns X(name, unit, text) of a field in the order of files: positions of the nodes, then
+ * values.
  *
  * Stresses are of second order in the element size. On the boundary they agree with the tractions
  * (pressure and shear of the node) and with the strain along the surface. Inside they are
  * polynomials fitted around each node. Near a smooth edge of contact the pressure follows the
- * square-root law, with an error of 1 % of the largest pressure at 20 um; the stress along the
- * surface has 2 % (9 % with friction 0.6, where it has a cusp). At the edges of scars the pressure
- * of the node is used. */
+ * square-root law. For elements of 20 um its error is 1 % of the largest pressure. The error of the
+ * stress along the surface is 2 % (9 % with friction 0.6, where this stress has a cusp). At the
+ * edges of scars the pressure of the node is used. */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress across the surface")                                                       \

@@ -21,16 +21,16 @@ arc_status arc_export_csv(const char *path, size_t columns, const char *const na
 arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
                           arc_error *error);
 
-/* Surface values at the nodes in a .vtu file; they are 0 outside the candidate surface. X(name,
- * unit, text). */
+/* Surface values X(name, unit, text) at the nodes in a .vtu file. They are 0 outside the candidate
+ * surface. */
 #define ARC_SURFACE_COLUMNS(X)                                                                     \
   X(wear_depth, "mm", "wear depth, scalar sum along the normals")                                  \
   X(pressure, "MPa", "contact pressure")
 
 /* Writes a VTK unstructured grid (.vtu, XML with appended binary data) of one body. With a contact
  * on this mesh the file also has displacements, ARC_FIELD_STRESSES, ARC_SURFACE_COLUMNS on the worn
- * nodes, and `time` as TimeValue. Elements of bodies with layers have the number of the layer, from
- * 1. Arrays have units. Also errors of arc_contact_field. */
+ * nodes, and `time` as TimeValue. For bodies with layers the file has the number of the layer of
+ * each element, from 1. Arrays have units. Errors: also those of arc_contact_field. */
 arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_contact *contact,
                           double time, arc_error *error);
 

@@ -45,14 +45,16 @@ typedef struct arc_joint_def {
   arc_material core;         /* material of the head below its layers */
   arc_layer
       head[ARC_MOST_LAYERS]; /* layers from the surface inwards; a thickness of 0 ends the list */
-  arc_layer cup[ARC_MOST_LAYERS]; /* at least one layer, from the inside outwards, fixed outside */
+  arc_layer cup[ARC_MOST_LAYERS]; /* layers from the inside outwards, at least one; the last one is
+                                     fixed at its outside */
   arc_foundation foundation;
-  double size;      /* [degree] width of a cell; rounded down to 180 over an even number */
+  double
+      size; /* [degree] width of a cell; it is rounded down so that 180 / size is an even number */
   int second_order; /* 1: gaps include terms of second order in displacement / radius */
 } arc_joint_def;
 
-/* Returns a metal-on-metal joint: 28 mm across, clearance 0.06 mm, CoCr on CoCr, behind it 6 mm of
- * polyethylene and 2 mm of titanium, cells of 2 degrees. */
+/* Returns a metal-on-metal joint: a head of 28 mm diameter, clearance 0.06 mm, CoCr on CoCr, a
+ * backing of 6 mm of polyethylene and 2 mm of titanium, and cells of 2 degrees. */
 arc_joint_def arc_joint_default(void);
 
 /* Checks a definition. ARC_ARGUMENT: the message has the field, the expected and the actual
@@ -66,7 +68,7 @@ double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree)
 
 /* --- gaits ------------------------------------------------------------------------------------ */
 
-/* One of n equal time intervals of a cycle. */
+/* Rotation and load in one of n equal time intervals of a cycle. */
 typedef struct arc_gait_instant {
   double rotation[9]; /* rotation R in the middle of the interval, row by row */
   double omega[3];    /* [rad] rotation vector from the start to the end of the interval */
@@ -97,18 +99,20 @@ double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
 /* --- contact and wear ------------------------------------------------------------------------- */
 
-/* A joint with the worn maps of both bodies. Opaque; not for two threads at once. */
+/* A joint with the worn maps of both bodies. Opaque; two threads must not use the same joint at
+ * once. */
 typedef struct arc_joint arc_joint;
 
-/* Creates an unworn joint. Errors: ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance),
- * ARC_MEMORY; *made is NULL on failure. */
+/* Creates an unworn joint. Errors: ARC_ARGUMENT, ARC_NUMERIC (the layers give no compliance),
+ * ARC_MEMORY. On failure *made is NULL. */
 arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_error *error);
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
 int arc_joint_rows(const arc_joint *joint); /* number of rows of the lattice */
 /* Returns the wear depths [mm] of a body in its own frame, [rows][2 rows] (borrowed). */
 const double *arc_joint_depth(const arc_joint *joint, arc_body body);
-/* Sets the wear depths of a body, for an initial shape. ARC_ARGUMENT: a depth is not finite. */
+/* Sets the wear depths [rows][2 rows] [mm] of a body, for an initial shape. ARC_ARGUMENT: a depth
+ * is not finite. */
 arc_status arc_joint_set_depth(arc_joint *joint, arc_body body, const double *depth,
                                arc_error *error);
 /* Returns the creep [mm] of each cell of the cup; 0 without creep. */
@@ -127,8 +131,8 @@ typedef struct arc_joint_contact {
   double area, half_angle; /* [mm2] contact area; [degree] half angle of a cap of that area */
   double normal_force;     /* [N] integral of p, which is more than the load */
   double approach[3];      /* [mm] displacement u of the head */
-  double rim_margin;       /* [degree] from the contact to the rim; negative if they overlap */
-  int iterations;          /* number of iterations of conjugate gradients */
+  double rim_margin; /* [degree] distance from the contact to the rim; negative if they overlap */
+  int iterations;    /* number of iterations of conjugate gradients */
 } arc_joint_contact;
 
 /* Solves one contact under a load [N] in the frame of the cup, with the head at rotation R (row by

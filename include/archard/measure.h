@@ -10,8 +10,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Returns the value at `at` of the polyline through (x, y) [n], x increasing, and `outside` beyond
- * its ends. */
+/* Returns the value at x = `at` of the polyline through (x, y) [n] with increasing x, or `outside`
+ * beyond its ends. */
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
 
@@ -32,7 +32,7 @@ typedef struct arc_depths {
 } arc_depths;
 
 /* Writes the sum of both depths (Eq. 31) at the points of the plate, with the plate at x = 0, to
- * sum [plate.count] [mm]. The cylinder counts as unworn beyond its points. */
+ * sum [plate.count] [mm]. Beyond its points the cylinder counts as unworn. */
 void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
 
 /* Writes the cylinder's share of the sum of both depths (Eq. 30) at the worn points of the plate to

@@ -14,9 +14,10 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Formulation of the elements. CPE4: fully integrated bilinear. CPE4I: with incompatible modes,
- * which bend freely and do not lock where nu is near 1/2; triangles of one cell then share one
- * dilatation. Auto: chosen by the nu of each body, see arc_element_for. */
+/* Formulation of the elements. CPE4: fully integrated bilinear elements. CPE4I: bilinear elements
+ * with incompatible modes, which do not lock in bending or for nu near 1/2; triangles of one cell
+ * then have one common dilatation. Auto: CPE4 or CPE4I, by the nu of each body
+ * (arc_element_for). */
 #define ARC_ELEMENT_LIST(X)                                                                        \
   X(ELEMENT_AUTO, "auto")                                                                          \
   X(CPE4, "CPE4")                                                                                  \
@@ -26,7 +27,8 @@ extern const char *const arc_element_names[];
 
 /* Meaning of the section in x and y. Axisymmetric: bodies of revolution about the vertical axis at
  * x = -axis, with forces on the whole circumference. If the axis is at x = 0, the two halves of the
- * section are the same ring, and each counts half. Springs: no section, see core/springs. */
+ * section are the same ring, and each counts half. Springs: there is no section, see core/springs.
+ * 3-D: see archard/space.h. */
 #define ARC_SPACE_LIST(X)                                                                          \
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
@@ -36,8 +38,8 @@ extern const char *const arc_element_names[];
 typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
 extern const char *const arc_space_names[];
 
-/* Sizes of a mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct, which
- * arc_model_fit replaces by a number. */
+/* Sizes of a mesh. The plate is twice the radius wide and one radius high. "auto" is stored as 0,
+ * which arc_model_fit replaces by a number. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
   NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
          "Element size at the contact: model = { mesh = { size = 0.01 } } makes elements 10 um "   \
@@ -80,30 +82,30 @@ extern const arc_setting arc_mesh_settings[];
  * mm. */
 arc_mesh_def arc_mesh_default(void);
 
-/* A constant mesh, owned by the caller of arc_mesh_build. Indices are 0-based, and corners of
- * elements counter-clockwise. */
+/* A constant mesh, owned by the caller of arc_mesh_build. Indices are 0-based. Corners of elements
+ * are in counter-clockwise order. */
 typedef struct arc_mesh {
   arc_body body;
   arc_body_def solid; /* shape with all dimensions set; the model owns its profile */
   double
       radius; /* [mm] radius of a cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def; /* sizes; in a model, element is the type of the body, never auto */
+  arc_mesh_def def; /* sizes; in a model, def.element is the formulation of this body, never auto */
   arc_space space;  /* geometry of the model; plane strain for a mesh without a model */
   double axis;      /* [mm] distance of the axis of revolution, which is at x = -axis */
   int nodes;        /* number of nodes */
   double *xy;       /* [2 * nodes] x, y of each node [mm] */
   int elements;     /* number of elements = quads + triangles */
   int *element;     /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
-                       start with the same corner and are two positions apart: between them are their
-                       mirror images */
+                       begin with the same corner. They are two positions apart, as their mirror images
+                       are between them */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
   int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */
-  int *layer;        /* [elements] layer of each element; the number of layers means the body's own
-                        material */
-  int rows;          /* number of element rows in the wear box */
-  int *box_node; /* [surface * (rows + 1)] nodes of the wear box, column by column in the order of
-                    surface_node, each from the surface inwards */
+  int *layer;    /* [elements] index of the layer of each element; an index equal to the number of
+                    layers means the body's own material */
+  int rows;      /* number of element rows in the wear box */
+  int *box_node; /* [surface * (rows + 1)] nodes of the wear box by columns, which are in the order
+                    of surface_node; each column is from the surface inwards */
   int box_elements;  /* the first box_elements elements are the wear box, column by column */
   int fixed;         /* number of nodes that are tied to the rigid base or fixed */
   int *fixed_node;   /* [fixed] numbers of these tied or fixed nodes */
@@ -112,8 +114,8 @@ typedef struct arc_mesh {
                         not repeated */
   int materials;     /* number of named materials of an imported mesh */
   char (*material_name)[ARC_TEXT_SIZE]; /* [materials] names of these materials */
-  int *material; /* [elements] material of each element, -1: the body's own; NULL: the body's own
-                    everywhere */
+  int *material; /* [elements] index of the material of each element, -1: the body's own material.
+                    NULL: all elements have the body's own material */
 } arc_mesh;
 
 /* Returns the number of corners of an element, 3 or 4. */
@@ -134,16 +136,17 @@ arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const ar
  * layer. */
 enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
 
-/* Reads both bodies, as they touch without load, from a Gmsh file: text, version 4.1 or 2.2, units
- * mm, in the plane z = 0, triangles and quadrilaterals of first order. Physical groups of the upper
- * body are the surfaces "upper", and "upper.NAME" for its part of material NAME, and the curves
- * "upper.contact" (x increases from one end to the other) and "upper.fixed"; the lower body has the
- * same groups. The rest of the file is ignored. Such a mesh has no wear box: rows and box_elements
- * are 0, and only frozen geometry is possible. `radius` is the radius of the parabola that best
- * fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is flat. The member def of
- * a mesh gets its element sizes and the widths of the contact curves as zones. Errors: ARC_IO;
- * ARC_FORMAT (line, expected, actual); ARC_GEOMETRY (groups, nodes or elements that do not form two
- * bodies); ARC_MEMORY. On failure both meshes are NULL. */
+/* Reads both bodies, as they touch without load, from a Gmsh file. The file must be text of version
+ * 4.1 or 2.2 in mm, with triangles and quadrilaterals of first order in the plane z = 0. Physical
+ * groups of the upper body are the surfaces "upper", and "upper.NAME" for its part of material
+ * NAME, and the curves "upper.contact" (x increases from one end to the other) and "upper.fixed";
+ * the lower body has the same groups. The rest of the file is ignored. Such a mesh has no wear box:
+ * rows and box_elements are 0, and only frozen geometry is possible. `radius` is the radius of the
+ * parabola that best fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is
+ * flat. The member def of a mesh gets its element sizes and the widths of the contact curves as
+ * zones. Errors: ARC_IO; ARC_FORMAT (the message has the line, the expected and the actual text);
+ * ARC_GEOMETRY (groups, nodes or elements do not form two bodies); ARC_MEMORY. On failure both
+ * meshes are NULL. */
 arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
 /* Reads both bodies from a text of `length` bytes instead of a file; `name` replaces the path in
  * messages. */
@@ -168,9 +171,10 @@ typedef struct arc_quality {
       smallest_jacobian; /* [mm2] smallest corner Jacobian (twice a corner triangle's area); > 0 */
 } arc_quality;
 
-/* Computes the quality with the nodes at `xy` [2 * nodes] (NULL: the nodes of the mesh). */
+/* Computes the quality of all elements with the nodes at `xy` [2 * nodes] (NULL: the nodes of the
+ * mesh). */
 arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy);
-/* Computes the quality of the elements of the wear box, which wear deforms. */
+/* Computes the quality of only the elements of the wear box, which wear deforms. */
 arc_quality arc_mesh_box_quality(const arc_mesh *mesh, const double *xy);
 
 #pragma GCC visibility pop

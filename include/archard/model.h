@@ -1,8 +1,8 @@
 /* archard/model.h - the two elastic bodies, condensed to their wear boxes, shared by runs.
  *
- * For each body K is assembled from elements, and everything outside the wear box is eliminated
- * with CHOLMOD. A worn shape then needs only a small dense update (S = S_far + K_box, F = normal
- * block of S^-1). */
+ * For each body the stiffness K is assembled from elements, and all unknowns outside the wear box
+ * are eliminated with CHOLMOD. A worn shape then needs only a small dense update (S = S_far +
+ * K_box, F = normal block of S^-1). */
 #ifndef ARCHARD_MODEL_H
 #define ARCHARD_MODEL_H
 
@@ -50,13 +50,15 @@ arc_model_def arc_model_default(void);
 /* Returns one body with all dimensions set (arc_body_resolve). */
 arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
 
-/* Returns the name of a body for users. It is the name of the definition, else the kind of body if
- * the two kinds differ, else "upper" or "lower"; the default pair has "cylinder" and "plate". */
+/* Returns the name of a body for users. It is the name in the definition, else the kind of the body
+ * if the two kinds differ, else "upper" or "lower". The names of the default pair are "cylinder"
+ * and "plate". */
 const char *arc_model_body_name(const arc_model_def *def, arc_body body);
 /* Returns "upper" or "lower". */
 const char *arc_model_role_name(arc_body body);
 /* Searches for the body with this name, role or kind ("cylinder" is the upper and "plate" the lower
- * body). Returns 1 if one body has it, 0 if none and -1 if both have. *body is always written. */
+ * body). Returns 1 if one body has it, 0 if no body has it, and -1 if both bodies have it. *body is
+ * always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
 /* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p), in plane stress
@@ -73,7 +75,8 @@ double arc_model_line(const arc_model_def *def, double load);
 double arc_model_wear_k(const arc_model_def *def, arc_body body);
 
 /* Returns the relative radius of the surfaces [mm], 1 / (1/R_upper + 1/R_lower), with negative
- * radii for hollow surfaces. INFINITY if the surfaces conform, are flat, or are not arcs. */
+ * radii for hollow surfaces. Returns INFINITY if the surfaces conform, are flat, or are not
+ * arcs. */
 double arc_model_relative_radius(const arc_model_def *def);
 
 /* Returns true if Hertz' formulas apply: a solid cylinder or disc, or a ball, on a block, without
@@ -85,20 +88,22 @@ int arc_model_is_hole(const arc_model_def *def);
 /* Returns the sliding distance [mm] along the surfaces for a rotation by `degrees`; 0 without a
  * hole. */
 double arc_model_arc_length(const arc_model_def *def, double degrees);
-/* Returns true if the lower body slides along its own unworn surface, as a block does, or a body
- * that turns in or around a hole. */
+/* Returns true if the lower body slides along its own unworn surface. This is true for a block and
+ * for a body that rotates in or around a hole. */
 int arc_model_slides_along(const arc_model_def *def);
 
-/* Returns the width [mm] of the lower body along its surface. A stroke of this length wears it
- * evenly. */
+/* Returns the width [mm] of the lower body along its surface. A stroke of this length wears the
+ * whole surface evenly. */
 double arc_model_width(const arc_model_def *def);
 
-/* Returns the half width [mm] of the unworn contact under a load [N] by a closed form: Hertz,
- * punches with rounded edges, or Persson for a pin in a hole. For bodies of revolution it is the
- * radius of a round contact, or half the width of a ring. */
+/* Returns the half width [mm] of the unworn contact under a load [N]. It is computed by Hertz'
+ * formula, by Persson's for a pin in a hole, and by an integral over the gap for other shapes, such
+ * as punches. For bodies of revolution it is the radius of a round contact, or half the width of a
+ * ring. */
 double arc_model_half_width(const arc_model_def *def, double load);
 
-/* Closed-form Hertz contact of a cylinder on a half-space, or of a ball. */
+/* Closed-form Hertz contact of a cylinder on a half-space, or of a ball, with the load L, the
+ * radius R and the thickness t. */
 typedef struct arc_hertz {
   double
       half_width; /* [mm] half width a = sqrt(4 L R / (pi t E*)); for a ball cbrt(3 L R / (4 E*)) */
@@ -142,16 +147,16 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
  * line of its length. */
 arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
-/* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use one
- * at once, as stress fields share the workspace of the factor. */
+/* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use the
+ * same model at once, as stress fields share the workspace of the factor. */
 typedef struct arc_model arc_model;
 
 /* Meshes, assembles, factorises and condenses both bodies. arc_model_fit_alone sets "auto" sizes.
- * Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY.
- * On failure *model is NULL. */
+ * Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (a stiffness is not positive
+ * definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
-/* Checks a definition for arc_model_build. Errors: ARC_ARGUMENT (field, expected, actual),
- * ARC_GEOMETRY. */
+/* Checks a definition for arc_model_build. Errors: ARC_ARGUMENT (the message has the field, the
+ * expected and the actual value), ARC_GEOMETRY. */
 arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
 /* Builds a model like arc_model_build, with callbacks that report its progress and can stop it
@@ -159,13 +164,14 @@ arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_callbacks *callbacks,
                                           arc_model **model, arc_error *error);
 
-/* Builds a model like arc_model_build from two existing meshes by arc_body (arc_mesh_read_msh). The
- * model owns them from now on, also on failure, and the pointers become NULL. def->radius is the
- * radius of the pair, for estimates by Hertz and the width of the plate; of def->mesh only
- * `element` is used. A shape in def->body, except for the radii of a hole, is ARC_ARGUMENT. Meshes
- * without a wear box allow only frozen geometry (else ARC_ARGUMENT in arc_shape_create). With
- * CPE4I, triangles of such meshes do not share a dilatation. A named material of a mesh is the
- * layer of the body with this name, and depths of layers are those in the mesh. */
+/* Builds a model like arc_model_build from two existing meshes, given[arc_body]
+ * (arc_mesh_read_msh). The function becomes the owner of the meshes, also on failure, and sets the
+ * pointers to NULL. def->radius is the radius of the pair for Hertz' formulas and the width of the
+ * plate. Only the member `element` of def->mesh is used. ARC_ARGUMENT: def->body gives a shape
+ * other than the radii of a hole. Meshes without a wear box allow only frozen geometry (else
+ * ARC_ARGUMENT in arc_shape_create). With CPE4I, triangles of such meshes do not share a
+ * dilatation. A named material of a mesh is the layer of the body with the same name. The mesh
+ * determines the depths of layers. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
@@ -182,7 +188,7 @@ void arc_model_release(arc_model **model);
 const arc_model_def *arc_model_definition(const arc_model *model);
 /* Returns the kind of the pair of bodies: "plane" for meshes in a plane or of revolution. */
 const char *arc_model_kind_name(const arc_model *model);
-/* Returns true if surfaces are maps over x and z (3-D), where each contact and run chooses the
+/* Returns true if surfaces are maps over x and z (3-D). Each contact and run then chooses its own
  * cells. */
 int arc_model_has_maps(const arc_model_def *def);
 /* Returns the mesh of a body, or NULL if this kind of pair has no meshes. */
@@ -196,8 +202,9 @@ double arc_model_seconds(const arc_model *model);
  * [N], within the limits of the bodies. */
 void arc_model_fit(arc_model_def *def, double load);
 /* Sets sizes like arc_model_fit for a contact with friction, whose slip zones are narrower than the
- * contact. Automatic elements are a fifth as wide, 27 in the half width of an unworn cylinder, but
- * wider where edges are sharp or zones given by the user are wide (at most 320 elements in all). */
+ * contact. Automatic elements are a fifth as wide, which is 27 elements in the half width of an
+ * unworn cylinder. They are wider if edges are sharp or if the user gives wide zones (at most 320
+ * elements in all). */
 void arc_model_fit_friction(arc_model_def *def, double load);
 /* Sets "auto" zones to the needed widths [mm], rounded up to ten elements, within the limits of the
  * bodies. */

@@ -11,10 +11,10 @@
  *   NUMBER(name, unit, usual, range, forms, text)      double
  *   WHOLE(name, unit, usual, range, forms, text)       int
  *   CHOICE(name, type, usual, forms, text)             arc_TYPE, named by arc_TYPE_names
- *   QUANTITY(name, unit, usual, range, forms, text)    double, or what `forms` allow instead
+ *   QUANTITY(name, unit, usual, range, forms, text)    double, or a value of another of the `forms`
  *   FUNCTION(name, type, pointer, forms, text)         a pointer to a function, or NULL
  *   TEXT(name, type, forms, text)                      char [ARC_TEXT_SIZE], "" for none
- *   OTHER(name, type, class, forms, text)              no member made by the row: objects */
+ *   OTHER(name, type, class, forms, text)              for objects; the row makes no member */
 #ifndef ARCHARD_SETTING_H
 #define ARCHARD_SETTING_H
 
@@ -172,7 +172,7 @@ typedef struct arc_series {
 
 /* Turn the choices of a list X(NAME, "name") into enumerators ARC_NAME and into names. */
 #define ARC_CHOICE_ENUM(name, ...)  ARC_##name,
-#define ARC_CHOICE_ONE(...)         +1 /* 0 LIST(ARC_CHOICE_ONE) is the number of choices */
+#define ARC_CHOICE_ONE(...)         +1 /* the sum 0 LIST(ARC_CHOICE_ONE) is the number of choices */
 #define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
 #define ARC_CHOICE_FIRST(text, ...) text
 

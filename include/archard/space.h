@@ -30,7 +30,7 @@ typedef struct arc_halfspace_body {
       layer[ARC_MOST_LAYERS]; /* layers from the surface inwards; a thickness of 0 ends the list */
   double depth;               /* [mm] depth of a rigid base below the surface; 0: no base */
   double radius_x, radius_z;  /* [mm] radii along x and z (recess x^2 / 2R); 0: flat */
-  arc_recess_fn recess;       /* recess added to the recess by the radii; NULL: none */
+  arc_recess_fn recess;       /* recess that is added to the parabola of the radii; NULL: none */
   void *context;              /* argument of recess */
 } arc_halfspace_body;
 
@@ -41,10 +41,11 @@ typedef struct arc_halfspace_def {
   int track;             /* number of rows of the lower body, nx plus an even number; 0: nx */
   double groove; /* [mm] length over which the wear of the lower body is spread, for long strokes
                     and circles. If > 0, this body is uniform along x and has one row of sites */
-  int turned;    /* 1: the lower body moves along z. size_x, nx and track then count along z, size_z
-                    and nz along x; radii, recess, sites and extents keep their axes */
-  int periodic;  /* 1: the window repeats in x and z; the lower body has a groove or no track */
-  int workers;   /* number of threads that share the positions; 0 or 1: only the calling thread */
+  int turned;   /* 1: the lower body moves along z. Then size_x, nx and track apply to the direction
+                   z, and size_z and nz to x. Radii, recess, sites and extents are not exchanged */
+  int periodic; /* 1: the window repeats in x and z; the lower body must have a groove or no track
+                 */
+  int workers;  /* number of threads that share the positions; 0 or 1: only the calling thread */
 } arc_halfspace_def;
 
 /* Returns a steel ball of 10 mm radius on a flat, with 63 x 63 cells of 0.02 mm. */
@@ -64,8 +65,8 @@ const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h);
 /* Returns the memory [bytes] that a stage over `positions` positions needs. */
 double arc_halfspace_bytes(const arc_halfspace_def *def, int positions);
 
-/* Return the number of sites of a body, the area of a site [mm2], and the position of a site
- * [mm]. */
+/* These functions return the number of sites of a body, the area of a site [mm2], and the position
+ * of a site [mm]. */
 int arc_halfspace_sites(const arc_halfspace *h, arc_body body);
 double arc_halfspace_site_area(const arc_halfspace *h, arc_body body);
 void arc_halfspace_site_at(const arc_halfspace *h, arc_body body, int site, double *x, double *z);
@@ -76,7 +77,8 @@ const double *arc_halfspace_recess(const arc_halfspace *h, arc_body body);
 
 /* One position of the lower body in a cycle, with the load at this position. */
 typedef struct arc_halfspace_position {
-  double x;      /* [mm] position of the lower body; linear interpolation between two cells */
+  double x;      /* [mm] position of the lower body; between two cells its surface is interpolated
+                    linearly */
   double load;   /* [N] normal load, > 0 */
   double weight; /* [mm] sliding distance of this position, > 0 for wear */
 } arc_halfspace_position;
@@ -87,7 +89,7 @@ typedef struct arc_halfspace_options {
   const double *gap; /* [positions][window] gap added to the computed gaps [mm]; NULL: none */
   int warm; /* 1: the solver starts from the pressures in the output array; 0: it starts from the
                shapes */
-  const arc_callbacks *callbacks; /* may stop the solver; NULL: no callbacks */
+  const arc_callbacks *callbacks; /* callbacks that may stop the solver; NULL: none */
 } arc_halfspace_options;
 
 /* Work done for a solution, and its largest pressure. */
@@ -155,7 +157,7 @@ typedef struct arc_halfspace_increment {
 /* Computing effort of increments, summed over calls. */
 typedef struct arc_halfspace_effort {
   int increments; /* number of increments solved */
-  int sweeps;     /* iterations between pressure and shear; 1 for equal materials */
+  int sweeps;     /* number of iterations between pressure and shear; 1 for equal materials */
   int sets, iterations, applications; /* numbers of active sets, conjugate gradient steps and
                                          applications of C for the shear */
   int flipping; /* number of active sets in which single cells alternated between stick and slip */
@@ -210,7 +212,7 @@ arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_
 
 /* Size and position of a contact or scar. */
 typedef struct arc_halfspace_extent {
-  double area;                     /* [mm2] area */
+  double area;                     /* [mm2] area of the contact or scar */
   double half_width, half_width_z; /* [mm] half widths along x and z */
   double center_x, center_z;       /* [mm] middle of the contact or scar */
   double largest;                  /* largest pressure [MPa] or depth [mm] */
@@ -228,8 +230,9 @@ arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, c
 /* --- wear ------------------------------------------------------------------------------------- */
 
 /* Computes rate [body][sites], the sum over positions of weight times pressure [MPa mm] on the
- * present depths. pressure [count][window] is output, and also input if options->warm is set; NULL:
- * not returned. On failure rate and pressure are unchanged. */
+ * present depths. pressure [count][window] [MPa] is the result of the contacts, and also their
+ * start if options->warm is set; NULL: it is not returned. On failure rate and pressure are
+ * unchanged. */
 arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *position, int count,
                               const arc_halfspace_options *options, double *pressure,
@@ -262,9 +265,9 @@ arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *
                                     const arc_halfspace_position *position, int count,
                                     const double *pressure, double *eigenvalue, arc_error *error);
 
-/* Transfers depths to the sites of another half-space that is larger or finer. They are copied if
- * the cells coincide, else interpolated linearly between sites so that the volume is kept.
- * ARC_ZONE: worn sites are outside. */
+/* Transfers depths to the sites of another half-space that is larger or finer. Depths are copied if
+ * the cells coincide. Otherwise they are interpolated linearly between sites, and the volume is
+ * kept. ARC_ZONE: worn sites are outside. */
 arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const depth[ARC_BODIES],
                                 const arc_halfspace *to, double *const grown[ARC_BODIES],
                                 arc_error *error);

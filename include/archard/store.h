@@ -9,7 +9,7 @@
  *
  * Files are not trusted: all data is checked against the lists of settings and columns before use.
  * A finished case, or one with a run, has a checksum. Views and triggers are not executed, and
- * reading stops if it takes more work than a valid file of this size needs. All these errors are
+ * reading stops if it needs more work than for any valid file of this size. All these errors are
  * ARC_FORMAT, "PATH: the file is damaged: " with the reason. Labels and messages are filtered by
  * arc_show_text.
  *
@@ -25,7 +25,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* user_version of the file, which increases with every change of a table; see
+/* Format number of the file (SQLite's user_version). It increases with every change of a table; see
  * src/store/schema.c. */
 #define ARC_STORE_FORMAT 6
 
@@ -56,7 +56,7 @@ void arc_store_close(arc_store **store);
 
 const char *arc_store_path(const arc_store *store);
 
-/* Checks the structure of every page. ARC_FORMAT: the file is damaged. */
+/* Checks the structure of every page of the file. ARC_FORMAT: the file is damaged. */
 arc_status arc_store_check(arc_store *store, arc_error *error);
 
 /* arc_store_begin starts a transaction that contains all calls until arc_store_commit. After any
@@ -143,12 +143,12 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 /* --- runs ------------------------------------------------------------------------------------- */
 
 /* Stores a run under an existing case and replaces the old data of the case. The data are the
- * definition, the history, the state, `count` given arrays of earlier surfaces
- * (arc_wear_check_surfaces) and the present surfaces (arc_wear_surfaces). If several arrays have
- * the same body, update and name, the last one is stored. Imported meshes are stored as Gmsh text.
- * For a setting that is a function the file only notes that there was one; the function must be
- * given again to continue. The call is one transaction, or part of the transaction begun before.
- * ARC_ARGUMENT: the data could not be read back. */
+ * definition, the history, the state, and `count` arrays of surfaces (arc_wear_check_surfaces),
+ * which include the present surfaces (arc_wear_surfaces). If several arrays have the same body,
+ * update and name, the last one is stored. Imported meshes are stored as Gmsh text. For a setting
+ * that is a function the file only notes that there was one; the function must be given again to
+ * continue. The call is one transaction, or part of the transaction begun before. ARC_ARGUMENT: the
+ * data could not be read back. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
@@ -163,11 +163,12 @@ typedef struct arc_stored_run {
 } arc_stored_run;
 
 /* Reads and checks a definition without its functions. ARC_ARGUMENT: no run is stored for this
- * case. ARC_FORMAT: an unknown field or an invalid value. On failure nothing needs to be freed. */
+ * case. ARC_FORMAT: an unknown field or an invalid value. On failure *run needs no
+ * arc_stored_run_free. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
-/* Builds the model, from the imported meshes if there are any; the model then owns them. Errors of
- * arc_model_build. */
+/* Builds the model of a stored run, from the imported meshes if there are any; the model then owns
+ * these meshes. Errors: those of arc_model_build. */
 arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
                                 arc_model **model, arc_error *error);
 
@@ -190,7 +191,7 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 /* --- shards ----------------------------------------------------------------------------------- */
 
 /* Copies the finished cases of the file `from` to `store`. Both must have the same cases with the
- * same settings. A case that is finished in both files is kept. ARC_ARGUMENT: the files have
+ * same settings. A case that is finished in both files is not changed. ARC_ARGUMENT: the files have
  * different results, or are different studies. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 

@@ -37,7 +37,7 @@ extern "C" {
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
   X(SIMPLE, "simple")
-/* When the geometry is updated: after `jump` cycles, or at every increment. */
+/* Time of geometry updates: after each `jump` cycles, or at every increment. */
 #define ARC_UPDATE_LIST(X)                                                                         \
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
@@ -96,14 +96,16 @@ typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const do
  * both strokes. At points with load 0 the bodies are apart and do not wear. */
 typedef struct arc_loading {
   int count;
-  const double *x;          /* [count] position of the plate [mm] */
-  const double *load;       /* [count] normal load [N], >= 0 */
-  const double *tangential; /* [count] force on the plate [N], with x = 0; NULL: x is given */
-  const double *rotation;   /* [count] rotation of the lower body in holes [degrees], with x = 0;
+  const double *x;    /* [count] position of the plate [mm] */
+  const double *load; /* [count] normal load [N], >= 0 */
+  const double
+      *tangential; /* [count] tangential force on the plate [N]; x is then 0. NULL: x is given */
+  const double *rotation;   /* [count] rotation of the lower body in holes [degrees]; x is then 0.
                                NULL: no rotation */
   const double *load_angle; /* [count] direction of the load in holes [degrees]; NULL: load_angle of
                                the definition */
-  double cycles; /* number of cycles > 0; INFINITY in the last block: to the end of the distance */
+  double cycles; /* number of cycles > 0; INFINITY in the last block: it lasts to the end of the
+                    distance */
   int periodic;  /* 1: the cycle repeats; 0: the block runs once (Eq. 4), with an update at every
                     increment */
 } arc_loading;
@@ -274,10 +276,11 @@ typedef struct arc_loading {
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
                     ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
-  void *context; /* argument of every function of the user */
+  void *context; /* first argument of every user function */
   int blocks;    /* number of blocks; 0: the plate reciprocates by `stroke` under `load` */
-  const arc_loading *loading;         /* [blocks] in the order of time; copied by the run */
-  double start_distance, start_cycle; /* start of the loading; set by arc_wear_set */
+  const arc_loading *loading; /* [blocks] in the order of time; copied by the run */
+  double start_distance,
+      start_cycle; /* distance [mm] and cycle at which the loading starts; set by arc_wear_set */
 } arc_wear_def;
 
 extern const arc_setting arc_wear_settings[];
@@ -314,8 +317,8 @@ double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model)
  * the field, the expected and the actual value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 
-/* Returns the longest accurate increment [mm] under `load` [N]: an eighth of the half width of the
- * unworn contact, which is the smallest half width of a run. */
+/* Returns the longest increment [mm] that is accurate under `load` [N]. It is an eighth of the half
+ * width of the unworn contact, which is the smallest half width during a run. */
 double arc_wear_reach(const arc_model_def *model, double load);
 
 /* Returns the number of increments in a full cycle without a loading: the number set by the user,
@@ -419,8 +422,8 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
-/* Returns the arrays from which, together with its history, the run can be restored. *state
- * [*count] is one block, which the caller releases with free(). Errors: ARC_MEMORY. */
+/* Returns the arrays from which arc_wear_resume restores the run, together with the history of the
+ * run. *state [*count] is one block, which the caller releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
 /* Checks the arrays of arc_wear_state and restores the run from them like arc_wear_restore. Errors:
@@ -429,16 +432,16 @@ arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
 
-/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. They are wide enough
- * for the whole run or, if element sizes follow the contact (mesh.fineness), for a scar of six
- * unworn half widths, as such meshes grow. */
+/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. The zones are wide
+ * enough for the whole run. If element sizes follow the contact (mesh.fineness), the zones are wide
+ * enough for a scar of six unworn half widths, as such meshes grow. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
 /* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance. After
- * the end it makes no update and returns ARC_OK. On failure the run is unchanged; ARC_STOPPED if a
- * callback requested it. The progress callback is not called. The function warns before the first
- * step of a definition if the mesh is too coarse for the contact, and once if an explicit jump
- * exceeds the limit of arc_wear_stability. */
+ * the end it makes no update and returns ARC_OK. Returns ARC_STOPPED if a callback requested a
+ * stop. On failure the run is unchanged. The progress callback is not called. The function warns
+ * before the first step of a definition if the mesh is too coarse for the contact, and once if an
+ * explicit jump exceeds the limit of arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
 /* Makes steps until the run has the total `distance` [mm], which a shorter last step reaches
@@ -463,9 +466,9 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
 /* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape and
  * history are kept. The loading starts anew, or continues if it is the array of
  * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion does not fit
- * on the present ones, and reports them to the callbacks. In `mesh`, "auto" sizes become those of
- * an unworn contact, "auto" zones the needed ones, and rows 0 keeps the depth of the wear box. On
- * failure nothing changes; ARC_STOPPED if a callback requested it. */
+ * on the present ones, and reports them to the callbacks. In `mesh`, "auto" sizes are set for an
+ * unworn contact, "auto" zones are set to the needed widths, and rows = 0 keeps the depth of the
+ * wear box. Returns ARC_STOPPED if a callback requested a stop. On failure nothing changes. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
                         const arc_callbacks *callbacks, arc_error *error);
 
@@ -500,9 +503,9 @@ extern const char *const arc_surface_names[];
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
 
-/* Checks arrays as surfaces of a run: all names for each body and update in sequence, equal numbers
- * of finite values, x increasing, pressures >= 0. ARC_ARGUMENT: the message has the first
- * violation. */
+/* Checks that arrays are valid surfaces of a run: all names for each body and update in sequence,
+ * equal numbers of finite values, increasing x, pressures >= 0. ARC_ARGUMENT: the message has the
+ * first violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
 /* The fretting loop (tangential force over position) of the periodic cycle at the beginning of an
@@ -518,13 +521,14 @@ typedef struct arc_loop {
 
 /* Computes the fretting loop on the present surfaces. *loop is one block, which the caller releases
  * with free(). Errors: ARC_ARGUMENT (the run has no friction), those of a step, and ARC_STOPPED if
- * a callback requested it. */
+ * a callback requested a stop. */
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 
 /* Computes the growth rate of ripples [1/cycle]: the largest eigenvalue of the wear of one cycle
  * per unit of depth, linearised at the present state, by power iteration. Explicit updates are
- * stable while jump * eigenvalue < 2. ARC_STOPPED if a callback (NULL: none) requested it. */
+ * stable while jump * eigenvalue < 2. Returns ARC_STOPPED if a callback (NULL: none) requested a
+ * stop. */
 arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, double *eigenvalue,
                               arc_error *error);
 
