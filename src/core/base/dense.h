@@ -13,7 +13,8 @@ void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double 
 void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb);
 
 /* Replaces a band matrix by its Cholesky factor. The matrix has `band` sub-diagonals in lower band
- * storage: entry (i, j) is a[(i - j) + j * (band + 1)]. Returns as arc_dense_cholesky. */
+ * storage: entry (i, j) is a[(i - j) + j * (band + 1)]. The return value is that of
+ * arc_dense_cholesky. */
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
  * the factor l. Row i of side c is x[i * sides + c]; only rows *from .. *to - 1 differ from zero. x
@@ -36,7 +37,7 @@ void arc_dense_add_columns(int first, int last, int n, const int *at, const doub
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* Adds a' a to the lower triangle of c, with a [k x n], c [n x n]. */
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
-/* Solve with a general matrix in two steps. The first function replaces a [n x n] by its LU
+/* Solve systems with a general matrix in two steps. The first function replaces a [n x n] by its LU
  * factors, with pivots [n]. It returns 0, or k > 0 if the matrix is singular. The second function
  * replaces b [n x count] by a^-1 b and can be called any number of times. */
 int arc_dense_factor(int n, double *a, int *pivots);

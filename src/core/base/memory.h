@@ -6,7 +6,8 @@
  * the control group and the process limits, or INFINITY if all are unknown. */
 double arc_memory_free(void);
 
-/* Frees an allocated array that a public struct shows as const; only its owner calls this. */
+/* Frees an allocated array that is const in a public struct. Only the owner of the array calls this
+ * function. */
 void arc_memory_release(const void *array);
 
 #endif

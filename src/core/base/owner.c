@@ -17,7 +17,7 @@ static unsigned long long add(unsigned long long sum, const void *bytes, size_t 
   return sum;
 }
 
-/* Returns an identification of the system since its start and of its process namespace. Processes
+/* Returns a number that identifies the system, its last start and the process namespace. Processes
  * of other systems cannot be checked. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};

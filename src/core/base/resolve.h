@@ -8,7 +8,7 @@
  * paths. */
 int arc_file_descriptor(const char *path);
 
-/* Fails with ARC_IO and the message "cannot read NAME: why", or "cannot write". */
+/* Fails with ARC_IO and the message "cannot read NAME: WHY" or "cannot write 'NAME': WHY". */
 arc_status arc_file_refused(const char *name, arc_file_use use, const char *why, arc_error *error);
 
 #endif

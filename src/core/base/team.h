@@ -20,7 +20,7 @@ void arc_team_destroy(work_team **team);
 int arc_team_workers(const work_team *team);
 
 /* Executes tasks 0 .. tasks - 1 and returns when all are done. In a forked child, which has no
- * other threads, the caller executes all tasks. Two callers must not use one team at once. */
+ * other threads, the caller executes all tasks. Two callers must not use the same team at once. */
 void arc_team_run(work_team *team, int tasks, team_task task, void *context);
 
 #endif

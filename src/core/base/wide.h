@@ -1,6 +1,6 @@
-/* ARC_WIDE before a function that is a loop over arrays: the function is compiled for each kind of
- * wider registers, and the program selects the widest available version at its start. All versions
- * give the same bits, as no operations are contracted and every sum keeps its order. With
+/* ARC_WIDE marks a function that is a loop over arrays. The function is compiled for each kind of
+ * wider registers, and the program selects the widest available version when it starts. All
+ * versions give the same bits, as no operations are contracted and every sum keeps its order. With
  * ARC_NARROW the function is compiled once, since versions for other processors do not run in tests
  * and would count as uncovered lines. */
 #ifndef BASE_WIDE_H

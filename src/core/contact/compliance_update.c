@@ -2,8 +2,8 @@
  * a worn body is as stiff as before; only the error of the elements near the surface changes as
  * they become thinner. This change is limited to a few columns and proportional to the loss of
  * thickness. The change by one column, computed once (arc_body_thinning), therefore gives the
- * changes by all columns. It prevents jumps of the pressures when the wear box is condensed
- * again. */
+ * changes by all columns. This correction prevents jumps of the pressures when the wear box is
+ * condensed again. */
 #include "core/contact/contact_problem.h"
 
 #include <math.h>

@@ -14,7 +14,7 @@
 typedef struct contact_problem {
   double x;     /* [mm] position of the plate */
   double angle; /* [rad] direction of the load, along s; 0 except in holes */
-  int aimed;    /* 1 if `down` is up to date */
+  int aimed;    /* 1: `down` is up to date */
   const arc_shape
       *shape; /* shape of the last arc_contact_problem_update, used by the next solution */
   const revolution *revolved; /* section of the bodies of revolution */
@@ -33,7 +33,7 @@ typedef struct contact_problem {
   double *gap;  /* [nc] initial gap by candidate [mm] */
   double *f;    /* [nc] solution: nodal forces by candidate [N/mm] */
   double *open; /* [nc] solution: remaining gap by candidate [mm] */
-  double approach; /* [mm] solution: approach */
+  double approach; /* [mm] solution: approach of the bodies */
   int iterations;  /* number of iterations of the last solution */
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
@@ -41,7 +41,7 @@ typedef struct contact_problem {
   int *made, of;   /* [nc] set for which factor and ones were computed; number of its candidates */
   double *factor;  /* [of x of] Cholesky factor of A on that set */
   double *ones;    /* [nc] (A_set)^-1 down */
-  int factored;    /* 1 if factor and ones are valid for A */
+  int factored;    /* 1: factor and ones are valid for A */
   /* workspaces, each used by one function and its callees */
   double *column;   /* [np] for the assembly of A */
   double *weighted; /* [nc] for transfers to the plate */
@@ -71,7 +71,7 @@ void arc_contact_problem_set_angle(contact_problem *p, double angle);
  * that coupling and compliance match. ARC_ZONE: fewer than three candidates; ARC_MEMORY. */
 arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
-/* Computes the shares of forces along the load. */
+/* Computes `down`, the shares of the candidates' forces along the load. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape);
 /* Computes the contact matrix from the present compliance of the shape. */
 void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape);
@@ -83,8 +83,8 @@ void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape)
 arc_status arc_contact_problem_solve(contact_problem *p, double line, arc_error *error);
 
 /* Copies the active set of a problem at a neighbouring position to an unsolved problem as its warm
- * start. Otherwise all candidates are active at first, which is expensive. The results are the
- * same. */
+ * start. Without a warm start all candidates are active at first, which is expensive. The results
+ * do not depend on the start. */
 void arc_contact_problem_start_from(contact_problem *p, const contact_problem *neighbour);
 
 /* Checks that the contact does not reach the edges of the candidates. Otherwise returns ARC_ZONE

@@ -87,7 +87,8 @@ static equation equation_inside(const ending *e, const edge_law *law, int step) 
                     .value = pressure(e, step)};
 }
 
-/* Returns E* g / distance, which has the unit of a pressure. */
+/* Returns the equation of the gap g outside the contact as E* g / distance, which has the unit of a
+ * pressure. */
 static equation equation_outside(const ending *e, const edge_law *law, int step) {
   const double s = node_x(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
   equation q = {.of_c = {4 * root / 3, -4 * s * root / 5}, .value = g};
@@ -208,8 +209,9 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
   }
 }
 
-/* Returns the tangential stress at the surface of a half-plane at the distance s outside the edge,
- * 2 (c0 sqrt(s) - c1 s sqrt(s)), for share = 1, and its integral. */
+/* Returns the tangential stress [MPa] at the surface of a half-plane for share = 1, which is 2 (c0
+ * sqrt(s) - c1 s sqrt(s)) at the distance s outside the edge. Also computes the integral of this
+ * stress. */
 static double cusp_at(const contact_edge *edge, double x, double *integral) {
   const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
   *integral = root * s * (edge->c[0] / 0.75 - edge->c[1] * s / 1.25);

@@ -45,7 +45,7 @@ static double along_load(const contact_problem *p, const double *value) {
  * errors that change the load by more than its tolerance. */
 static void restore_load(contact_problem *p, double line, double total, double *fs) {
   static const double rounding =
-      1e-12; /* relative tolerance; the sum over a usual set is within 1e-14 */
+      1e-12; /* relative tolerance; the error of the sum over a usual set is below 1e-14 */
   const double missing = line - along_load(p, fs);
   if (fabs(missing) <= rounding * line) return;
   p->approach += missing / total;
@@ -129,8 +129,9 @@ static void drop(contact_problem *p, int at) {
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
 }
 
-/* Moves from feasible forces f towards those of the set until a force becomes 0, and drops this
- * node. Returns 1 for a full step, 0 if a node was dropped, -1 on breakdown. */
+/* Changes the feasible forces f towards the forces that solve the set until a force becomes 0, and
+ * removes this node from the set. Returns 1 for a full step, 0 if a node was removed, -1 on
+ * breakdown. */
 static int advance(contact_problem *p, double line, double *f, double *fs) {
   if (solve_on_set(p, line, fs)) return -1;
   double step = 1;

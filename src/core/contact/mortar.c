@@ -74,8 +74,8 @@ static void add_segment(const contact_problem *p, const double *plate, double a,
   }
 }
 
-/* Returns the length of the longest row: the plate nodes within reach of any candidate's two
- * segments. */
+/* Returns the length of the longest row of B: the largest number of plate nodes whose segments
+ * overlap the two segments of one candidate. */
 static int row_width(const contact_problem *p, const double *cyl, const double *plate) {
   int width = 2;
   for (int i = p->lo; i < p->lo + p->count; i++) {
@@ -101,7 +101,7 @@ static void fill_row(contact_problem *p, int k, const double *cyl, const double 
   const int i = p->lo + k;
   const double a = at(p, cyl, i - 1), b = at(p, cyl, i), c = at(p, cyl, i + 1);
   double *row = &p->b[k * p->width];
-  /* rows at the end of the plate are shifted inside */
+  /* rows that would extend beyond the end of the plate are shifted inside */
   int first = plate_segment(p, plate, a);
   if (first > p->np - p->width) first = p->np - p->width;
   if (first < 0) first = 0;

@@ -1,4 +1,4 @@
-/* Transfer of worn surfaces to another mesh of the same bodies, and of measured profiles to a mesh.
+/* Transfers worn surfaces to another mesh of the same bodies, and measured profiles to a mesh.
  * Pressures depend on curvature, so the displacements of the nodes are interpolated by cubic
  * splines with two continuous derivatives, one for each scar. At the edge of a scar, which is a
  * kink, the spline of the worn nodes is extrapolated to zero. The displacements are then scaled so

@@ -34,8 +34,8 @@ struct arc_shape {
   arc_geometry geometry;
   double refresh;
   arc_corrections corrections;
-  long version; /* version of both compliances: equal versions mean equal bits, for all shapes of a
-                   model */
+  long version; /* version of both compliances; compliances with equal versions are equal to the
+                   bit, for all shapes of a model */
   shape_side side[ARC_BODIES];
 };
 
@@ -48,8 +48,8 @@ static inline double shape_inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
 
-/* Computes the chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the
- * ends. */
+/* Computes the chord from the left neighbour of node i of a surface [2 n] to the right one. At the
+ * ends of the surface the node itself replaces the missing neighbour. */
 static inline void shape_chord(const double *xy, int n, int i, double chord[2]) {
   const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
   chord[0] = b[0] - a[0];
@@ -63,7 +63,7 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
 
 /* Returns the tributary width of surface node i [mm], from the positions along x at the last
  * condensation. For bodies of revolution it is the area of the node's ring as seen from above
- * [mm2], and likewise for the spans below. */
+ * [mm2]. */
 double arc_shape_width(const shape_side *side, int i);
 
 /* Computes values derived from the nodes. Nodes move along x with their normals, but the coupling
@@ -74,14 +74,13 @@ void arc_shape_read_nodes(shape_side *side);
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
-/* Returns the depth of the wear box under the unworn centre [mm]: rows of the usual height, and
- * thinner rows of layers (wear_box.c). */
+/* Returns the depth of the wear box under the unworn centre [mm] (wear_box.c). */
 double arc_shape_box_depth(const shape_side *side);
 
-/* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement of
- * the surface and even wear. Rows on interfaces of layers remain on the interfaces, which `even`
- * moves nearer, until the surface reaches them. Between these rows the displacement is linear
- * (wear_box.c). */
+/* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement `sunk`
+ * of the surface [mm] and even wear [mm]. Rows on interfaces of layers stay on the interfaces until
+ * the surface reaches them. Even wear moves the interfaces toward the surface. Between these rows
+ * the displacement is linear (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
 /* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
@@ -111,8 +110,8 @@ arc_status arc_shape_check_depth(const shape_side *side, const double *depth, ar
  * normal, which is 1 / cos of the slope angle. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
-/* Returns the length of surface that wears with node i [mm]: along the surface, or along x if
- * depths are heights (frozen). */
+/* Returns the length of the surface that wears with node i [mm], along the surface or, with frozen
+ * geometry, along x. For bodies of revolution it is an area [mm2]. */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
 /* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span, as

@@ -49,8 +49,8 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   return -shape_inward(side) * (here[0] * next[1] - here[1] * next[0]);
 }
 
-/* With displacements d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2;
- * half of the product is assigned to each of the two nodes. */
+/* Iterates for the depths. With displacements d_i = h_i n_i the polygon loses the area sum (h_i
+ * span_i + (d_i x d_i+1) / 2). Half of each product is assigned to each of its two nodes. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   enum { sweeps = 4 }; /* each sweep reduces the error by the factor depth / radius of curvature */
   const shape_side *side = &shape->side[body];

@@ -36,7 +36,7 @@ static int rows_above(const elastic_body *body, const double *column, double dep
 
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
   static const double thinnest_row =
-      0.02; /* share of the usual height; thinner rows are remains of worn layers */
+      0.02; /* smallest height of a row in worn layers, as a share of the usual height */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
   const double *column = arc_body_top(body, i);
