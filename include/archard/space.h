@@ -316,7 +316,7 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
 typedef struct arc_hertz_ellipse {
   double half_width, half_width_z; /* [mm] half widths along x and z */
   double p_max;                    /* [MPa] largest pressure */
-  double approach;                 /* [mm] approach */
+  double approach;                 /* [mm] approach of the bodies */
 } arc_hertz_ellipse;
 
 /* Solves Hertz' elliptic contact. Errors: ARC_ARGUMENT unless radius_x, radius_z [mm], E_star [MPa]

@@ -40,7 +40,7 @@ static void number_box(elastic_body *b) {
   }
   b->band =
       2 * (m->rows + 1) +
-      1; /* distance in the numbering from a node to its diagonal neighbour in the next column */
+      1; /* difference of the numbers of a node and its diagonal neighbour in the next column */
 }
 
 static void number_far(elastic_body *b) {

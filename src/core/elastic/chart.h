@@ -2,9 +2,9 @@
  *
  * The chart of a line has the coordinates x and y. A polar chart has the centre (0, side R) of a
  * hollow surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the
- * first point of contact, which is the origin of both charts. Lengths along s are those of the
- * hole, and pressures refer to its area. Kinematics are of first order in clearance and wear over
- * R, with forces along z. */
+ * first point of contact, which is the origin of both charts. Lengths along s are lengths on the
+ * surface of the hole, and pressures refer to the area of this surface. Kinematics are of first
+ * order in clearance and wear over R, with forces along z. */
 #ifndef ELASTIC_CHART_H
 #define ELASTIC_CHART_H
 
@@ -41,8 +41,8 @@ typedef struct chart {
   int polar;
   double radius; /* [mm] radius R of the hole */
   double side;   /* 1: the lower body is hollow; -1: the upper body is hollow */
-  double pin;    /* [mm] radius of the body in the hole, which is in contact in the direction of the
-                    load */
+  double pin;    /* [mm] radius of the pin, the body in the hole, which rests on the hole in the
+                    direction of the load */
   revolution revolved;
 } chart;
 

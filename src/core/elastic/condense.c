@@ -64,7 +64,7 @@ static double depth_of(const elastic_body *b, const double *box_at, int k) {
 
 /* Returns the elasticity of a wear-box element between two depths [mm]. It is a mean over the
  * layers inside the element, which act in series across the element and in parallel along it. With
- * the shares s of the layers and their constants c, it is
+ * the shares s of the layers and their constants c, the constants of the element are
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
  *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
@@ -364,7 +364,7 @@ arc_status arc_body_condense(const elastic_body *b, const double *box_at, double
   return status;
 }
 
-/* Computes u_far = -K_ff^-1 K_fr u_rim, written to u. */
+/* Computes the far displacements -K_ff^-1 K_fr u_rim and writes them to u. */
 static arc_status far_displacements(const elastic_body *b, const double *rim, double *u,
                                     arc_error *error) {
   double *far = calloc((size_t)b->far_count, sizeof *far);

@@ -45,7 +45,7 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
   return hertz_on(def, arc_model_relative_radius(def), load);
 }
 
-/* --- their gap -------------------------------------------------------------------------------- */
+/* --- the gap ---------------------------------------------------------------------------------- */
 
 /* Returns the distance of a surface below its outermost point at x [mm]. */
 static double inset_at(const contact_pair *g, int b, double x) {

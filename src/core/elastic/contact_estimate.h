@@ -29,7 +29,7 @@ typedef struct contact_pair {
   double most;             /* [mm] assumed half width of the largest contact */
   double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its heights are used */
   double at;               /* [mm] position where the surfaces touch */
-  double load;             /* [N] last load (NAN: none yet), and its result */
+  double load;             /* [N] load of the last result `answer`; NAN: no result yet */
   contact_estimate answer;
 } contact_pair;
 contact_pair arc_model_pair(const arc_model_def *def);

@@ -28,7 +28,7 @@ arc_element arc_element_for(arc_element kind, double nu);
 double arc_elasticity_bulk(elasticity d);
 elasticity arc_elasticity_deviatoric(elasticity d);
 
-/* The corners of an element; `corners` is 3 or 4. */
+/* An element given by its corners, of which there are 3 or 4. */
 typedef struct element {
   int corners;
   arc_element kind; /* formulation of a quadrilateral */

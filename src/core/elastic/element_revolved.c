@@ -14,8 +14,8 @@ typedef struct point {
   double strain[8][components];
 } point;
 
-/* Computes the strains at a point from the functions n of u_x, their gradients, and the gradients
- * of the functions of u_y. */
+/* Computes the strains at a point from the shape functions n of u_x, their gradients ux, and the
+ * gradients uy of the shape functions of u_y. */
 static void fill_strains(const element *e, const double *n, double ux[][2], double uy[][2],
                          double area, point *p) {
   double x = 0;
@@ -39,7 +39,8 @@ static const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
  * rather than in r. The result [-] is four times the deviation in the middle of the edge divided by
  * the difference of u_y between the ends. It is 0 on steep edges, where u_y also depends on y. */
 static double dip_of(const element *e, int a, int b) {
-  static const double level = 0.2, steep = 0.4; /* slopes */
+  static const double level = 0.2,
+                      steep = 0.4; /* slopes between which the correction decreases to 0 */
   const double dr = e->xy[b][0] - e->xy[a][0], dy = e->xy[b][1] - e->xy[a][1];
   const double sum = 2 * e->revolved.axis + e->xy[a][0] + e->xy[b][0];
   if (fabs(dy) >= steep * fabs(dr)) return 0;

@@ -1,10 +1,10 @@
 /* Coulomb friction on a contact problem: the tangential part of the contact matrix, the state
  * between increments, and one increment of load and motion.
  *
- * Shear forces t are given at the cylinder's nodes, as the forces f are. t acts on the cylinder
- * along (1, m), the tangent in +x of the surface with slope m. -t acts on the plate. q = t / w is
- * the shear traction for the width w of the node. Slip ds is the motion of the plate's surface
- * relative to the cylinder's along +x:
+ * Shear forces t are given at the cylinder's nodes, like the forces f. t acts on the cylinder along
+ * (1, m), the tangent in +x of the surface with slope m. -t acts on the plate. q = t / w is the
+ * shear traction for the width w of the node. Slip ds is the motion of the plate's surface relative
+ * to the cylinder's along +x:
  *
  *   gap - approach + m (x - problem x) + A_nn f + A_nt t >= 0,  f >= 0,  f gap = 0
  *   ds = dx + m d(approach) - d(r),   r = A_tn f + A_tt t
@@ -36,7 +36,7 @@ typedef struct shear_problem {
                    */
   int *list, *pick; /* [stuck] candidates of the nodes that stick, and their indices in `at` */
   int stuck;
-  int factored; /* 1 if factor and ones are valid for list and a */
+  int factored; /* 1: factor and ones are valid for list and a */
   double *factor, *ones, *target;
   double *held, *pulled; /* forces of the nodes that slip; product A_tt t by candidate */
   int iterations;
@@ -69,8 +69,8 @@ void arc_tangential_update(tangential_compliance *g, const contact_problem *p, d
  * any problem of the model. */
 typedef struct friction_workspace {
   int nc, np;
-  double *gap;     /* [nc] gaps with the plate at the increment's x, without shear */
-  double *sheared; /* [nc] A_nt t */
+  double *gap;     /* [nc] gaps with the plate at the increment's x, without shear [mm] */
+  double *sheared; /* [nc] gaps A_nt t under the shear [mm], by candidate */
   double *before;  /* [nc] r before the increment, by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
   double
@@ -111,12 +111,12 @@ typedef struct friction_turn {
   double force, energy;
 } friction_turn;
 
-/* History of the plate's motion under one load; see friction_hysteresis.c. */
+/* History of the plate's motion under a constant load; see friction_hysteresis.c. */
 enum { ARC_FRICTION_TURNS = 64 };
 typedef struct friction_memory {
   int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if load and motion
                 change together */
-  int fresh; /* 1 if the first motion began without shear */
+  int fresh; /* 1: the first motion began without shear */
   int count; /* number of reversals; the force of each is between those of the two previous ones */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] energy dissipated between the nodes in the present motion */
@@ -127,7 +127,7 @@ typedef struct friction_memory {
 typedef struct friction_state {
   int nc, np;
   double x;          /* [mm] position of the plate's base */
-  double approach;   /* [mm] approach */
+  double approach;   /* [mm] approach of the bodies */
   double line;       /* [N/mm] load per thickness */
   double tangential; /* [N/mm] tangential force per thickness */
   double energy;     /* [N] energy per thickness dissipated in all increments */
@@ -186,7 +186,7 @@ void arc_friction_forces_on(const contact_problem *p, friction_workspace *w, arc
 
 /* --- internal */
 
-/* An increment during its solution. */
+/* Data of an increment during its solution. */
 typedef struct friction_task {
   contact_problem *p;
   tangential_compliance *g;

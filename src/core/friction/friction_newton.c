@@ -137,7 +137,8 @@ static int solve_on_sets(newton_system *c) {
   return 1;
 }
 
-/* Computes forces, gaps and slip of all candidates. */
+/* Computes the forces and gaps of all candidates from the solution, and w->dragged, from which the
+ * slip follows. */
 static void spread(newton_system *c) {
   const contact_problem *p = c->k->p;
   tangential_compliance *g = c->k->g;
@@ -167,8 +168,7 @@ static int next_direction(const newton_system *c, int at) {
   return w->t[at] > 0 ? 1 : -1;
 }
 
-/* Moves nodes between the sets of sticking, slipping and open nodes; returns true if a set
- * changed. */
+/* Updates the sets of nodes that stick, slip or have no contact. Returns true if a set changed. */
 static int update_sets(newton_system *c) {
   contact_problem *p = c->k->p;
   int n = 0, changed = 0;

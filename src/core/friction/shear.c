@@ -19,7 +19,7 @@ static void pull(shear_problem *s, const double *t) {
   arc_dense_add_columns(first, last, s->n, s->at, s->a, s->ld, t, s->pulled);
 }
 
-/* Lists the stuck nodes. Returns 1 if they are unchanged. */
+/* Lists the nodes that stick. Returns 1 if the list is unchanged. */
 static int list_stuck(shear_problem *s) {
   int n = 0, same = 1;
   for (int i = 0; i < s->n; i++) {
@@ -81,7 +81,7 @@ static void take_target(shear_problem *s) {
   for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
 }
 
-/* Computes the slip of the slipping nodes. */
+/* Computes the slip of the nodes that slip; it is 0 for the others. */
 static void measure_slip(shear_problem *s) {
   pull(s, s->t);
   for (int i = 0; i < s->n; i++)

@@ -57,16 +57,18 @@ static double until_slip(const sum_ends *e, int q) {
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Returns the share of the correction that is applied, from the changes of force `step` and `next`
- * [N/mm] until the next node slips and then the node after it. The ratio of both is 1.2 to 1.9 for
- * smooth contacts of three to forty nodes, at any position of the edges between nodes, and up to
- * 2.7 if the plate's nodes are halfway between the cylinder's. The share is 1 for smooth contacts,
- * less at kinks of the surfaces, and 0 at edges of scars. */
+/* Returns the share of the correction that is applied. `step` is the change of force [N/mm] between
+ * the slip of the two nodes at the end, and `next` the change between the slip of the inner node
+ * and of the node after it. The ratio next / step is 1.2 to 1.9 for smooth contacts of three to
+ * forty nodes, at any position of the edges between nodes, and up to 2.7 if the plate's nodes are
+ * halfway between the cylinder's. The share is 1 for smooth contacts, less at kinks of the
+ * surfaces, and 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
 
-/* Adds the end of the sum on one side of the q-th of the nodes that stick. */
+/* Adds the error terms of the end of the sum on one side (-1 or 1) of the q-th of the nodes that
+ * stick. */
 static void add_end(sum_ends *e, int q, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int out = h->list[q] + side, before = q - side;
