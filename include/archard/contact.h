@@ -1,16 +1,16 @@
 /* archard/contact.h - worn shapes, and contact solutions on them.
  *
- * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load exactly, where f are the components of
+ * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load exactly. Here f are the components of
  * the nodal forces along the load. The surfaces are coupled by mortar elements in x with a dual
- * basis on the cylinder's side, so that the nodal forces f of the cylinder and B'f of the plate
- * balance identically, along x too. Pressures act along the normals of the worn surface.
+ * basis on the cylinder's side. The nodal forces f of the cylinder and B'f of the plate therefore
+ * balance identically, also along x. Pressures act along the normals of the worn surface.
  *
  * With Coulomb friction the solution is computed over increments of load and motion, each of which
  * depends on the previous one: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. Here q is
- * the shear traction on the cylinder along +x (on the plate along -x), ds is the slip of the
- * plate's surface relative to the cylinder's, and Q is the force that drives the plate along x. All
- * are positive for a plate that moves to +x. In two dimensions the displacement under a force
- * depends on the size of the bodies, which have a rigid top and a rigid base. */
+ * the shear traction on the cylinder along +x (on the plate along -x), and ds is the slip of the
+ * plate's surface relative to the cylinder's. Q is the force that drives the plate along x. These
+ * quantities are positive for a plate that moves to +x. In two dimensions the displacement under a
+ * force depends on the size of the bodies, which have a rigid top and a rigid base. */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
@@ -42,11 +42,11 @@ extern const char *const arc_corrections_names[];
 /* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
 typedef struct arc_shape arc_shape;
 
-/* Creates unworn surfaces. The wear box is condensed again once a surface node has moved by more
- * than the share `refresh` [-] of its element's present height, by a fifth of this share of the
- * remaining layer, or along x by a hundredth of this share of an element's width. With refresh 0
- * the box is condensed after every motion. Between two condensations the compliance of a body
- * without layers is updated to first order. */
+/* Creates unworn surfaces. The wear box is condensed again once a surface node has moved too far.
+ * The limit is `refresh` [-] times the present height of its element, a fifth of `refresh` times
+ * the remaining layer, or along x a hundredth of `refresh` times the width of an element. With
+ * refresh 0 the box is condensed after every motion. Between two condensations the compliance of a
+ * body without layers is updated to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -224,8 +224,8 @@ typedef struct arc_contact_result {
   double p_center;  /* [MPa] pressure at the cylinder's node x = 0; in holes in the direction of the
                        load */
   double p_max;     /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
-  double p_average; /* [MPa] largest pressure averaged over the length `average`; it converges with
-                       the mesh */
+  double p_average; /* [MPa] largest pressure averaged over the length `average`; this value
+                       converges with the mesh */
   double half_width;   /* [mm] half the contact width */
   double left, right;  /* [mm] contact edges in the cylinder's frame, computed between nodes; the
                           error is 0.03 elements for unworn and 0.07 for smooth worn surfaces, 0.6

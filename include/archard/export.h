@@ -34,12 +34,12 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
 arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_contact *contact,
                           double time, arc_error *error);
 
-/* Writes an input deck of a contact on the worn surfaces, for Abaqus and CalculiX, which CalculiX
- * runs unchanged. The bodies are slabs one element thick (C3D8, C3D8I for CPE4I, C3D6 for
- * triangles), with supports, a contact pair (linear penalty), a step with the approach as
- * displacement, a step with the load on the plate's base, and output requests. Numbers have at most
- * 20 characters and are accurate to 5e-13. In the deck each triangle has its own dilatation, so
- * near nu = 1/2 the deck is stiffer than the model. */
+/* Writes an input deck of a contact on the worn surfaces, in the format of Abaqus. CalculiX runs
+ * the deck unchanged. The bodies are slabs one element thick (C3D8, C3D8I for CPE4I, C3D6 for
+ * triangles) with supports and a contact pair (linear penalty). The first step prescribes the
+ * approach as a displacement, the second step the load on the plate's base. Output is requested.
+ * Numbers have at most 20 characters and are accurate to 5e-13. In the deck each triangle has its
+ * own dilatation, so near nu = 1/2 the deck is stiffer than the model. */
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error);
 
 /* Writes the mesh of one body in plane elements, with sets of nodes, elements, surface and

@@ -86,9 +86,9 @@ arc_status arc_gait_from_rotations(int n, const double *rotation, const double *
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
-/* Makes a built-in gait: "iso", walking with the extreme values of the standard and approximate
- * curves between them; "prosim"; "flexion"; or "rocking". `angle` [degree] and `load` [N] apply to
- * the last two. */
+/* Makes a built-in gait: "iso", "prosim", "flexion" or "rocking". "iso" is walking with the extreme
+ * values of the standard and approximate curves between them. `angle` [degree] and `load` [N] apply
+ * to "flexion" and "rocking". */
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
@@ -182,11 +182,11 @@ typedef struct arc_joint_record {
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
-/* Makes a step of at most `most` cycles with error control. The depths of two updates of half the
- * length must differ from those of one update by at most `tolerance` times the wear that all cycles
- * so far would cause at the rate of this step. *step [cycles] is the length to try, and on return
- * the length for the next step. ARC_NOT_CONVERGED if no length meets the tolerance. On failure
- * nothing changes. */
+/* Makes a step of at most `most` cycles with error control. The depths after two updates of half
+ * the length must differ from the depths after one update by at most a limit. This limit is
+ * `tolerance` times the wear that all cycles so far would cause at the rate of this step. *step
+ * [cycles] is the length to try, and on return the length for the next step. ARC_NOT_CONVERGED if
+ * no length meets the tolerance. On failure nothing changes. */
 arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);

@@ -85,9 +85,10 @@ typedef struct arc_wear_record arc_wear_record;
 typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
                                    const arc_wear_record *state, double *value);
 
-/* Computes a factor on k at each of n nodes of one body, factor [n], from their own (unworn)
- * positions x [mm], their positions z [mm] across the motion (3-D; NULL in the plane), and their
- * pressures p [MPa] at one increment. A status other than ARC_OK makes the step fail. */
+/* Computes factor [n], a factor on k at each of n nodes of one body. x [mm] has the unworn
+ * positions of the nodes on this body, z [mm] their positions across the motion (3-D; NULL in the
+ * plane), and p [MPa] their pressures at one increment. A status other than ARC_OK makes the step
+ * fail. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
                                    const double *z, const double *p, const arc_wear_record *state,
                                    double *factor);
@@ -466,9 +467,9 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
 /* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape and
  * history are kept. The loading starts anew, or continues if it is the array of
  * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion does not fit
- * on the present ones, and reports them to the callbacks. In `mesh`, "auto" sizes are set for an
- * unworn contact, "auto" zones are set to the needed widths, and rows = 0 keeps the depth of the
- * wear box. Returns ARC_STOPPED if a callback requested a stop. On failure nothing changes. */
+ * on the present meshes. New meshes are reported to the callbacks. In `mesh`, "auto" sizes are set
+ * for an unworn contact, "auto" zones are set to the needed widths, and rows = 0 keeps the depth of
+ * the wear box. Returns ARC_STOPPED if a callback requested a stop. On failure nothing changes. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
                         const arc_callbacks *callbacks, arc_error *error);
 

@@ -80,7 +80,7 @@ static int wait_interval(worker *w) {
   return done;
 }
 
-/* Abandons the work. Returns 0 if it has ended meanwhile. */
+/* Abandons the work. Returns 0 if the work has ended meanwhile. */
 static int abandon(worker *w) {
   const pthread_t thread = w->thread;
   pthread_mutex_lock(&w->lock);

@@ -138,10 +138,10 @@ typedef struct contact_edge {
 contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right);
 /* Computes the contact edges [mm], left and right. */
 void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape, double edges[2]);
-/* Replaces nodal values p [n] [MPa] at x [n] (in the cylinder's frame) near a smooth edge by
- * `share` times the pressure of the edge law, within two elements of the edge and outside it.
- * `share` is 1 for pressures, and shear / pressure for shears. The sum of the forces is not
- * conserved. */
+/* Sharpens nodal values p [n] [MPa] at x [n] (in the cylinder's frame) near a smooth edge. Values
+ * within two elements of the edge and outside it are replaced by `share` times the pressure of the
+ * edge law. `share` is 1 for pressures, and shear / pressure for shears. The sum of the forces is
+ * not conserved. */
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
 /* Adds a correction [MPa] for the stress along the surface to cusp [n]. A shear of `share` times
  * the pressure causes a cusp of this stress at the edge; the correction is its value at the node

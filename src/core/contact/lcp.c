@@ -83,8 +83,8 @@ static void spread(contact_problem *p, const double *fs) {
   }
 }
 
-/* Computes the new set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if it
- * changed. */
+/* Computes the new set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if the
+ * set changed. */
 static int update_set(contact_problem *p) {
   int n = 0, same = 1;
   for (int k = 0, s = 0; k < p->count; k++) {

@@ -116,8 +116,8 @@ void arc_meshed_discard(arc_shape **shape) {
   *shape = NULL;
 }
 
-/* Computes the position of node k of the wear box. The displacement of a column decreases from that
- * of the surface to zero at the bottom. Without rows only the surface nodes move. */
+/* Computes the position of node k of the wear box. The displacements in a column decrease from the
+ * displacement of the surface to zero at the bottom. Without rows only the surface nodes move. */
 static void box_node_at(const shape_side *side, const double *surface_xy, double even, int k,
                         double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;

@@ -14,8 +14,8 @@ double arc_shape_box_depth(const shape_side *side) {
   return fabs(arc_body_bottom(side->body, middle)[1] - arc_body_top(side->body, middle)[1]);
 }
 
-/* Returns the number of rows of a deeper wear box, limited by the bodies; 0 if it cannot be
- * deeper. */
+/* Returns the number of rows of a wear box that is at least `needed` [mm] deep, as far as the
+ * bodies allow. Returns 0 if the box cannot be deeper. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->handle.model)) return 0;
   const arc_model_def *def = arc_model_definition(shape->handle.model);

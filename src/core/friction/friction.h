@@ -207,8 +207,8 @@ typedef struct friction_task {
 /* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
  * sweeps. Returns 1 if solved, 0 if not, -1 on breakdown. */
 int arc_friction_sweeps(friction_task *k, int limit);
-/* Solves for the motion that causes a given force (friction_force_control.c). It is used if the
- * sweeps do not converge. Returns 1 if solved, else 0. */
+/* Solves for the motion that causes a given force (friction_force_control.c). This function is used
+ * if the sweeps do not converge. Returns 1 if solved, else 0. */
 int arc_friction_bracket(friction_task *k);
 
 /* Records a reversal of the motion. It is called before the forces of the increment are stored. */
