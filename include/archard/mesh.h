@@ -96,8 +96,8 @@ typedef struct arc_mesh {
   double *xy;       /* [2 * nodes] x, y of each node [mm] */
   int elements;     /* number of elements = quads + triangles */
   int *element;     /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
-                       begin with the same corner and are two positions apart; their mirror images are
-                       between them */
+                       begin with the same corner and are two positions apart; between them are
+                       their mirror images */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
   int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */
