@@ -144,14 +144,14 @@ typedef struct arc_halfspace_friction {
 typedef struct arc_halfspace_increment {
   double friction; /* coefficient of friction >= 0 */
   arc_halfspace_position
-      position;    /* position at the end of the increment; its weight is not used */
-  int by_force[2]; /* along x and z. 1: the force is prescribed; 0: the motion xi is prescribed */
-  double xi[2];    /* [mm] motion at the end of the increment */
-  double force[2]; /* [N] force at the end of the increment, less than friction times the load */
-  const double *pressure; /* [window] [MPa] known pressure at the end, if shear does not change it;
-                             the approach is then kept. NULL: the pressure is computed */
-  const arc_halfspace_friction *guess; /* state whose shear, motion and stick zone the solver starts
-                                          from; NULL: the present state */
+      position;           /* position at the end of the increment; its weight is not used */
+  int by_force[2];        /* along x and z: 1 prescribes the force, 0 the motion xi */
+  double xi[2];           /* [mm] motion at the end of the increment */
+  double force[2];        /* [N] force at the end, less than friction times the load */
+  const double *pressure; /* [window] pressure at the end, if shear does not change it; the approach
+                             is then kept. NULL: the pressure is solved for */
+  const arc_halfspace_friction *guess; /* state whose pressure, shear, motion and stick zone the
+                                          solver starts from; NULL: the present state */
 } arc_halfspace_increment;
 
 /* Computing effort of increments, summed over calls. */
@@ -199,12 +199,11 @@ typedef struct arc_halfspace_leg {
 
 /* Advances a state along a leg. Halving ends when it changes the shear by less than 1e-3 and the
  * motion by less than 1e-4 of their values in full slip, and the work by less than 1e-3 of the work
- * of the leg or 1e-2 of itself. The second state `coarser` (NULL: none) follows the same history in
- * half as many increments. The difference of both energies estimates the error. It is about equal
- * to the error where the error is proportional to the length of the increments, for example where
- * the direction of slip turns, and larger than the error elsewhere. A leg with a fixed number of
- * increments does not change `coarser`. Errors: those of arc_halfspace_slide. On failure the states
- * are unchanged. The effort is added to *effort. */
+ * of the leg or 3e-3 of itself. `coarser` (NULL: none) follows the same history in half as many
+ * increments, for an error estimate: the difference of both energies is about the error where the
+ * error falls with the length of the increments, as where the direction of slip turns, and more
+ * than the error elsewhere. A fixed number of increments does not change `coarser`. Errors: those
+ * of arc_halfspace_slide. On failure the states are unchanged. Adds to *effort. */
 arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_leg *leg, const arc_halfspace_options *options,
                                 arc_halfspace_friction *state, arc_halfspace_friction *coarser,

@@ -17,11 +17,12 @@ typedef struct rubbing {
   arc_halfspace_friction s;
   arc_halfspace_increment to;
   arc_halfspace_effort effort;
-  double work; /* [N mm] work of friction in the last leg */
+  arc_halfspace_options options;
+  double work; /* [N mm] work of the last leg */
 } rubbing;
 
 UNUSED static void slide(rubbing *r) {
-  check_ok(arc_halfspace_slide(r->h, NULL, &r->to, NULL, &r->s, &r->effort, why));
+  check_ok(arc_halfspace_slide(r->h, NULL, &r->to, &r->options, &r->s, &r->effort, why));
   r->work += r->s.work;
 }
 

@@ -311,6 +311,25 @@ static void test_symmetries(void **state) {
   end(&exchanged);
 }
 
+/* In a round contact of like bodies a path along z equals the same path along x, as far as the
+ * tolerance of the solver allows. */
+static void test_round(void **state) {
+  (void)state;
+  static const double force[] = {3, -2, 4, 0, -4.5, 1};
+  double a;
+  rubbing along[2];
+  for (int axis = 0; axis < 2; axis++) {
+    rubbing *r = &along[axis];
+    *r = mindlin(0.3, 33, &a);
+    r->options.tolerance = 1e-9;
+    for (size_t i = 0; i < sizeof force / sizeof *force; i++)
+      pull(r, axis == 0 ? force[i] : 0, axis == 1 ? force[i] : 0, 1);
+  }
+  check_share(along[1].s.xi[1], along[0].s.xi[0], 1e-9);
+  check_share(along[1].s.energy, along[0].s.energy, 1e-9);
+  for (int axis = 0; axis < 2; axis++) end(&along[axis]);
+}
+
 /* --- random paths ----------------------------------------------------------------------------- */
 
 /* Returns a contact of two random bodies with a ratio of moduli up to ten and friction 0.05 to
@@ -408,7 +427,8 @@ int main(void) {
       cmocka_unit_test(test_parity),       cmocka_unit_test(test_rectangles),
       cmocka_unit_test(test_mindlin),      cmocka_unit_test(test_ellipse),
       cmocka_unit_test(test_spence),       cmocka_unit_test(test_symmetries),
-      cmocka_unit_test(test_random_paths), cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_random_paths), cmocka_unit_test(test_round),
+      cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

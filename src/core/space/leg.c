@@ -36,11 +36,11 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- what halving changes --------------------------------------------------------------------- */
 
-/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are
- * relative to full slip. A change of work is relative to the work of the leg or of the part; the
- * work of the leg counts at least as `little` of friction times load times displacement at full
- * slip. Errors of motion and work add up over a leg, whereas errors of shear decay. */
-static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 1e-2,
+/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are relative
+ * to full slip. A change of work is relative to the work of the leg or of the part. The work of the
+ * leg counts at least as `little` of friction times load times displacement at full slip. Errors of
+ * motion and work add up over a leg; errors of shear decay. */
+static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 3e-3,
                     little = 1e-3;
 
 /* Returns the sum of the changes of shear over the cells, as a force [N]. */

@@ -110,12 +110,12 @@ static arc_status take(increment *s, arc_error *error) {
   for (size_t f = 0; f < fields; f++) *field[f] = block + f * n;
   const arc_status status = arc_stick_slip_begin(&s->w, (int)n, error);
   if (status != ARC_OK) return status;
-  memcpy(s->pressure, s->to->pressure ? s->to->pressure : s->from->pressure, n * sizeof(double));
+  memcpy(s->pressure, s->to->pressure ? s->to->pressure : guess->pressure, n * sizeof(double));
   s->approach = s->from->approach;
   for (int i = 0; i < 2; i++) {
     memcpy(s->w.q[i], guess->q[i], n * sizeof(double));
     s->w.xi[i] = s->to->by_force[i] ? guess->xi[i] : s->to->xi[i];
-    s->motion[i] = s->to->by_force[i] ? 0 : s->to->xi[i] - s->from->xi[i];
+    s->motion[i] = s->w.xi[i] - s->from->xi[i];
   }
   for (size_t k = 0; k < n; k++) s->w.state[k] = guess->stick[k] > 0 ? SHEAR_STICK : SHEAR_SLIP;
   return ARC_OK;

@@ -57,11 +57,13 @@ static arc_status rub(const wear_window *v, space_path *path, arc_error *error) 
   const int unlike = arc_cerruti_unlike(arc_halfspace_definition(s->grid->h)) != 0;
   const size_t cells = (size_t)space_sites(s, ARC_UPPER);
   path->of = malloc((size_t)v->block->count * sizeof *path->of);
+  path->guess = calloc((size_t)v->block->count, sizeof *path->guess);
+  path->guesses = path->guess ? v->block->count : 0;
   if (path->of) add_rubbing(v->block, unlike, path);
   const size_t all = (size_t)path->count * cells;
   path->slip = calloc(all + 1, sizeof *path->slip);
   if (unlike) path->gap = calloc(all + 1, sizeof *path->gap);
-  if (path->of && path->slip && (path->gap || !unlike)) return ARC_OK;
+  if (path->of && path->guess && path->slip && (path->gap || !unlike)) return ARC_OK;
   arc_space_end_path(path);
   return arc_fail(error, ARC_MEMORY, "out of memory for a cycle with friction");
 }
@@ -72,6 +74,8 @@ void arc_space_end_path(space_path *path) {
   free(path->slip);
   free(path->gap);
   arc_halfspace_friction_end(&path->last);
+  for (int at = 0; at < path->guesses; at++) arc_halfspace_friction_end(&path->guess[at]);
+  free(path->guess);
   *path = (space_path){.count = 0};
 }
 

@@ -37,14 +37,14 @@ typedef struct space_contact {
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
-  int *of;         /* [points] index of the position of each point of the block; used with
-                    * friction */
-  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, the
-                    * ratio is 1 */
-  double *gap;     /* [count][window] gaps due to shear [mm]; NULL: no such gaps */
-  double unsteady; /* largest change of the gaps in the last slip solution, over the largest gap */
-  arc_halfspace_friction last; /* last slip solution, which is the start of the next one; all
-                                * zero: none yet */
+  int *of;         /* [points] index of the position of each point of the block; with friction */
+  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, 1 */
+  double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
+  double unsteady; /* change of the gaps in the last slip solution, over the largest gap */
+  arc_halfspace_friction last;   /* last slip solution, the start of the next one; zero: none */
+  arc_halfspace_friction *guess; /* [points] pressure, shear, motion and stick zone of the last
+                                    solution at each point, from which the next one starts */
+  int guesses;                   /* number of points */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {

@@ -196,12 +196,33 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
   arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
 }
 
-/* Advances the state to point `at` and adds `times` the slip of this increment. */
+/* Stores the solution at point `at` as the guess for the next one. Without memory nothing is
+ * stored. */
+static void remember(const cycle *c, int at, const arc_halfspace_friction *state) {
+  arc_halfspace_friction *guess = &c->path->guess[at];
+  const size_t n = (size_t)c->cells;
+  if (!guess->pressure) {
+    double *block = malloc(4 * n * sizeof *block);
+    if (!block) return;
+    *guess = (arc_halfspace_friction){
+        .pressure = block, .q = {block + n, block + 2 * n}, .stick = block + 3 * n};
+  }
+  memcpy(guess->pressure, state->pressure, n * sizeof *guess->pressure);
+  memcpy(guess->stick, state->stick, n * sizeof *guess->stick);
+  for (int i = 0; i < 2; i++) {
+    memcpy(guess->q[i], state->q[i], n * sizeof *guess->q[i]);
+    guess->xi[i] = state->xi[i];
+  }
+}
+
+/* Advances to point `at` and adds `times` the slip of the increment. */
 static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
-  const arc_halfspace_increment to = conditions(c, at, 1);
+  arc_halfspace_increment to = conditions(c, at, 1);
+  if (c->path->guess[at].pressure) to.guess = &c->path->guess[at];
   const arc_status status = solve(c, &to, state, error);
   if (status != ARC_OK) return status;
+  remember(c, at, state);
   take_slip(c, state);
   take_pressures(c, at, state);
   c->rate->shear = fmax(c->rate->shear, fabs(state->force[0]));
@@ -272,7 +293,10 @@ static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *err
   return ARC_OK;
 }
 
+/* Computes a cycle from its start. Evaluations must not depend on earlier ones: guesses are used
+ * only from one repetition of the cycle to the next. */
 static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+  for (int at = 0; at < c->path->guesses; at++) arc_halfspace_friction_end(&c->path->guess[at]);
   arc_status status = press(c, state, error);
   if (status == ARC_OK) status = go_to(c, 0, 0, state, error);
   if (status != ARC_OK) return status;
