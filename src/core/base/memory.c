@@ -39,9 +39,8 @@ static double of_limits(void) {
 }
 
 double arc_memory_free(void) {
-  return fmin(
-      fmin(INFINITY, of_machine()),
-      fmin(of_group(), of_limits())); /* fmin ignores NaN, which stands for an unknown value */
+  return fmin(fmin(INFINITY, of_machine()),
+              fmin(of_group(), of_limits())); /* fmin ignores NaN, the sign of an unknown value */
 }
 
 void arc_memory_release(const void *array) {

@@ -5,7 +5,7 @@
  *
  * Pressures act along the common normal of both surfaces, which is that of the plate with slope m.
  * A surface element ds = dx / cos carries p ds along the normal, which is p dx along y and -m p dx
- * along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore stands for the force
+ * along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore represents the force
  * f_k (-m_k, 1) on the cylinder. The opposite forces act on the plate, distributed by B'. The gap
  * is measured along y at a fixed x and is 1 / cos times the gap along the normal. A displacement u
  * changes the gap by u_y - m u_x, which is the work of the force (-m, 1), so A is symmetric. With

@@ -9,7 +9,7 @@
  * effect of periodic images. */
 enum { widening = 4, components = 6 };
 
-/* The zero frequency stands for waves of about the length of the box. The wave number of these
+/* The zero frequency represents waves of about the length of the box. The wave number of these
  * waves is this share of the first frequency. The share follows from the zeta function of the
  * square lattice, because the stresses have a kink in |q| at 0. */
 static const double zero_wave = 0.22895;
