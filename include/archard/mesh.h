@@ -46,7 +46,7 @@ extern const char *const arc_space_names[];
          "wide, which grow outside. \"auto\": the half width of the unworn contact / (5.4 "        \
          "fineness), which is 0.020 mm in the paper's case. The half width includes the effect "   \
          "of layers and is computed for the load of the contact or wear run that builds the "      \
-         "model (100 N for model{} alone). Balls have half this size. At rounded edges and "       \
+         "model (100 N for model{} alone). For balls it is half as large. At rounded edges and "   \
          "kinks, the width over which the pressure rises replaces the half width. For rough "      \
          "profiles the size is at most an eighth of the wave length, but waves that change the "   \
          "pressure by less than a thousandth do not count. In wear runs with partial slip it is "  \

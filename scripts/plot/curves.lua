@@ -34,8 +34,7 @@ local function split(where, mark, own, ...)
     elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
       options = value
     else
-      check.fail(where, ("argument %d: expected an object with .%s, a string, or at the end a table "
-        .. "of options, got %s%s"):format(i, mark, check.shown(value), naming.get(value, "flat") and " (plot.map draws its maps)" or ""))
+      check.fail(where, ("argument %d: expected an object with .%s, a string, or a table of options as the last argument, got %s%s"):format(i, mark, check.shown(value), naming.get(value, "flat") and " (use plot.map for the maps of a joint)" or ""))
     end
   end
   if #objects == 0 then

@@ -26,7 +26,7 @@ draw.terms = terms
 
 local curve_fields = {
   x = check.list, y = check.list, error = check.list, title = check.text,
-  value = check.kind("a number, or a list of them for a field", function(v)
+  value = check.kind("a number, or a list of numbers for a field", function(v)
     return type(v) == "number" or check.list.test(v)
   end),
   style = check.one_of(styles), colour = check.text, series = check.count, dash = check.count,

@@ -14,7 +14,7 @@ local where = "plot.tornado"
 local function of_sensitivity(object, of, at)
   local bars = {}
   for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
-  return "percent by percent", bars
+  return "elasticity (% per %)", bars
 end
 
 local function of_indices(object, of, at)
@@ -28,7 +28,7 @@ end
 local function of_ranks(object, of)
   local bars = {}
   for i, name in ipairs(object.fields) do bars[i] = { name = name, value = object[of].rank[name] or 0 } end
-  return "correlation of ranks", bars
+  return "rank correlation", bars
 end
 
 local function reader_of(object)

@@ -241,13 +241,13 @@ local function notes(cases, left)
   local lines = {}
   for _, each in ipairs(cases) do
     if words[each.class] == "run" and #each.value.functions > 0 then
-      lines[#lines + 1] = ("  %s: give its functions again when you open it (%s)"):format(each.name,
+      lines[#lines + 1] = ("  %s: pass its functions again to session.open (%s)"):format(each.name,
         table.concat(each.value.functions, ", "))
     elseif each.class == "study" and each.value.file then
-      lines[#lines + 1] = ("  %s: its cases stay in %s"):format(each.name, each.value.file)
+      lines[#lines + 1] = ("  %s: the cases are stored in %s"):format(each.name, each.value.file)
     end
   end
-  if left[1] then lines[#lines + 1] = "  not kept: " .. table.concat(left, ", ") end
+  if left[1] then lines[#lines + 1] = "  not saved: " .. table.concat(left, ", ") end
   return #lines > 0 and "\n" .. table.concat(lines, "\n") or ""
 end
 
@@ -357,7 +357,7 @@ local function read(file, functions)
     if given.same then
       each.value = values[math.tointeger(given.same)]
     elseif given.kind == "study" and given.file and not files.is_there(given.file) then
-      missing[#missing + 1] = ("%s: %s is not there"):format(each.name, check.plain(given.file))
+      missing[#missing + 1] = ("%s: file %s not found"):format(each.name, check.plain(given.file))
     else
       each.value = as("session.open", each.name, reader_of(given.kind), given, file, each.id,
         functions_of(functions, each.name), values)

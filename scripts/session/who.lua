@@ -44,7 +44,7 @@ local function lines()
       .. each.class .. (" "):rep(class_wide - #each.class + 2)
     rows[i] = head .. cut(words(each), math.max(20, width - #head))
   end
-  return rows[1] and table.concat(rows, "\n") or "nothing yet: w = wear{} makes a run"
+  return rows[1] and table.concat(rows, "\n") or "no variables yet; w = wear{} creates a run"
 end
 
 return function() print(names.plain(lines())) end

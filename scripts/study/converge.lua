@@ -189,7 +189,7 @@ local bounds = {
 local function add_notes(notes, label, found)
   local function add(text) notes[#notes + 1] = label .. ": " .. text end
   if found.lopsided then
-    return add(('profiles are asymmetric by %.1e even with %d increments per cycle, whatever the jump; '
+    return add(('profiles are asymmetric by %.1e even with %d increments per cycle, for every jump; '
       .. 'rule = "trapezoid" gives symmetric profiles'):format(found.lopsided, search.most_increments))
   end
   if not found.jump then return add("no jump was small enough, down to 1e-3 of the "

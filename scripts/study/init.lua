@@ -256,7 +256,7 @@ function class.__tostring(self)
   local count = count_by_status(self)
   local lines = { ("study%s: %d cases%s"):format(self.name ~= "study" and " " .. self.name or "", #self.flat,
     self.file and " in " .. self.file or ""),
-    ("  %d done, %d failed, %d to do"):format(count.done, count.failed,
+    ("  %d done, %d failed, %d waiting"):format(count.done, count.failed,
       count.waiting + count.running) }
   if #self.varied > 0 then lines[#lines + 1] = "  varied: " .. table.concat(self.varied, ", ") end
   return table.concat(lines, "\n")

@@ -68,7 +68,7 @@ local function friction_costs(model)
   local to_and_fro = { x = { -0.025, 0.0251, -0.025 }, increments = 40 }
   local plain = cycle_cost(model, { loading = to_and_fro })
   local function compare(what, cost)
-    line(what, string.format("%.1f", cost), "us", nil, string.format("%.1f of those without", cost / plain))
+    line(what, string.format("%.1f", cost), "us", nil, string.format("%.1f times the cost without friction", cost / plain))
   end
   line("an increment of a cycle, without friction", string.format("%.1f", plain), "us")
   compare("with friction, a wear run in partial slip", cycle_cost(model, { friction = 0.6, tangential = 30, increments = 40 }))
@@ -266,7 +266,7 @@ local function general_paths()
     local off = path.run.depth_cylinder / first.run.depth_cylinder - 1
     local same = off == 0 and path.run.p_center == first.run.p_center
     line(("%s: building %.3f, run %.3f"):format(path.name, path.building, path.running), ("%.3f"):format(total(path)), "s")
-    line("  as against the first", ("%.2f"):format(total(path) / total(first)), "")
+    line("  relative to the first", ("%.2f"):format(total(path) / total(first)), "")
     line("  depth differs by", same and "no bit" or ("%.1g"):format(math.abs(off)), "")
   end
 end
@@ -324,7 +324,7 @@ local function half_spaces(quick)
     line(("R 5, 20 N, stroke 2a, 6000 mm at a/%d, %d updates"):format(8 * fineness, w.update), string.format("%.2f", seconds),
       "s", fineness == 1 and "2.5" or "30")
     local shared, _, mine = run(2)
-    assert(shared.depth.ball == w.depth.ball and shared.depth.block == w.depth.block, "two threads: other bits")
+    assert(shared.depth.ball == w.depth.ball and shared.depth.block == w.depth.block, "two threads: results differ")
     line("  with two threads, times less of the busier one's", ("%.2f"):format(seconds / mine), "", "1.7")
     line("  peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB")
   end

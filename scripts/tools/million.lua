@@ -42,7 +42,7 @@ local function million(line, cycles)
   local plain, w = cost({}, cycles)
   line(("quasi-continuous, %d contact solutions"):format(w.solutions), ("%.2f"):format(plain * cycles * 1e-4), "s",
     cycles == 10000 and "30")
-  line("an increment of it", ("%.2f"):format(plain), "us")
+  line("time per increment", ("%.2f"):format(plain), "us")
   local part = math.max(1, cycles // 4)
   plain = cost({}, part)
   for _, row in ipairs(functions) do

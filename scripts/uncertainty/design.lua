@@ -128,7 +128,7 @@ local function check_design(where, sample, given)
   check_count(where, sample)
   local most = sample.indices and random.most_dimensions // 2 or random.most_dimensions
   if #sample.fields > most then
-    check.fail(where, ("field 'sample': %d fields are more than %d, the most%s"):format(
+    check.fail(where, ("field 'sample': %d fields exceed the limit of %d%s"):format(
       #sample.fields, most, sample.indices and " with indices" or ""))
   end
   if sample.n < 2 then check.refuse(where, "n", "a whole number >= 2", sample.n) end

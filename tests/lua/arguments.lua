@@ -67,7 +67,7 @@ fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, 
 fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0 cycles, "auto" or a function of the state, got "often"]],
   "other text for jump")
 fails(function() wear{ k = { distance = { 1, 0 }, value = { 1, 1 } } } end,
-  { "k.distance[2]", "increasing", "or twice the same for a jump, got 0" }, "a series by distance: distances increase")
+  { "k.distance[2]", "increasing", "two equal ones define a jump" }, "a series by distance: distances increase")
 fails(function() wear{ k = { distance = { 0, 5, 5, 5 }, value = { 1, 1, 2, 3 } } } end,
   { "k.distance[4]", "got 5 for the third time" }, "a jump has two values")
 fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0, 2 } } } end,

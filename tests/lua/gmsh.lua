@@ -88,7 +88,7 @@ is(coated(body.cylinder{ materials = { layer1 = material(coat) } }).upper.kind, 
 local function refused(upper, why, name)
   fails(function() coated(upper) end, why, name)
 end
-refused(nil, "field 'upper.materials': expected one for each name in the mesh, 'layer1', got none for 'layer1'", "no material")
+refused(nil, "field 'upper.materials': expected a material for each name in the mesh, 'layer1', got none for 'layer1'", "no material")
 refused(body.gmsh{ materials = { layer1 = coat, coating = coat } },
   "field 'upper.materials': expected the names in the mesh, 'layer1', got 'coating'", "another name")
 refused(body.cylinder{ layers = { { thickness = 0.1, E = 1e5 } } }, "expected 'upper.materials' by the names in it: 'layer1'", "layers")

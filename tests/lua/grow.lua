@@ -85,7 +85,7 @@ light:set{ load = 2 }
 is(light.model.mesh.size, 0.02, "a lighter load keeps the mesh")
 light:set{ mesh = { fineness = 2 }, load = 50 }
 ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements for fineness")
-ok((warnings.take() or ""):find("the requested meshes follow", 1, true), "a given mesh is reported")
+ok((warnings.take() or ""):find("the user changed the mesh", 1, true), "a given mesh is reported")
 ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
 is(light.volume.total, volume, "the record stays")
 light:step()
@@ -169,7 +169,7 @@ os.remove(path)
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
-tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: the run would not end", "use longer steps" }, "the error shows the last steps")
+tap.holds(because, { "field 'jump'", "the last 30 steps", "remain, so the run would not end", "use longer steps" }, "the error shows the last steps")
 
 -- Tests uniform wear over the whole plate. It changes the contact only where layers become thinner; automatic
 -- steps take this into account.

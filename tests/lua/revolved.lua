@@ -18,7 +18,7 @@ end
 
 fails(function() model{ geometry = "moving" } end, [[expected "plane strain", "plane stress", "axisymmetric", "springs" or "3-D"]], "a geometry that is none")
 fails(function() model{ axis = 3 } end, [[field 'axis': expected geometry = "axisymmetric" beside it, got "plane strain"]], "an axis of plane bodies")
-fails(function() model(ball{ thickness = 2 }) end, "field 'thickness': bodies of revolution have none, got 2 mm", "thickness of a ring")
+fails(function() model(ball{ thickness = 2 }) end, "field 'thickness': bodies of revolution have no thickness, got 2 mm", "thickness of a ring")
 fails(function() model(ball{ axis = 4 }) end, "field 'axis': expected 0 or more than the 10 mm that the upper body reaches", "an axis inside the body")
 fails(function() model(ball{ upper = body.disc{ radius = 9.9 }, lower = body.ring{ inner = 10, outer = 20 } }) end,
   "for a hole (lower.kind = \"ring\" held by its outer rim)", "a hole")
@@ -50,7 +50,7 @@ is(doubled.p_max, contact{ model = thin, load = 100 }.p_max, "load over thicknes
 
 fails(function() pin{ slide = "x" } end, [[field 'slide': expected "z" for bodies of revolution]], "a stroke along x")
 fails(function() pin{ alpha = 0.5, track = "none", distance = 10, cycles = "none" } end,
-  "field 'alpha': expected 1, as a disc that passes under a pin wears along its track", "a disc worn in a spot")
+  "field 'alpha': expected 1, as a disc that passes under a pin wears along its whole track", "a disc worn in a spot")
 fails(function() pin{ friction = 0.1 } end, "field 'friction': expected 0", "friction of a run")
 fails(function() pin{ track = 0.1 } end, "field 'track': expected more than the contact's radius, about 0.15055", "a track inside the contact")
 fails(function() pin{ spin = 1 } end, "field 'track': expected none together with spin", "track and spin")

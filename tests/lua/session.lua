@@ -91,8 +91,8 @@ before = { pulled = tostring(pulled), on_worn = tostring(on_worn), found = tostr
 holds(leave.question(), "not saved: driven, on_function, on_worn, ... 10 in all\n", "the question names each unsaved object once")
 
 local said = session.save(path "s.archard")
-holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "not kept: compute (function), on_function (contact on surfaces given by functions)",
-  "driven: give its functions again when you open it (k)", "computed: its cases stay in " .. path "computed.archard" },
+holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "not saved: compute (function), on_function (contact on surfaces given by functions)",
+  "driven: pass its functions again to session.open (k)", "computed: the cases are stored in " .. path "computed.archard" },
   "it says what was kept and what was not")
 is(w.saved and driven.saved and runs.pair[1].saved, true, "the runs are in a file now")
 holds(leave.question(), "not saved: on_function\n", "a question about a run that cannot be stored")
@@ -159,7 +159,7 @@ fails(function() session.open(path "none") end, { "session.open", "none" }, "a m
 fails(function() session.open(3) end, "expected the name of a file, got 3", "a number for a name")
 os.remove(path "computed.archard")
 local opened = session.open(path "s.archard", { driven = { k = function() return 2e-8 end } })
-holds(opened, { "left out: computed: ", "computed.archard is not there" }, "a study without its file is reported")
+holds(opened, { "left out: computed: ", "computed.archard not found" }, "a study without its file is reported")
 
 -- --- the question --------------------------------------------------------------------------------
 
@@ -210,16 +210,16 @@ is(print, kept, "a function of Lua is not replaced")
 is(rawget(_G, "t"), nil, "nothing was made")
 os.execute("mkfifo " .. path "pipe")
 holds(session.open(stranger{ kind = "study", file = path "pipe", ["key.1"] = "s" }),
-  { "left out: ", "s: " .. path "pipe" .. " is not there" }, "a pipe is no file")
+  { "left out: ", "s: file " .. path "pipe" .. " not found" }, "a pipe is no file")
 holds(session.open(stranger{ kind = "study", file = path "pi\27[2Jpe", ["key.1"] = "s" }),
-  { "left out: ", path "pi\\x1b[2Jpe" .. " is not there" }, "codes are shown")
+  { "left out: ", path "pi\\x1b[2Jpe" .. " not found" }, "codes are shown")
 fails(function() study.open(path "pipe") end, { "not a file" }, "a pipe as a study")
 fails(function() wear.open(path "pipe") end, { "not a file" }, "a pipe as a run")
 
 -- --- who, time, examples ---------------------------------------------------------------------------
 
 forget()
-holds(printed(who), "nothing yet", "an empty session")
+holds(printed(who), "no variables yet", "an empty session")
 w, length, title = quickened{}, 0.5, "a title"
 w:step()
 local list = printed(who)
@@ -232,7 +232,7 @@ holds(list, { "od\\x1bd", "a\\x1b[2J\\xc2\\x9btitle" }, "codes that a terminal o
 ok(not list:find "\27" and not list:find "\155", "control characters are removed")
 list = printed(require "archard.lib.prompt".show, title, { title })
 holds(list, { "a\\x1b[2J\\xc2\\x9btitle", '"a\\27[2J\\xc2\\x9btitle"' }, "by the prompt too")
-holds(session.save(path "odd"), "not kept: od\\x1bd (number)", "such names are in no file")
+holds(session.save(path "odd"), "not saved: od\\x1bd (number)", "such names are in no file")
 rawset(_G, "od\27d", nil)
 local told, a, b = printed(time, function(...) return ..., 5 end, 4)
 holds(told, { "time: ", " ms, processors " }, "time() prints the times")

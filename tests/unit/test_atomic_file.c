@@ -165,7 +165,7 @@ static void test_refused(void **state) {
                {"new/file", ARC_IO, "Not a directory"},
                {"a\nb", ARC_ARGUMENT, "control character"},
                {"through/x.png", ARC_IO, "control character in its folder's name"},
-               {"", ARC_ARGUMENT, "without a name"},
+               {"", ARC_ARGUMENT, "name is empty"},
                {long_name, ARC_IO, "too long"},
                {"read-only", ARC_IO, "Permission denied"},
                {"locked/file", ARC_IO, "Permission denied"}};

@@ -66,7 +66,7 @@ static void test_materials(void **state) {
   arc_model *model;
   check_refused(
       arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
-      "field 'upper.materials': expected one for each name in the mesh, 'steel', 'bronze', "
+      "field 'upper.materials': expected a material for each name in the mesh, 'steel', 'bronze', "
       "got none for 'steel'");
   assert_null(mesh[ARC_CYLINDER]); /* ownership is transferred even if the call fails */
 }
@@ -245,7 +245,7 @@ static const struct broken {
     {"fixed-surface", "expected curves in the group 'upper.fixed', got surfaces"},
     {"flipped", "element 18 of 'upper' at (-0.5, 1.0125) mm is flipped"},
     {"folded", "element 18 of 'upper' at (-0.5, 1.0125) mm is folded or not convex"},
-    {"flat", "has hardly any area at a corner"},
+    {"flat", "is degenerate at a corner"},
     {"same-corner", "has the same corner twice"},
     {"crack", "of 'upper' coincide at (0, "},
     {"material-name", "expected a material after 'upper.', a word of letters, digits and _ that"},
@@ -262,7 +262,7 @@ static const struct broken {
     {"contact-behind", "that of 'upper' looks down"},
     {"contact-fixed", "node 5 at (2, 0.2) mm is both in 'upper.contact' and in 'upper.fixed'"},
     {"contact-short", "expected from 5 to 5000 nodes on 'upper.contact', got 3"},
-    {"unknown-node", "element 7 has node 99, which is not there"},
+    {"unknown-node", "element 7 refers to node 99, which does not exist"},
     {"element-twice", "elements 21 and 25 of 'lower' overlap at node"},
     {"two-pieces", "'upper' is in pieces: node 31 at (5, 0) mm is not connected"},
     {"not-plane", "expected all nodes in the plane z = 0, got node 8 at (0, 2, 0.5) mm"},

@@ -98,7 +98,7 @@ static int depends_on_changed(const law *l, const arc_wear_def *d, double p) {
 
 static void is_as_told(const law *l, const char *what, int seen, int told) {
   if (!seen == !told) return;
-  fail_msg("law \"%s\": its formulas say that %s is %s, its row says %s", l->name, what,
+  fail_msg("law \"%s\": by its formulas %s is %s, by its table row %s", l->name, what,
            seen ? "true" : "false", told ? "true" : "false");
 }
 

@@ -209,7 +209,7 @@ static void test_broken_meshes(void **state) {
       {"overlap", "overlap by 0.25 mm"},
       {"no-upper", "no physical group 'upper'"},
       {"node-twice", "two nodes have the number"},
-      {"unknown-node", "which is not there"},
+      {"unknown-node", "which does not exist"},
       {"element-twice", "overlap at node"},
       {"two-pieces", "is in pieces"},
       {"contact-fixed", "is both in"},

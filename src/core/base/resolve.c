@@ -76,9 +76,9 @@ static int has_control(const char *path) {
 
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error) {
   const int strict = use == ARC_FILE_WRITE;
-  if (!*name) return arc_fail(error, ARC_ARGUMENT, "a file without a name");
+  if (!*name) return arc_fail(error, ARC_ARGUMENT, "the file name is empty");
   if (strict && has_control(name))
-    return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
+    return arc_fail(error, ARC_ARGUMENT, "the file name has a control character");
   const int why = resolve(name, path);
   if (why) return arc_file_refused(name, use, strerror(why), error);
   if (strict && has_control(path))

@@ -166,11 +166,10 @@ static arc_status check_series(const arc_setting *s, const char *prefix, arc_ser
     snprintf(place, sizeof place, ".value[%d]", i + 1);
     const int third = i > 1 && d == series.distance[i - 2];
     if (!isfinite(d) || (i > 0 && !(d >= series.distance[i - 1])) || third)
-      return arc_fail(
-          error, ARC_ARGUMENT,
-          "field '%s%s.distance[%d]': expected increasing distances in mm, or twice the "
-          "same for a jump, got %.14g%s",
-          prefix, s->name, i + 1, d, third ? " for the third time" : "");
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s%s.distance[%d]': expected increasing distances in mm (two equal "
+                      "ones define a jump), got %.14g%s",
+                      prefix, s->name, i + 1, d, third ? " for the third time" : "");
     if (!within(s, series.value[i])) return refuse_number(s, prefix, place, series.value[i], error);
   }
   return ARC_OK;

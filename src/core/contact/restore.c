@@ -61,7 +61,7 @@ static arc_status check_nodes(const shape_side *side, const surface_state *state
     const double distance = hypot(at[0] - top[0], at[1] - top[1]);
     if (!(distance <= reach)) return refuse(side, i, "a position within its wear", distance, error);
     if (i > 0 && !(at[0] > at[-2]))
-      return refuse(side, i, "a position right of the previous node", at[0], error);
+      return refuse(side, i, "x larger than at the previous node", at[0], error);
   }
   return ARC_OK;
 }

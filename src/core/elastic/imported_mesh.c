@@ -57,11 +57,11 @@ static arc_status check_materials(const arc_model_def *def, const arc_mesh *mesh
   }
   for (int m = 0; m < mesh->materials; m++)
     if (find_layer(solid, mesh->material_name[m]) < 0)
-      return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s.materials': expected one for each name in the mesh, %s, got none "
-                      "for '%s'",
-                      arc_model_role_name(mesh->body), list_names(mesh, names),
-                      mesh->material_name[m]);
+      return arc_fail(
+          error, ARC_ARGUMENT,
+          "field '%s.materials': expected a material for each name in the mesh, %s, got none "
+          "for '%s'",
+          arc_model_role_name(mesh->body), list_names(mesh, names), mesh->material_name[m]);
   return ARC_OK;
 }
 
@@ -77,7 +77,7 @@ arc_status arc_given_refuse(const arc_model_def *def, arc_error *error) {
       if (def->body[b].layer[l].name[0])
         return arc_fail(error, ARC_ARGUMENT,
                         "field '%s.materials': expected layers = { { thickness=, material= } }; "
-                        "materials go by the names in a mesh from a file",
+                        "materials need a mesh file with named parts",
                         role);
   }
   return ARC_OK;

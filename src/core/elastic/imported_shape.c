@@ -20,7 +20,7 @@ arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_er
   for (const arc_setting *s = arc_body_settings; s->name; s++)
     if (is_given(s, &def->body[body]) && !tells_arc(def, s->name))
       return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s.%s': expected name and materials alone beside an imported mesh "
+                      "field '%s.%s': an imported mesh allows only name and materials "
                       "(and the radii of a hole), got the %s of a %s",
                       arc_model_role_name(body), s->name, s->name,
                       arc_solid_names[def->body[body].kind]);

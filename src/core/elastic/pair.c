@@ -78,9 +78,10 @@ int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *bo
 static arc_status check_names(const arc_model_def *def, arc_error *error) {
   const char *name = def->body[ARC_LOWER].name;
   if (!name[0] || strcmp(name, def->body[ARC_UPPER].name) != 0) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field 'lower.name': expected another one than the upper body's, got \"%s\" too",
-                  name);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'lower.name': expected a name that differs from the upper body's, got \"%s\" too",
+      name);
 }
 
 /* --- definition of a pair */
@@ -168,7 +169,8 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
                     arc_space_names[def->geometry]);
   if (def->thickness == 1) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'thickness': bodies of revolution have none, got %g mm", def->thickness);
+                  "field 'thickness': bodies of revolution have no thickness, got %g mm",
+                  def->thickness);
 }
 
 /* Checks each body and the names of both. */

@@ -209,7 +209,7 @@ arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_cont
   arc_status status = ARC_OK;
   if (contact && arc_model_mesh(arc_contact_model(contact), mesh->body) != mesh)
     return arc_fail(error, ARC_ARGUMENT,
-                    "contact: expected a contact on the written mesh, got one on another");
+                    "contact: expected a contact on this mesh, got a contact on another mesh");
   if (contact) status = arc_contact_field(contact, mesh->body, &field, error);
   if (field) {
     add_time(&g, time);

@@ -284,7 +284,7 @@ static void lift(friction_task *k, friction_state *s) {
 static arc_status slides(const friction_task *k, arc_error *error) {
   return arc_fail(error, ARC_ARGUMENT,
                   "friction does not carry the tangential force: %g N/mm under %g N/mm with a "
-                  "coefficient of %g; the plate would slide without end",
+                  "coefficient of %g; the plate would slide freely",
                   k->step->tangential, k->step->line, k->step->mu);
 }
 

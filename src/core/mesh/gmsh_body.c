@@ -172,7 +172,7 @@ static arc_status check_shape(const msh_body *b, int e) {
                         "is flipped: its corners run clockwise; reverse its surface "
                         "(ReverseMesh Surface in the .geo)");
   if (turned > 0) return refuse_shape(b, e, "is folded or not convex");
-  return flat > 0 ? refuse_shape(b, e, "has hardly any area at a corner") : ARC_OK;
+  return flat > 0 ? refuse_shape(b, e, "is degenerate at a corner (area near zero)") : ARC_OK;
 }
 
 static arc_status check_shapes(const msh_body *b) {

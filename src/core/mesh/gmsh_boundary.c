@@ -69,7 +69,7 @@ static arc_status link_edge(msh_body *b, const edge *e) {
   }
   const double *at = position(b, e->from);
   return arc_fail(b->error, ARC_GEOMETRY,
-                  "%s: '%s' is held together by a single node, %lld at (%.6g, %.6g) mm",
+                  "%s: '%s' has two parts that share only node %lld at (%.6g, %.6g) mm",
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 

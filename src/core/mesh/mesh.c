@@ -24,8 +24,9 @@ const char *arc_mesh_element(const arc_mesh *mesh, int corners) {
   if (corners == 3) return names[mesh->space][0];
   return names[mesh->space][mesh->def.element == ARC_CPE4I ? 2 : 1];
 }
-_Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
-               "a new element: decide it in elastic/element.c, body.c, model.c and export/inp.c");
+_Static_assert(
+    0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
+    "a new element: implement it in elastic/element.c, body.c, model.c and export/inp.c");
 
 static const arc_setting zone_settings[] = {
     {.name = "cylinder",

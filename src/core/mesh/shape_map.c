@@ -18,7 +18,7 @@ static arc_status check_axis(const char *path, const char *name, const arc_serie
   for (int i = 0; i < s->count; i++)
     if (!(step > 0) || !(fabs(v[i] - (v[0] + i * step)) <= uneven * step))
       return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s%s': expected points that grow in even steps, got %g mm at point "
+                      "field '%s%s': expected increasing, evenly spaced points, got %g mm at point "
                       "%d of %d from %g to %g mm",
                       path, name, v[i], i + 1, s->count, v[0], v[s->count - 1]);
   return ARC_OK;

@@ -94,11 +94,10 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   const double longest = longest_increment(w);
   if (longest <= leap * (1 + 1e-9)) return;
   if (d->blocks > 0)
-    arc_warn(
-        callbacks,
-        "an increment of the loading is longer than half the contact's half width, and the wear "
-        "will be uneven; give %.0f times as many points, or increments = \"auto\"",
-        ceil(longest));
+    arc_warn(callbacks,
+             "an increment of the loading is longer than half the contact's half width, and the "
+             "computed wear will be wavy; give %.0f times as many points, or increments = \"auto\"",
+             ceil(longest));
   else
     arc_warn(
         callbacks,

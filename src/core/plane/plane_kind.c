@@ -182,7 +182,7 @@ static int must_grow(const arc_wear *w, arc_error *why) {
 
 static void report_mesh(const arc_wear *before, const arc_wear *now,
                         const arc_callbacks *callbacks) {
-  arc_wear_report_meshes(before, now, "the requested meshes follow", callbacks);
+  arc_wear_report_meshes(before, now, "the user changed the mesh", callbacks);
 }
 
 static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *error) {

@@ -164,7 +164,8 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
   const arc_model_def def = grown(w, why);
   *result = NULL;
   if (arc_model_is_given(w->model))
-    return arc_fail(error, why, "an imported mesh does not grow: make its contact curves longer");
+    return arc_fail(error, why,
+                    "an imported mesh cannot be enlarged: make its contact curves longer");
   if (like(now, &def.mesh))
     return arc_fail(error, why,
                     "no larger mesh fits into the bodies: zones end at %g and %g mm, wear boxes at "
@@ -178,7 +179,8 @@ void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const c
                             const arc_callbacks *callbacks) {
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   arc_warn(callbacks,
-           "after %.6g mm %s: both bodies have new meshes from there on, elements %.4g x %.4g mm "
+           "after %.6g mm %s: both bodies have new meshes from this distance on, elements %.4g x "
+           "%.4g mm "
            "in %d rows, zones %.4g and %.4g mm",
            arc_wear_last(before)->distance, why, mesh->size, mesh->height, mesh->rows,
            mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
@@ -202,7 +204,7 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def def = grown(w, why->status);
   return arc_fail(error, why->status,
-                  "%.300s; its last step changed the surfaces much: use shorter steps, jump = "
+                  "%.300s; its last step changed the surfaces too much: use shorter steps, jump = "
                   "\"auto\", or mesh.zone = { cylinder = %.4g, plate = %.4g }",
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }

@@ -47,11 +47,12 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
   if (d->track > 0 && d->procedure == ARC_SP)
     return refuse_revolved("procedure", "expected \"NSP\" with track: the disc stays flat", error);
   if (model->axis > 0 || d->spin > 0 || d->track > 0 || arc_wear_alpha_stays_one(d)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field 'alpha': expected 1, as a disc that passes under a pin wears along its "
-                  "track and not in a spot, got %g; or give track, the radius of the track, or "
-                  "spin",
-                  d->alpha);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'alpha': expected 1, as a disc that passes under a pin wears along its whole track, "
+      "not at one point, got %g; or give track, the radius of the track, or "
+      "spin",
+      d->alpha);
 }
 
 /* Computes the half width b of a scar of volume V. On a cylinder b^3 = 3 R V / 2 per length, on

@@ -82,7 +82,7 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
     const double t = c->workspace.t[k], bound = mu * p->f[k], slip = c->workspace.slip[k];
     if (!(fabs(t) <= bound * (1 + rounding)))
       return arc_fail(error, ARC_NUMERIC,
-                      "contact: shear %g N/mm where friction carries %g N/mm, at candidate %d", t,
+                      "contact: shear %g N/mm above the friction limit %g N/mm, at candidate %d", t,
                       bound, k);
     if (!isfinite(slip) || (slip != 0 && (fabs(t) < bound || t * slip < -rounding * bound)))
       return arc_fail(error, ARC_NUMERIC,

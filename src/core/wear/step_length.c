@@ -189,8 +189,8 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
   const double gone = now->distance - (now - many)->distance, left = limit - now->distance;
   if (gone > nothing * left) return ARC_OK;
   return arc_fail(error, ARC_NOT_CONVERGED,
-                  "field 'jump': the last %d steps, to %.6g mm, advanced only %.3g mm together, "
-                  "and %.6g mm are left: the run would not end; use longer steps, and smooth "
+                  "field 'jump': the last %d steps, to %.6g mm, advanced %.3g mm in total; %.6g mm "
+                  "remain, so the run would not end; use longer steps, and smooth "
                   "jumps of a law, a coefficient or a factor",
                   many, now->distance, gone, left);
 }
