@@ -119,7 +119,7 @@ typedef struct arc_loading {
   QUANTITY(                                                                                        \
       k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
       "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). To convert "          \
-      "from mm3/(N m), multiply by 1e-3. A coefficient measured on one body is k_cylinder "        \
+      "from mm3/(N m), divide by 1000. A coefficient measured on one body is k_cylinder "          \
       "or k_plate, not k, which alpha divides (by default half for each body). k can also "        \
       "be a function of the state (help \"state\"), or a table that is interpolated linearly "     \
       "over the distance; two values at one distance are a jump, where an update ends. "           \
@@ -127,7 +127,9 @@ typedef struct arc_loading {
       "most 3236 times a run; shorter peaks may be missed.")                                       \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
-           "share of the wear volume. 0: only the plate wears, 1: only the cylinder.")             \
+           "share of the wear volume. 0: only the plate wears, 1: only the cylinder. It is "       \
+           "measured as the worn volume of the upper body over that of both bodies: "              \
+           "calibrate{ volume={...} }.")                                                           \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \

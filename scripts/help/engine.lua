@@ -33,10 +33,12 @@ return {
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
-    text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, fixed at "
-      .. "its flat top, on a plate of width 2 radius and height radius, in plane strain. A model does not change; "
-      .. 'several contacts and runs can share one. Other geometries: help "axisymmetric". mesh = "pair.msh" reads '
-      .. 'both bodies from a Gmsh file: help "gmsh".' },
+    text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, "
+      .. "fixed at its flat top, on a plate of width 2 radius and height radius, in plane strain. A model "
+      .. 'does not change; several contacts and runs can share one. Other geometries: help "axisymmetric". '
+      .. 'mesh = "pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials: model{ '
+      .. "cylinder={ E=200e3, nu=0.3 }, plate={ E=114e3, nu=0.34 } }. In runs and contacts with friction the "
+      .. "coupling of pressure and shear between different materials (Dundurs' beta) is included." },
   { "model.upper", kind = "field", text = "The upper body of the definition; nil for the default, a cylinder." },
   { "model.lower", kind = "field", text = "The lower body of the definition; nil for the default, a block." },
   { "model.bodies", kind = "field",
@@ -51,7 +53,9 @@ return {
       .. "of layers." },
   { "body{layers}", type = "list of tables { thickness=, material= }",
     text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. A "
-      .. "material with k gives the layer its own wear coefficient, down to its depth." },
+      .. "material with k gives the layer its own wear coefficient, down to its depth: layers={{ "
+      .. "thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} is a coating of 5 um; w:run{ "
+      .. "depth={ plate=0.005 } } stops when it is worn through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
       .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
@@ -219,10 +223,12 @@ return {
       .. 'magnitude; c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { '
       .. "x=, s=, sz= }." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D a "
-      .. "plane below the surface, c:stress{ y=-0.05 }, or a section down to three half widths, c:stress{ z=0 } or { "
-      .. 'x=0 }; body="lower" chooses the body. The result has maps sxx, syy, szz, sxy, syz, sxz and mises in MPa '
-      .. "for plot.map; the second axis of a section is y." },
+    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D "
+      .. "a plane below the surface, c:stress{ y=-0.05 }, or a section down to three half widths, c:stress{ "
+      .. 'z=0 } or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, szz, sxy, syz, sxz '
+      .. "and mises in MPa for plot.map; the second axis of a section is y. The largest von Mises stress of "
+      .. "a 2-D contact and its depth: for i, s in ipairs(f.plate.mises) do if s > m then m, depth = s, "
+      .. "-f.plate.y[i] end end." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Frees the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
@@ -355,13 +361,13 @@ return {
       .. "at the present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with "
       .. "a larger jump make the surfaces rough." },
   { "wear.loop", kind = "method", use = "w:loop()",
-    text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { "
-      .. "cycle=, x=, tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the "
-      .. "run so far, x the list of positions of the plate's base [mm], tangential the list of tangential "
-      .. "forces [N], energy that of the cycle [N mm], stick_width the width that never slips [mm], and "
-      .. "gross is true in gross slip. The energy is more accurate than the loop's area, which omits slip "
-      .. "between nodes in partial slip, and in gross slip contains the surface strain under pressure (0.12 "
-      .. "% at 591 MPa on steel). plot.loop(w) draws the loop." },
+    text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { cycle=, "
+      .. "x=, tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the run so far, "
+      .. "x the list of positions of the plate's base [mm], tangential the list of tangential forces [N], "
+      .. "energy that of the cycle [N mm], stick_width the width that never slips [mm], and gross is true in "
+      .. "gross slip. The energy is more accurate than the loop's area, which omits slip between nodes in "
+      .. "partial slip, and in gross slip contains the surface strain under pressure (0.12 % at 591 MPa on "
+      .. "steel). plot.loop(w) draws the loop; study.fretting_map computes the transition to gross slip." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by a periodic cycle on the present surfaces; 0 before the first update." },

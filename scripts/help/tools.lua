@@ -10,20 +10,23 @@ return {
     text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
-    text = "Reads columns under a line of names, separated by commas, semicolons or tabs; empty lines and lines that "
-      .. "begin with # are skipped. Returns the columns as lists by name, so that loading = csv.read(path) and worn "
-      .. "= { plate = csv.read(path) } work with the columns t, x, load and x, h. Units after names, as in h [um] or "
-      .. "h (um), are removed and values converted to mm, N, MPa and s; columns with other units keep the whole "
-      .. "name. The second argument selects and renames columns, by name or number. A column is text if its first "
-      .. "cell is. Without a second argument the units by name and the list of names are returned too." },
+    text = "Reads columns under a line of names, separated by commas, semicolons or tabs; numbers may have "
+      .. "decimal commas if semicolons or tabs separate the columns. Empty lines and lines that begin with # "
+      .. "are skipped; other lines above the names must be deleted or marked with #. Returns the columns as "
+      .. "lists by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) } work with "
+      .. "the columns t, x, load and x, h. Units after names, as in h [um] or h (um), are removed and values "
+      .. "converted to mm, N, MPa and s; columns with other units keep the whole name. The second argument "
+      .. "selects and renames columns, by name or number. A column is text if its first cell is. Without a "
+      .. "second argument the units by name and the list of names are returned too." },
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface (w:profile is the computed profile): positions x and heights z "
-      .. "(out of the body) or depths h, in mm, with the standard deviation of its noise. Use it as the "
-      .. 'initial surface, worn = { plate = p }, for comparison, plot.profile(w, "plate", { measured = p '
-      .. "}), and for evaluation. Methods return new profiles. Points without a value (NaN) are removed; "
-      .. "decreasing positions are reversed." },
+    text = "A measured trace across a surface (w:profile is the computed profile), as of a stylus: p = "
+      .. 'profile.read(path, { level="line" }), then p:depth(), p:volume() with its error, plot.profile(w, '
+      .. '"plate", { measured=p }). Positions x and heights z (out of the body) or depths h, in mm, with the '
+      .. "standard deviation of its noise. Use it as the initial surface, worn = { plate = p }, for "
+      .. 'comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods return new '
+      .. "profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights, instead of h." },
   { "profile{y}", type = "list", unit = "mm", text = "Heights. Sections of maps have this field too." },
@@ -188,10 +191,11 @@ return {
     text = "Default options: term, size (in the terminal and in windows), file_size (in pixels), colour, key." },
   { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
-    text = 'Style of figures for papers and slides, also in greyscale: plot.style{ "paper", colour="grey" '
-      .. "}. paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; "
-      .. "journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in "
-      .. "pixels, the default. Returns the present style." },
+    text = 'Style of figures for papers and slides, also in greyscale: plot.style{ "paper", colour="grey" }. '
+      .. "paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; "
+      .. "journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in pixels, "
+      .. "the default. The ending of plot{ file= } chooses the format: .pdf, .eps, .svg, .png. Returns the "
+      .. "present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
     text = 'Width of the figure: a column ("single"), the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },

@@ -8,11 +8,18 @@ degrees. In 2-D a load acts on the whole thickness of the bodies, 1 mm by defaul
 three dimensions it is the total force.
 
 The travelled distance d [mm] counts both strokes of a cycle (to and fro): d = cycles * strokes * stroke, with two strokes per
-cycle. For a stroke of 2 radius a cycle has one stroke, as the plate passes in one direction only. Depths are in mm; tables and plots in um have this unit in
+cycle. If the stroke is 2 * radius, the whole width of the
+cylinder, the plate passes in one direction only, and a cycle has one stroke. Depths are in mm; tables and plots in um have this unit in
 their labels.
 
-k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. To convert from mm3/(N m), divide by
-1000: 1e-5 mm3/(N m) = 1e-8 mm2/N. A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
+k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. Other units of k:
+
+  1e-5 mm3/(N m)     1e-8 mm2/N: divide by 1000
+  1e-14 m2/N         1e-8 mm2/N: 1 m2/N = 1 m3/(N m) = 1e6 mm2/N
+  1e-5 mm3/J         1e-8 mm3/(N mm), the energy coefficient of law = "energy"
+  K, dimensionless   k = K / H with the hardness H in MPa
+
+A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
 
 Columns of run files have units in their names (half_width_mm); the view `units` lists them.]] },
@@ -104,8 +111,13 @@ prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them to their surfaces once. Elements in the contact zone are mesh.size wide and
 mesh.height high; they grow to mesh.far outside. By default the size follows the expected contact, with layers: 5.4 elements per
-half width, 10.8 for a ball, 5.4 per rounded edge of a punch, 8 per wave of a rough profile and 5 per
-spot that touches, 27 in contact{} with friction, in wear runs 5 per slip zone.
+half width (10.8 for a ball), and more where more must be resolved:
+
+  5.4   per rounded edge of a punch
+  8     per wave of a rough profile, 5 per spot that touches
+  27    in the half width in contact{} with friction
+  5     per slip zone in wear runs with friction
+
 mesh.fineness = 2 halves the size. If you set mesh.size, use at least four elements per half width (hertz{} computes it).
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 
@@ -155,12 +167,53 @@ Bodies are linear elastic with small strains; each body and layer has E and nu. 
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
 Not simulated: plastic flow (yielding), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
-viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (Dang Van). Their known effects on wear can be
+viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
 value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not
 predicted. In 3-D layers wear by the k of each, with the compliance of their unworn thickness.
 
 Wear is a volume in mm3; multiply by the density for the mass.]] },
+
+  { "accuracy", [[
+Errors of a run are due to the mesh, to the steps in time, and to the data. To estimate them:
+
+  mesh    repeat the run with model = { mesh = { fineness = 2 } }; the change
+          of a depth is about its error
+  steps   divide tolerance by 10 (jump = "auto", scheme = "implicit"), or
+          halve a fixed jump
+  both    study.converge{ base = {...} } searches for the size and the jump
+
+On automatic meshes with automatic steps, depths of homogeneous bodies without friction are within 1 % in the tests of archard,
+usually within 0.1 %. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined. Warnings name what a run did not
+resolve. contact{} on its own mesh can be compared with hertz{}. Measured values have errors too: w:sensitivity{} shows what a
+change of k, load or E does, study{ sample = } the scatter, and fit{} the standard errors of k and alpha.]] },
+
+  { "warning", [[
+A warning is printed once, when it is found, and the run continues. The most frequent ones:
+
+  past the stability limit     the jump is too long: help "steps"
+  outgrows its mesh            the run continues on new meshes; nothing to do
+  k = ... mm2/N: was ... meant a probable error of units: help "units"
+  cells or elements too large  the friction or a layer is not resolved: use a
+                               smaller mesh.size, or omit it
+  contact beyond half-spaces   a > radius / 5 in 3-D: results are approximate
+
+A study stores the warning of each case; case.warning is the text. A single run prints its
+warnings but does not store them. An error, in contrast, stops the call and changes nothing.]] },
+
+  { "3-D", [[
+model{ geometry = "3-D" } has balls, crowned rollers, ellipsoids, punches and measured maps on flats, as elastic half-spaces. x is the
+direction of the motion, y is up, z is across. A ball on a flat:
+
+  w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 5 },
+      lower = body.block{} }, load = 5, stroke = 2, k = 1e-8, cycles = 1000 }
+  w:run()
+  print(w.depth.ball, w.depth.block, w.volume.block)   -- mm, mm3
+  plot.map(w, { body = "block" })
+
+track = 20 makes the flat a disc with a track of this radius. Friction and fretting: friction=, tangential=. Topographies:
+map.read, body.map. Sections: w:profile("block", { z = 0 }). Files: export.vti, export.pvd. See examples "ball_on_flat",
+"pin_on_disc_3d", "fretting_ball", "rough_ball".]] },
 
   { "troubleshooting", [[
 "no global 'x'": the name has no value. rawget(_G, "x") returns nil without an error, as do all names with archard --lax.

@@ -335,8 +335,9 @@ local function is_sound(given)
     and (not sound[given.kind] or sound[given.kind](given))
 end
 
--- Raises ARC_FORMAT if a case is not a valid value of a session. The file is untrusted: a value must have a
--- known class and a free name, and be in a table that the file has created before.
+-- Raises ARC_FORMAT unless a stored case is a valid value of a session. The file is untrusted: a value must
+-- have a known class and a name that no function of archard has, and it must be in a table that the file has
+-- already created.
 local function check_place(file, each, values, tables)
   local given, path = each.given, each.path
   local inside = table.move(path, 1, #path - 1, 1, {})

@@ -15,11 +15,12 @@ typedef struct arc_canvas {
   int vector;           /* true for a vector format, where polygons increase the file size */
   int width, height;    /* size in characters or pixels */
   double columns, rows; /* size of the canvas in characters of the font */
-  int fine, dots;       /* fine: curves become Braille dots; dots: this canvas has the dots */
-  double points;        /* font size in the unit of gnuplot's terminal */
-  double scale;         /* scale of lines and marks */
-  double inch;          /* pixels per inch */
-  const char *family;   /* font family */
+  int fine, dots; /* fine: curves are drawn as Braille dots; dots: this canvas contains them (the
+                     other one has axes and text) */
+  double points;  /* font size in the unit of gnuplot's terminal */
+  double scale;   /* scale of lines and marks */
+  double inch;    /* pixels per inch */
+  const char *family; /* font family */
 } arc_canvas;
 
 /* The characters from ARC_DOT_MARK on represent the eight marks of curves in pictures of Braille

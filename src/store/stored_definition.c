@@ -406,8 +406,8 @@ static arc_status check_model(const reading *r, arc_error *why) {
   return arc_model_check_given(&r->run->model, r->run->given, why);
 }
 
-/* Checks the definition by the engine. A dummy function replaces each function of the user,
- * because functions are not stored. */
+/* Lets the engine check the definition. A dummy replaces each function of the user, because
+ * functions are not stored. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
   arc_wear_def def = r->run->def;

@@ -92,7 +92,7 @@ fails(function() run_of{ k = "much" } end,
   "k a text")
 fails(function() run_of{ alpha = true } end, "a function of the state or a table", "alpha a boolean")
 
--- Tests runs that are used inside functions of runs.
+-- Tests that a run refuses to be stepped or changed by one of its own functions.
 local self
 self = run_of{ k = function() if self then self:step() end return 1e-8 end }
 untouched(self, { "k(state", "this wear object is already running" }, "stepped from its own function")

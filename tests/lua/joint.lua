@@ -183,7 +183,7 @@ local single = contact{ model = liner, load = 2000, direction = { 0.1, 0, 1 } }
 plot.map(single, { file = picture .. ".gp" })
 ok(io.open(picture .. ".gp"):read "a":find("pressure / MPa", 1, true), "the pressure of a single contact")
 near(single:flat():at(0, 28 * math.sin(math.atan(0.1) / 2)), single.p_max, 0.05, "its flat map")
-fails(function() plot.pressure(single) end, "plot.map draws its maps", "no curve of its pressure")
+fails(function() plot.pressure(single) end, "use plot.map for the maps of a joint", "no curve of its pressure")
 ok(tostring(single):find "load 2000 N", "a contact as text")
 fails(function() single.load = 1 end, "read-only", "which is read-only")
 fails(function() contact{ model = liner, direction = { 0, 0, 0 } } end, "field 'direction'", "a direction without length")

@@ -110,7 +110,7 @@ session_contact = contact{ model = springs, load = 2000, direction = { 0.1, 0, 1
 session_joint, session_gait, session_run, session_k = springs, gait "prosim", w, wear{ model = springs, k = function() return 1e-9 end, updates = 1, cycles = 10 }
 local said = session.save(path "session")
 ok(said:find("2 runs, 1 model, 1 contact", 1, true) and not said:find "not kept", "a session keeps them: " .. said)
-ok(said:find("session_k: give its functions again", 1, true), "but functions")
+ok(said:find("session_k: pass its functions again", 1, true), "but functions")
 local before = { w.volume.cup, springs.cup.clearance, session_gait.track }
 local pressure, p_max = tostring(session_contact), session_contact.p_max
 session_contact = nil

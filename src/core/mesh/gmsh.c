@@ -29,8 +29,9 @@ static arc_status find_corners(const msh_file *f, const numbered *list, msh_elem
                                                       sizeof wanted, compare_numbered)
                                             : NULL;
     if (!at)
-      return arc_fail(error, ARC_GEOMETRY, "%s: element %lld refers to node %lld, which does not exist",
-                      f->text.path, e->tag, e->corner[c]);
+      return arc_fail(error, ARC_GEOMETRY,
+                      "%s: element %lld refers to node %lld, which does not exist", f->text.path,
+                      e->tag, e->corner[c]);
     e->corner[c] = at->index;
   }
   return ARC_OK;

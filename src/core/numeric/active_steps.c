@@ -315,7 +315,7 @@ arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, ar
   return isfinite(largest) ? ARC_OK : arc_fail(error, ARC_NUMERIC, "the pressures are not finite");
 }
 
-/* y := the preconditioner times the modes, on the set. */
+/* Computes y, the preconditioner times the modes; y is zero outside the active set. */
 static arc_status precondition_modes(const pass *s) {
   active_work *w = s->w;
   const int m = s->problem->modes, n = s->problem->cells, blocks = s->problem->blocks;

@@ -28,8 +28,9 @@ static arc_status refuse(arc_error *error, const char *field, const char *expect
 static arc_status check_body(const arc_model_def *def, arc_body body, arc_error *error) {
   const arc_body_def solid = arc_model_solid(def, body), *own = &def->body[body];
   if (!arc_body_is_spatial(&solid) && !arc_body_is_flat(&solid))
-    return refuse(error, arc_model_role_name(body),
-                  "a body.ball{}, body.map{} or body.block{} (a ball in its socket: joint{})");
+    return refuse(
+        error, arc_model_role_name(body),
+        "a body.ball{}, body.map{} or body.block{} (use joint{} for a ball in its socket)");
   if (own->width > 0)
     return refuse(error, body == ARC_LOWER ? "lower.width" : "upper.width",
                   "none: blocks have no sides");

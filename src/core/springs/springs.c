@@ -274,7 +274,8 @@ static arc_status check(const arc_wear_def *d, const arc_model_def *model, arc_e
   for (int b = 0; b < d->blocks; b++)
     for (int i = 1; i < d->loading[b].count; i++)
       if (d->loading[b].load[i] != d->loading[b].load[0])
-        return refuse("loading", "one load with scheme = \"implicit\"", error);
+        return refuse("loading",
+                      "the same load in all increments of a block if scheme = \"implicit\"", error);
   return ARC_OK;
 }
 

@@ -24,13 +24,13 @@ static double cycles_for(const wear_block *block, const double k[ARC_BODIES], do
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update: over the natural depth for the first updates, over the present
- * depth for later updates. */
+/* Largest wear of an update, as a fraction of the natural depth (first updates) or of the present
+ * depth (later updates). */
 static const double first_depth = 0.15, later_depth = 0.05;
-/* Largest wear of the first implicit update, which has no error estimate, over the natural
- * depth. */
+/* Largest wear of the first implicit update, which has no error estimate, as a fraction of the
+ * natural depth. */
 static const double first_implicit_depth = 0.06;
-/* Length of automatic updates over the stability limit 2 / eigenvalue. */
+/* Length of automatic updates, as a fraction of the stability limit 2 / eigenvalue. */
 static const double safe_share = 0.6;
 
 static double total_depth(const arc_wear *w) {
