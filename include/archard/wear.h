@@ -125,11 +125,12 @@ typedef struct arc_loading {
       "over the distance; two values at one distance are a jump, where an update ends. "           \
       "Both are integrated over each update. A function is evaluated 1.6 times a cycle, at "       \
       "most 3236 times a run; shorter peaks may be missed.")                                       \
-  QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
-           "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
-           "share of the wear volume. 0: only the plate wears, 1: only the cylinder. It is "       \
-           "measured as the worn volume of the upper body over that of both bodies: "              \
-           "calibrate{ volume={...} }.")                                                           \
+  QUANTITY(                                                                                        \
+      alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                     \
+      "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "        \
+      "share of the wear volume. 0: only the plate wears, 1: only the cylinder. Its value is "     \
+      "measured as the worn volume of the upper body over that of both bodies: "                   \
+      "calibrate{ volume={...} }.")                                                                \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \
@@ -144,7 +145,9 @@ typedef struct arc_loading {
          "Direction of the load in a hole: its angle from the point of first contact, positive "   \
          "towards +x. With loading, the angle at which pressures and widths are reported.")        \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
-         "Stroke s_t of the plate, from one end to the other. The paper's cases are a, 2a, 4a "    \
+         "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
+         "reciprocating test give "                                                                \
+         "cycles = frequency times time. The paper's cases are a, 2a, 4a "                         \
          "(0.11, 0.22, 0.44 mm) and 2R (20 mm); in the last one the whole plate passes the "       \
          "cylinder in one direction (r = 1 stroke per cycle instead of 2).")                       \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
@@ -166,13 +169,12 @@ typedef struct arc_loading {
       "eighth of the contact's half width in one increment; a loading is divided between its "     \
       "points likewise.")                                                                          \
   NUMBER(refresh, "", 0.05, FROM(0), 0,                                                            \
-         "Limit at which the stiffness of worn bodies is recomputed (with moving geometry). "      \
+         "With moving geometry, the displacement of surface nodes by wear at which the stiffness " \
+         "of the worn bodies is recomputed, as a fraction of the height of their elements. "       \
          "Smaller is more accurate and slower; the default suffices for most runs. The "           \
-         "stiffness is recomputed once a node has moved inwards by this share of the height of "   \
-         "its element or by a fifth of this share of the remaining layer, or along the surface "   \
-         "by a hundredth of this share of the width of its element. Between two computations "     \
-         "the stiffness is corrected to first order (not with layers). 0: it is recomputed at "    \
-         "every update.")                                                                          \
+         "fraction is 0.2 times as large for the remaining thickness of a layer, and 0.01 times "  \
+         "as large for displacements along the surface. Between two computations the stiffness "   \
+         "is corrected to first order (not with layers). 0: it is recomputed at every update.")    \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
          "short waves (edges of contact, shear from node to node, slip between nodes, stiffness "  \
@@ -198,8 +200,8 @@ typedef struct arc_loading {
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
          "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \
-         "part of the contact never slips. Between bodies of one material that Hertz' formulas "   \
-         "describe, pressing causes no shear, and friction is left out.")                          \
+         "part of the contact never slips. If both bodies have the same material and Hertz' "      \
+         "formulas apply, pressing causes no shear, and friction is left out.")                    \
   NUMBER(                                                                                          \
       tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
       "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "       \
@@ -281,9 +283,9 @@ typedef struct arc_wear_def {
                     ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
   void *context; /* first argument of every user function */
   int blocks;    /* number of blocks; 0: the plate reciprocates by `stroke` under `load` */
-  const arc_loading *loading; /* [blocks] in the order of time; copied by the run */
-  double start_distance,
-      start_cycle; /* distance [mm] and cycle at which the loading starts; set by arc_wear_set */
+  const arc_loading *loading;         /* [blocks] in the order of time; copied by the run */
+  double start_distance, start_cycle; /* distance [mm] and cycle at which the loading
+                                         starts; set by arc_wear_set */
 } arc_wear_def;
 
 extern const arc_setting arc_wear_settings[];
@@ -302,11 +304,11 @@ arc_wear_def arc_wear_default(void);
 /* Sets the default steps: the implicit scheme in 3-D, jump = "auto" in 2-D. */
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 
-/* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies
- * [mm2/N]. */
+/* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the
+ * bodies [mm2/N]. */
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
-/* Sets k and alpha like arc_wear_def_partition, from the wear coefficients of the materials.
- * Returns 0 and changes nothing if no material has a wear coefficient. */
+/* Sets k and alpha like arc_wear_def_partition, from the wear coefficients of the
+ * materials. Returns 0 and changes nothing if no material has a wear coefficient. */
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
 
 /* Returns the position of the plate [mm] at point i of a loading. */
@@ -316,37 +318,38 @@ double arc_loading_x(const arc_loading *loading, const arc_model_def *model, int
  * tangential force it is the sum of the changes of this force / (E* thickness). */
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model);
 
-/* Checks ranges and combinations of settings for a run on `model`. ARC_ARGUMENT: the message has
- * the field, the expected and the actual value. */
+/* Checks ranges and combinations of settings for a run on `model`. ARC_ARGUMENT: the
+ * message has the field, the expected and the actual value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 
-/* Returns the longest increment [mm] that is accurate under `load` [N]. It is an eighth of the half
- * width of the unworn contact, which is the smallest half width during a run. */
+/* Returns the longest increment [mm] that is accurate under `load` [N]. It is an eighth of
+ * the half width of the unworn contact, which is the smallest half width during a run. */
 double arc_wear_reach(const arc_model_def *model, double load);
 
-/* Returns the number of increments in a full cycle without a loading: the number set by the user,
- * or the automatic one. */
+/* Returns the number of increments in a full cycle without a loading: the number set by
+ * the user, or the automatic one. */
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
 /* Returns the stroke [mm], which is half a revolution for a circular track. */
 double arc_wear_def_stroke(const arc_wear_def *def);
-/* Returns the number of strokes in a cycle, r of Eq. (21): 2, or 1 if the stroke is the width of
- * the plate. */
+/* Returns the number of strokes in a cycle, r of Eq. (21): 2, or 1 if the stroke is the
+ * width of the plate. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of the history: the state after an update (row 0: before the first update). Pressures and
- * widths are given in the reference configuration, which is the plate at x = 0 under the nominal
- * load. load, load_low, travel and p_peak are values of the update's cycle. If a loading block runs
- * once, they are values of the update's increment (row 0: of the first increment). p_peak is the
- * largest pressure on the surfaces of the row under the loads of the cycle; without a loading it is
- * at least p_max. With updates at every increment it is the largest pressure over the increments
- * solved, and in row 0 it equals p_max. Columns missing in older files are NaN.
+/* One row of the history: the state after an update (row 0: before the first update).
+ * Pressures and widths are given in the reference configuration, which is the plate at x =
+ * 0 under the nominal load. load, load_low, travel and p_peak are values of the update's
+ * cycle. If a loading block runs once, they are values of the update's increment (row 0:
+ * of the first increment). p_peak is the largest pressure on the surfaces of the row under
+ * the loads of the cycle; without a loading it is at least p_max. With updates at every
+ * increment it is the largest pressure over the increments solved, and in row 0 it equals
+ * p_max. Columns missing in older files are NaN.
  *
  * Each column is X(name, unit, range, rule, text). A value outside the closed range
- * (archard/setting.h) makes the step fail with ARC_NUMERIC; in a file it counts as damage. The rule
- * is one of these: */
+ * (archard/setting.h) makes the step fail with ARC_NUMERIC; in a file it counts as damage.
+ * The rule is one of these: */
 typedef enum arc_column_rule {
-  ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it is NaN
-                        until the first number, but not after it */
+  ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it
+                        is NaN  until the first number, but not after it */
   ARC_COLUMN_ALWAYS, /* the column is in all files */
   ARC_COLUMN_GROWS   /* the column is in all files, and its values never decrease */
 } arc_column_rule;
@@ -398,58 +401,61 @@ enum {
   ARC_WEAR_TOTAL_VOLUME = ARC_WEAR_COLUMN_COUNT
 };
 
-/* The first function returns the value of a column, or the total volume. The second one returns the
- * name of a column, such as "p_center". */
+/* The first function returns the value of a column, or the total volume. The second one
+ * returns the name of a column, such as "p_center". */
 double arc_wear_record_get(const arc_wear_record *record, int column);
 const char *arc_wear_column_name(int column);
 
 /* A wear run. Opaque; keeps its model alive. */
 typedef struct arc_wear arc_wear;
 
-/* Creates a run on unworn surfaces or, unless `start` is NULL, on a copy of this shape of the same
- * model. Errors: ARC_ARGUMENT (the message has the field, the expected and the actual value);
- * ARC_ZONE (a zone of the model is too narrow for the stroke; the message has the width needed). */
+/* Creates a run on unworn surfaces or, unless `start` is NULL, on a copy of this shape of
+ * the same model. Errors: ARC_ARGUMENT (the message has the field, the expected and the
+ * actual value); ARC_ZONE (a zone of the model is too narrow for the stroke; the message
+ * has the width needed). */
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                            arc_wear **wear, arc_error *error);
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
-/* Checks rows against the ranges and rules of the columns. ARC_ARGUMENT: the message has the row
- * and the column. */
+/* Checks rows against the ranges and rules of the columns. ARC_ARGUMENT: the message has
+ * the row and the column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
-/* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run then gives
- * the same results, to the bit, as the stored run would have given. Errors as for
- * arc_wear_create. */
+/* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run
+ * then gives the same results, to the bit, as the stored run would have given. Errors as
+ * for arc_wear_create. */
 arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
-/* Returns the arrays from which arc_wear_resume restores the run, together with the history of the
- * run. *state [*count] is one block, which the caller releases with free(). Errors: ARC_MEMORY. */
+/* Returns the arrays from which arc_wear_resume restores the run, together with the
+ * history of the run. *state [*count] is one block, which the caller releases with free().
+ * Errors: ARC_MEMORY. */
 arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
 
-/* Checks the arrays of arc_wear_state and restores the run from them like arc_wear_restore. Errors:
- * also those of arc_shape_restore. */
+/* Checks the arrays of arc_wear_state and restores the run from them like
+ * arc_wear_restore. Errors: also those of arc_shape_restore. */
 arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_array *state,
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
 
-/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. The zones are wide
- * enough for the whole run. If element sizes follow the contact (mesh.fineness), the zones are wide
- * enough for a scar of six unworn half widths, as such meshes grow. */
+/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. The zones
+ * are wide enough for the whole run. If element sizes follow the contact (mesh.fineness),
+ * the zones are wide enough for a scar of six unworn half widths, as such meshes grow. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
-/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance. After
- * the end it makes no update and returns ARC_OK. Returns ARC_STOPPED if a callback requested a
- * stop. On failure the run is unchanged. The progress callback is not called. The function warns
- * before the first step of a definition if the mesh is too coarse for the contact, and once if an
- * explicit jump exceeds the limit of arc_wear_stability. */
+/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the
+ * distance. After the end it makes no update and returns ARC_OK. Returns ARC_STOPPED if a
+ * callback requested a stop. On failure the run is unchanged. The progress callback is not
+ * called. The function warns before the first step of a definition if the mesh is too
+ * coarse for the contact, and once if an explicit jump exceeds the limit of
+ * arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
-/* Makes steps until the run has the total `distance` [mm], which a shorter last step reaches
- * exactly. If `distance` is larger than the distance of the definition, it replaces that
- * distance. */
+/* Makes steps until the run has the total `distance` [mm], which a shorter last step
+ * reaches exactly. If `distance` is larger than the distance of the definition, it
+ * replaces that distance. */
 arc_status arc_wear_run(arc_wear *wear, double distance, const arc_callbacks *callbacks,
                         arc_error *error);
 
@@ -459,26 +465,27 @@ typedef struct arc_wear_target {
   double value;
 } arc_wear_target;
 
-/* Makes steps like arc_wear_run, but ends at the first of `count` targets (to 1e-9 relative).
- * *reached is the index of this target, or -1. A column that jumps past its target within a step
- * does not end the run. */
+/* Makes steps like arc_wear_run, but ends at the first of `count` targets (to 1e-9
+ * relative). *reached is the index of this target, or -1. A column that jumps past its
+ * target within a step does not end the run. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);
 
-/* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape and
- * history are kept. The loading starts anew, or continues if it is the array of
- * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion does not fit
- * on the present meshes. New meshes are reported to the callbacks. In `mesh`, "auto" sizes are set
- * for an unworn contact, "auto" zones are set to the needed widths, and rows = 0 keeps the depth of
- * the wear box. Returns ARC_STOPPED if a callback requested a stop. On failure nothing changes. */
+/* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape
+ * and history are kept. The loading starts anew, or continues if it is the array of
+ * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion
+ * does not fit on the present meshes. New meshes are reported to the callbacks. In `mesh`,
+ * "auto" sizes are set for an unworn contact, "auto" zones are set to the needed widths,
+ * and rows = 0 keeps the depth of the wear box. Returns ARC_STOPPED if a callback
+ * requested a stop. On failure nothing changes. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
                         const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* procedure in use, never ARC_AUTO */
-/* Returns the wear coefficient [mm2/N] of the exposed layer at the body's deepest point, in the
- * last update. */
+/* Returns the wear coefficient [mm2/N] of the exposed layer at the body's deepest point,
+ * in the last update. */
 double arc_wear_open_k(const arc_wear *wear, arc_body body);
 double
 arc_wear_strokes(const arc_wear *wear); /* number of strokes per cycle, r of Eq. (21): 2 or 1 */
@@ -491,28 +498,28 @@ const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);
 const arc_wear_record *arc_wear_last(const arc_wear *wear);
 size_t arc_wear_bytes(const arc_wear *wear);
 
-/* Solves the contact of the present shape in the reference configuration, and returns it as a new
- * object. */
+/* Solves the contact of the present shape in the reference configuration, and returns it
+ * as a new object. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
-/* Names of the arrays that describe a surface after an update, [nodes, 1] each, ended by NULL: the
- * unworn position x [mm], the wear depth h [mm], the present height y [mm], and the pressure p
- * [MPa] in the reference configuration. */
+/* Names of the arrays that describe a surface after an update, [nodes, 1] each, ended by
+ * NULL: the unworn position x [mm], the wear depth h [mm], the present height y [mm], and
+ * the pressure p [MPa] in the reference configuration. */
 extern const char *const arc_surface_names[];
 
-/* Returns the present surfaces, cylinder before plate, with arrays in the order of the names.
- * *surfaces [*count] is one block, which the caller releases with free(). Errors: those of
- * arc_wear_contact. */
+/* Returns the present surfaces, cylinder before plate, with arrays in the order of the
+ * names. *surfaces [*count] is one block, which the caller releases with free(). Errors:
+ * those of arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
 
-/* Checks that arrays are valid surfaces of a run: all names for each body and update in sequence,
- * equal numbers of finite values, increasing x, pressures >= 0. ARC_ARGUMENT: the message has the
- * first violation. */
+/* Checks that arrays are valid surfaces of a run: all names for each body and update in
+ * sequence, equal numbers of finite values, increasing x, pressures >= 0. ARC_ARGUMENT:
+ * the message has the first violation. */
 arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
-/* The fretting loop (tangential force over position) of the periodic cycle at the beginning of an
- * update. */
+/* The fretting loop (tangential force over position) of the periodic cycle at the
+ * beginning of an update. */
 typedef struct arc_loop {
   size_t count;
   double energy;            /* [N mm] energy dissipated in both strokes */
@@ -522,28 +529,28 @@ typedef struct arc_loop {
   const double *tangential; /* [count] force on the plate [N] */
 } arc_loop;
 
-/* Computes the fretting loop on the present surfaces. *loop is one block, which the caller releases
- * with free(). Errors: ARC_ARGUMENT (the run has no friction), those of a step, and ARC_STOPPED if
- * a callback requested a stop. */
+/* Computes the fretting loop on the present surfaces. *loop is one block, which the caller
+ * releases with free(). Errors: ARC_ARGUMENT (the run has no friction), those of a step,
+ * and ARC_STOPPED if a callback requested a stop. */
 arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
                          arc_error *error);
 
-/* Computes the growth rate of ripples [1/cycle]: the largest eigenvalue of the wear of one cycle
- * per unit of depth, linearised at the present state, by power iteration. Explicit updates are
- * stable while jump * eigenvalue < 2. Returns ARC_STOPPED if a callback (NULL: none) requested a
- * stop. */
+/* Computes the growth rate of ripples [1/cycle]: the largest eigenvalue of the wear of one
+ * cycle per unit of depth, linearised at the present state, by power iteration. Explicit
+ * updates are stable while jump * eigenvalue < 2. Returns ARC_STOPPED if a callback (NULL:
+ * none) requested a stop. */
 arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, double *eigenvalue,
                               arc_error *error);
 
-/* Returns the roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over the middle
- * of the contact divided by the largest depth. Smooth profiles have less than 1e-4 on the default
- * mesh. */
+/* Returns the roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over
+ * the middle of the contact divided by the largest depth. Smooth profiles have less than
+ * 1e-4 on the default mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
-/* Checks a run, for tests and builds with checks. All numbers must be finite, distances must grow
- * along the history, the wear volume must be k L d by Archard's law, Jacobians must be positive,
- * and the contact in the reference configuration must be valid. Errors: ARC_NUMERIC (the check that
- * failed, and by how much), ARC_MEMORY. */
+/* Checks a run, for tests and builds with checks. All numbers must be finite, distances
+ * must grow along the history, the wear volume must be k L d by Archard's law, Jacobians
+ * must be positive, and the contact in the reference configuration must be valid. Errors:
+ * ARC_NUMERIC (the check that failed, and by how much), ARC_MEMORY. */
 arc_status arc_wear_validate(const arc_wear *wear, arc_error *error);
 
 #pragma GCC visibility pop

@@ -227,8 +227,8 @@ return {
       .. "a plane below the surface, c:stress{ y=-0.05 }, or a section down to three half widths, c:stress{ "
       .. 'z=0 } or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, szz, sxy, syz, sxz '
       .. "and mises in MPa for plot.map; the second axis of a section is y. The largest von Mises stress of "
-      .. "a 2-D contact and its depth: for i, s in ipairs(f.plate.mises) do if s > m then m, depth = s, "
-      .. "-f.plate.y[i] end end." },
+      .. "a 2-D contact and its depth: local m, depth = 0; for i, s in ipairs(f.plate.mises) do if s > m "
+      .. "then m, depth = s, -f.plate.y[i] end end." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Frees the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
@@ -335,7 +335,7 @@ return {
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
       .. "continues it with the same results. Functions of the definition are not stored and must be given "
-      .. "again: wear.open(path, { k = f })." },
+      .. "again: wear.open(path, { k = f }). A run that was killed continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "

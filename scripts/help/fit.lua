@@ -96,7 +96,7 @@ return {
     text = "Correlations, f.correlation[i][j]; offsets of profiles follow the unknowns." },
   { "fitted.covariance", kind = "field", text = "Covariances for the given errors, in the same order." },
   { "fitted.confidence", kind = "field", text = "Confidence level of intervals and bands." },
-  { "fitted.times", kind = "field", text = "Half width of a confidence interval divided by the standard error." },
+  { "fitted.times", kind = "field", text = "Student's factor, about 2: half width of a confidence interval divided by the standard error." },
   { "fitted.chi2", kind = "field", text = "Sum of squares of residuals over errors." },
   { "fitted.freedom", kind = "field", text = "Degrees of freedom: number of values less number of parameters." },
   { "fitted.reduced", kind = "field", text = "chi2 / freedom, about 1 if the errors and the model are correct." },

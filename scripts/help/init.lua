@@ -57,7 +57,7 @@ local function load_entries()
   add(require "archard.help.session")
   for i, topic in ipairs(require "archard.help.topics") do
     topics[i] = { address = topic[1], name = topic[1], kind = "topic", text = topic[2] }
-    topics[topic[1]] = topics[i]
+    topics[topic[1]:lower()] = topics[i]
   end
 end
 

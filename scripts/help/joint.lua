@@ -43,7 +43,10 @@ return {
   { "joint.wear{loading}", type = "gait, its fields, or blocks {{ gait=, cycles= }, ...}", default = 'gait "iso"',
     text = "Rotations and load of a cycle: a gait, or a list of blocks of which the last continues to the end." },
   { "joint.wear{k}", type = "number >= 0, or function", unit = "mm2/N", default = "3e-11",
-    text = "Wear coefficient of the couple, or a function of { cross_shear=, p_mean=, cycle= } of a cell of the cup." },
+    text = "Wear coefficient of the couple, or a function of { cross_shear=, p_mean=, cycle= } of a cell of "
+      .. "the cup: k=function(s) return 1e-9 * (0.2 + s.cross_shear) end. cross_shear is the share of the "
+      .. "friction work across the main direction of sliding, 0 to 0.5; p_mean is the mean pressure of the "
+      .. "cycle [MPa]." },
   { "joint.wear{alpha}", type = "number in [0, 1], or function", default = "0.5",
     text = "The head's share of the wear, or a function of { cycle= }." },
   { "joint.wear{cycles}", type = "number > 0", unit = "cycles", default = "1e6", text = "Number of cycles." },

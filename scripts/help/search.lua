@@ -8,8 +8,21 @@ local search = {}
 -- cross_shear.
 function search.plain(text) return (text:lower():gsub("[-_]", " ")) end
 
-local meanings = {} -- address lists of the synonyms, by their plain text
-for name, addresses in pairs(synonyms) do meanings[search.plain(name)] = addresses end
+-- Returns the words of a phrase in plain form, without the s of a plural.
+function search.words(text)
+  local words = {}
+  for word in search.plain(text):gmatch("%S+") do words[#words + 1] = word:gsub("^(%a%a%a+[^aisu])s$", "%1") end
+  return words
+end
+
+local meanings = {} -- address lists of the synonyms, by their words
+for name, addresses in pairs(synonyms) do meanings[table.concat(search.words(name), " ")] = addresses end
+
+-- Returns true if the text from `first` to `last` is a whole word or its plural.
+local function is_whole(text, first, last)
+  local after = text:find("^s%f[%W]", last + 1) and last + 2 or last + 1
+  return not text:find("^%w", after) and (first == 1 or not text:find("^%w", first - 1))
+end
 
 -- Returns true if a text contains all words. whole: true if only whole words count, false if parts of words
 -- count too.
@@ -17,9 +30,7 @@ local function contains(words, text, whole)
   text = search.plain(text)
   for _, word in ipairs(words) do
     local at, last = text:find(word, 1, true)
-    while whole and at and (text:find("^%w", last + 1) or at > 1 and text:find("^%w", at - 1)) do
-      at, last = text:find(word, last + 1, true)
-    end
+    while whole and at and not is_whole(text, at, last) do at, last = text:find(word, last + 1, true) end
     if not at then return false end
   end
   return true
@@ -45,17 +56,10 @@ end
 -- Returns a table from the addresses that a synonym lists to their positions in the list.
 local function by_synonym(joined)
   local positions = {}
-  for position, address in ipairs(meanings[joined] or meanings[joined:gsub("s$", "")] or {}) do
+  for position, address in ipairs(meanings[joined] or {}) do
     positions[address] = position
   end
   return positions
-end
-
--- Returns the words of a phrase in plain form.
-function search.words(text)
-  local words = {}
-  for word in search.plain(text):gmatch("%S+") do words[#words + 1] = word end
-  return words
 end
 
 -- Returns the entries found for a phrase, the best first, and the number of good answers. Good answers are

@@ -349,11 +349,11 @@ return {
     text = "Writes files for other programs. Files are written atomically; a wrong ending is refused, and a "
       .. "missing one is appended." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
-    text = "Columns of numbers with a line of names and units: the history of a run (its worn surface: "
-      .. 'export.csv(w:profile("plate"), path)), the pressures of a contact (with friction also shear and slip), or a '
-      .. 'table of lists, with units in a third argument { x="mm" }. A '
-      .. "stress becomes two files, path-cylinder.csv and path-plate.csv; a map has columns x, z and its name, a "
-      .. "line per point. Returns the names of the files." },
+    text = "Writes columns of numbers under a line of names and units: the history of a run, the pressures of a "
+      .. 'contact (with friction also shear and slip), or a table of lists, with units in a third argument { x="mm" }. '
+      .. 'For the worn surface of a run use export.csv(w:profile("plate"), path). A stress is written to two files, '
+      .. "path-cylinder.csv and path-plate.csv. A map is written with one line per point: x, z and the value. "
+      .. "Returns the names of the files." },
   { "export.vti", kind = "function", use = 'export.vti(t, "t.vti")  export.vti({ depth, pressure }, "t.vti")',
     text = "Maps on the same points for ParaView, as ImageData in the plane y = 0, an array per map by its name. A "
       .. "3-D run becomes a file for each body with depth, height and pressure, path-ball.vti and path-block.vti; a "

@@ -14,10 +14,10 @@ their labels.
 
 k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and mm of sliding. Other units of k:
 
-  1e-5 mm3/(N m)     1e-8 mm2/N: divide by 1000
-  1e-14 m2/N         1e-8 mm2/N: 1 m2/N = 1 m3/(N m) = 1e6 mm2/N
-  1e-5 mm3/J         1e-8 mm3/(N mm), the energy coefficient of law = "energy"
-  K, dimensionless   k = K / H with the hardness H in MPa
+  1e-5 mm3/(N m)     is 1e-8 mm2/N: divide by 1000
+  1e-14 m2/N         is 1e-8 mm2/N; 1 m2/N = 1 m3/(N m) = 1e6 mm2/N
+  1e-5 mm3/J         is 1e-8 mm3/(N mm) = 1e4 um3/J, for law = "energy"
+  K, dimensionless   k = K / H with the hardness H in MPa (9.81 times HV)
 
 A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
@@ -166,13 +166,14 @@ update, w:run() all; Ctrl-C stops after the running step, and w:run() continues.
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
-Not simulated: plastic flow (yielding), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
+Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
 value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not
 predicted. In 3-D layers wear by the k of each, with the compliance of their unworn thickness.
 
-Wear is a volume in mm3; multiply by the density for the mass.]] },
+Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. From a measured mass, give
+the volume to calibrate{}.]] },
 
   { "accuracy", [[
 Errors of a run are due to the mesh, to the steps in time, and to the data. To estimate them:

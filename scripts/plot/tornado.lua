@@ -1,5 +1,6 @@
 -- plot.tornado: draws a bar for the influence of each input on a result, sorted by length. The influence is
--- Sobol's index or a rank correlation of a sampled study, or the elasticity of a sensitivity.
+-- Sobol's index or the rank correlation from a sampled study, or the relative sensitivity (percent per percent)
+-- from w:sensitivity.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"

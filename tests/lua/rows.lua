@@ -70,7 +70,8 @@ local function saved(w)
   return path "run.archard"
 end
 
--- Checks a value in all forms of a run or a model. `places` lists the paths of the value.
+-- Checks that a value is the same in a run, in its copy, and after saving and opening it. `places` lists the
+-- paths under which the value can be read.
 local function reads_back_run(w, places, value, what, held_as)
   local function look(run, where)
     for _, place in ipairs(places) do same(at(run, held_as or place), value, what .. ", " .. where .. " as " .. place) end

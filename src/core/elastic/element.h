@@ -19,9 +19,9 @@ typedef struct elasticity {
 elasticity arc_elasticity_of(arc_material material);
 elasticity arc_elasticity_in(arc_space space, arc_material material);
 
-/* Returns the element type that "auto" means for a Poisson's ratio: CPE4, as in the paper, if its
- * locking costs at most 0.14 % of the pressure at 20 um (nu up to 0.4), else CPE4I. Other types are
- * returned unchanged. */
+/* Returns the element type that "auto" means for a Poisson's ratio: CPE4, as in the paper, if
+ * locking changes the pressure by at most 0.14 % with elements of 20 um (nu up to 0.4), else CPE4I.
+ * Other types are returned unchanged. */
 arc_element arc_element_for(arc_element kind, double nu);
 
 /* The first function returns the bulk modulus [MPa], the second one the deviatoric part of D. */

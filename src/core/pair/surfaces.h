@@ -4,7 +4,7 @@
 
 #include "core/pair/model.h"
 
-/* An arc_contact of any kind. */
+/* The object behind an arc_contact, the same for all kinds of pairs. */
 typedef struct contact_handle {
   arc_shape *shape; /* own copy of the solved surfaces */
   arc_contact_def def;

@@ -19,7 +19,7 @@ static void warn_modulus(const char *name, double E, const arc_callbacks *callba
 
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
   static const double small =
-      50; /* limit of E over the pressure, below which strains are no longer small */
+      50; /* ratio of E to the pressure below which strains are no longer small */
   if (model->geometry == ARC_SPRINGS) return;
   const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
   for (int b = 0; b < ARC_BODIES; b++)
@@ -37,7 +37,7 @@ void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks) {
   static const double largest = 1e-6,
                       short_of =
-                          0.05; /* [mm2/N] limit of k; limit of the stroke over the half width */
+                          0.05; /* [mm2/N] limit of k; limit of the ratio of stroke to half width */
   if (k > largest)
     arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g mm3/(N m) meant (k = %g)?", k,
              1e3 * k, k, 1e-3 * k);

@@ -40,7 +40,7 @@ static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   return most;
 }
 
-/* Returns the radius of the stick zone over the radius of the contact, by Mindlin: 1 for full
+/* Returns the ratio of the radius of the stick zone to that of the contact, by Mindlin: 1 for full
  * stick, 0 for gross slip. If the friction coefficient varies, returns this ratio at half of
  * full slip. */
 static double stick_share(const arc_wear_def *d, const arc_model_def *model) {

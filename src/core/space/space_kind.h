@@ -38,9 +38,9 @@ typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
   int *of;         /* [points] index of the position of each point of the block; with friction */
-  double *slip;    /* [count][window] slip over the position's weight; NULL: rigid slip, 1 */
+  double *slip;    /* [count][window] slip divided by the position's weight; NULL: rigid slip, 1 */
   double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
-  double unsteady; /* change of the gaps in the last slip solution, over the largest gap */
+  double unsteady; /* change of the gaps in the last slip solution, relative to the largest gap */
   arc_halfspace_friction last;   /* last slip solution, the start of the next one; zero: none */
   arc_halfspace_friction *guess; /* [points] pressure, shear, motion and stick zone of the last
                                     solution at each point, from which the next one starts */

@@ -271,7 +271,8 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks) {
-  static const double small = 0.2;  /* contact over radius at which slopes are no longer small */
+  static const double small =
+      0.2; /* ratio of contact width to radius above which slopes are no longer small */
   const double fewest = 4;          /* cells in the half width */
   static const double coarse = 1.5; /* cell width over step of a map */
   double x, z;

@@ -19,7 +19,8 @@ typedef struct stages {
                                                   * [mm] */
   int linear;                                    /* 1 if the wear is k p ds with one k */
   double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] see arc_space_linearise */
-  double *open[ARC_BODIES]; /* [sites] factor times k of the exposed layer over the largest k */
+  double
+      *open[ARC_BODIES]; /* [sites] factor times k of the exposed layer, divided by the largest k */
 } stages;
 
 arc_status arc_space_begin_stages(wear_stage *s) {

@@ -112,9 +112,9 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* Returns the error estimate over the tolerance. The error is the mean of all rates minus the
- * mean of the first and last rate, which has the same order. If single rates are noisy, the
- * error is the second difference of the means over thirds of the update. */
+/* Returns the error estimate divided by the tolerance. The error is the mean of all rates minus
+ * the mean of the first and the last rate: both means are of the same order of accuracy. If single
+ * rates are noisy, the error is the second difference of the means over thirds of the update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

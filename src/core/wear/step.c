@@ -18,7 +18,8 @@ static void add_deviation(double value, double predicted, double scale, double *
  * predictions, divided by the largest value. The difference is 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
-  static const double margin = 1e-6; /* share of the step; a jump at its end does not count */
+  static const double margin = 1e-6; /* fraction of the step by which its end moves back, so that a
+ jump exactly at the end is not seen */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
   wear_coefficients now;

@@ -150,8 +150,8 @@ static double bound(const arc_wear *w, const wear_block *block, double limit) {
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Plans a step of a loading without repetition: sets the index of the increment and the share of
- * the increment that remains before the limit. */
+/* Plans a step of a loading that does not repeat: sets the index of the present increment and the
+ * fraction of it that ends at `limit` [cycles]. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;
