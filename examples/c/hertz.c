@@ -1,4 +1,4 @@
-/* An unworn contact against Hertz' closed form.
+/* Solves an unworn contact with finite elements and compares it with Hertz' closed form.
  *   cc hertz.c $(pkg-config --cflags --libs archard) -o hertz
  * Units: mm, N, MPa. */
 #include <archard/contact.h>
@@ -6,24 +6,24 @@
 #include <stdio.h>
 
 int main(void) {
-  const double load = 100; /* [N], over the whole thickness */
+  const double load = 100; /* [N] on the whole thickness */
   arc_error why = {0};
   arc_model *model = NULL;
   arc_shape *shape = NULL;
   arc_contact *contact = NULL;
   arc_hertz hertz;
 
-  /* One BLAS thread: at these sizes more of them only cost. */
+  /* Limits BLAS to one thread, because matrices of this size are slower with more threads. */
   arc_single_threaded();
 
-  /* A definition starts from its defaults: a steel cylinder of radius 10 mm on a steel plate. The
-   * model is meshed and condensed once; shapes and contacts stand on it. */
+  /* The default definition is a steel cylinder of radius 10 mm on a steel plate. The model is
+   * meshed and condensed once. Shapes and contacts refer to the model. */
   arc_model_def def = arc_model_default();
   def.mesh.size = 0.01;
   def.mesh.height = 0.0125;
   arc_status status = arc_model_build(&def, &model, &why);
 
-  /* Unworn surfaces, and the contact on them with the plate in the middle. */
+  /* Creates the unworn surfaces and solves their contact with the plate at x = 0. */
   if (status == ARC_OK) status = arc_shape_create(model, ARC_MOVING, 0.05, &shape, &why);
   const arc_contact_def problem = {.load = load};
   if (status == ARC_OK) status = arc_contact_solve(shape, &problem, NULL, &contact, &why);
@@ -39,7 +39,7 @@ int main(void) {
     fprintf(stderr, "hertz: %s: %s\n", arc_status_text(status), why.message);
   }
 
-  /* Whoever made something destroys it; NULL is fine. */
+  /* The caller destroys every object that it created. The functions accept pointers to NULL. */
   arc_contact_destroy(&contact);
   arc_shape_destroy(&shape);
   arc_model_release(&model);

@@ -1,5 +1,6 @@
-/* A wear run whose coefficient falls while it runs in, stored half-way and gone on with from the
- * file: to the same bits as if it had never been stored.
+/* Computes a wear run whose wear coefficient decreases during running-in. The run is stored
+ * half-way, read from the file and continued. The result equals the result of the uninterrupted
+ * run in every bit.
  *   cc running_in.c $(pkg-config --cflags --libs archard) -o running_in
  *   ./running_in FILE
  * Units: mm, N, MPa. */
@@ -9,8 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* k falls from 5e-8 to 1e-8 mm2/N with the distance. `state` is the run's last record, predicted
- * for the middle of the step. Anything but ARC_OK would refuse the step. */
+/* Computes the wear coefficient k, which decreases from 5e-8 to 1e-8 mm2/N with the distance.
+ * `state` is the run's last record, extrapolated to the middle of the step. If the function
+ * returns a status other than ARC_OK, the step fails. */
 static arc_status running_in(void *context, const arc_setting *what, const arc_wear_record *state,
                              double *k) {
   (void)what;
@@ -25,8 +27,8 @@ static void print(const char *title, const arc_wear *wear) {
          last->distance, last->k, last->p_center, last->volume_cylinder + last->volume_plate);
 }
 
-/* Steps to a distance. arc_wear_run does the same; a step is the smallest thing that can be done,
- * and either completes or leaves the run as it was. */
+/* Repeats wear steps until the run reaches a sliding distance [mm], as arc_wear_run does. A step
+ * that fails does not change the run. */
 static arc_status advance(arc_wear *wear, double distance, arc_error *why) {
   arc_status status = ARC_OK;
   while (status == ARC_OK && arc_wear_last(wear)->distance < distance)
@@ -34,7 +36,8 @@ static arc_status advance(arc_wear *wear, double distance, arc_error *why) {
   return status;
 }
 
-/* A new file with one case, the run in it, and its surfaces for those who plot them. */
+/* Writes a new file with one case that contains the run. Its surfaces are also stored, so that
+ * other programs can plot them. */
 static arc_status save(const char *path, const arc_wear *wear, arc_error *why) {
   arc_store *store = NULL;
   arc_array *surfaces;
@@ -49,7 +52,8 @@ static arc_status save(const char *path, const arc_wear *wear, arc_error *why) {
   return status;
 }
 
-/* The run of a file. Definition and state are stored, functions cannot be: they are set again. */
+/* Reads the run from a file. The file contains the definition and the state but no functions, so
+ * the coefficient function is set again. */
 static arc_status load(const char *path, double *settled, arc_wear **wear, arc_error *why) {
   arc_store *store;
   arc_model *model = NULL;

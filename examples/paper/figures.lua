@@ -1,8 +1,9 @@
--- The paper's figures from the stored results of its cases: 8 from the trials (trials.lua), 5
--- and 6 (setup.lua) and 9 to 14 from the twenty cases. Each entry: its number, a title, a
--- caption in our own words, what there is to see, and a function(cases) -> options of plot{}, or nil
--- where cases are missing. Caption and what there is to see may be functions of the cases: whatever
--- they tell in numbers is measured there and then (findings.lua).
+-- Draws figures of the paper from the stored results of its cases. Figure 8 (trials.lua) is drawn
+-- from the trials. Figures 5 and 6b (setup.lua) and 9 to 14 are drawn from the twenty cases.
+-- Each figure is a table: `name` is the file name, `caption` describes the figure and `shows`
+-- describes the result. `draw` is a function(cases) that returns the options of plot{}, or nil if
+-- cases are missing. `caption` and `shows` are texts or functions of the cases. The functions
+-- compute all numbers in their texts from the cases (findings.lua).
 
 local part = ...
 local findings = part "findings"
@@ -19,7 +20,8 @@ local function alpha_title(alpha) return ("α = %g"):format(alpha) end
 
 local case_of = findings.case
 
--- One curve for each alpha (of `alphas`, all where nil) at a stroke; colours go with alpha.
+-- Returns one curve for each wear partition factor alpha in `alphas`, or for every alpha if
+-- `alphas` is nil. All curves have the stroke number `column`. Each alpha has its own colour.
 local function by_alpha(cases, column, alphas)
   local curves = {}
   for i, alpha in ipairs(paper.alphas) do
@@ -42,7 +44,8 @@ local function by_stroke(cases, alpha)
   return curves
 end
 
--- Cylinder, plate, pressure side by side.
+-- Returns three panels for a row: the profile of the cylinder, the profile of the plate, and the
+-- pressure.
 local function row(curves, title, options)
   return parts.panel("cylinder", curves, { title = title, yrange = options.cylinder,
     reach = options.reach }),
@@ -79,7 +82,7 @@ local function evolution(cases)
   panels[6] = { xlabel = "d / mm", ylabel = "volume / 10⁻³ mm³", title = "volumes" }
   for i, body in ipairs{ "cylinder", "plate" } do
     panels[6][i] = parts.history(case, "volume_" .. body, 1e3)
-    panels[6][i].title, panels[6][i].dash, panels[6][i].width = body, i, i == 1 and 2.5 or nil -- one upon the other
+    panels[6][i].title, panels[6][i].dash, panels[6][i].width = body, i, i == 1 and 2.5 or nil -- the curves coincide
   end
   for i = 1, 6 do panels[i].key = i == 3 and "top right" or i > 4 and "top left" or "none" end
   return { panels = panels, layout = { 2, 3 }, size = { 1500, 840 } }
@@ -161,11 +164,11 @@ local function sums(cases)
   return { panels = panels, layout = { 2, 2 }, size = { 1000, 800 } }
 end
 
--- --- what there is to see ------------------------------------------------------------------------
+-- --- texts about the results ------------------------------------------------------------------------
 
 local function percent(value) return ("%.3g %%"):format(100 * value) end
 
--- Texts are made of all twenty cases, or left out where some are missing.
+-- Returns a function that computes the text, or an empty text if one of the twenty cases is missing.
 local function if_complete(text)
   return function(cases) return findings.complete(cases) and text(cases) or "" end
 end
@@ -180,7 +183,8 @@ local function see_reference(cases)
     1e3 * case.depth.cylinder, 1e3 * case.depth.plate, case.p_max, case.p_peak)
 end
 
--- "1.04, 1.03, 1.30 and 1.00"
+-- Returns the ratios of largest pressure to pressure at the centre for alpha = 0.25 to 1, such as
+-- "1.04, 1.03, 1.30 and 1.00".
 local function edges_of(cases, column)
   local list = {}
   for i, alpha in ipairs{ 0.25, 0.5, 0.75, 1 } do

@@ -1,5 +1,5 @@
--- What the paper says of its twenty cases, measured on the cases of a study: the numbers behind the
--- captions and the tables of the page. Leans on cases as study/case.lua has them.
+-- Computes the quantities that the paper reports for its twenty cases from the cases of a study
+-- (study/case.lua). The figures' texts and the tables of the page contain these quantities.
 
 local measure = require "archard.measure"
 
@@ -9,9 +9,9 @@ local paper = require "archard.study.paper"
 
 local findings = {}
 
-findings.between = { 0.25, 0.5, 0.75 } -- alpha, where both bodies wear
+findings.between = { 0.25, 0.5, 0.75 } -- the values of alpha for which both bodies wear
 
--- The finished case whose settings are these; nil: there is none.
+-- Returns the first finished case with the settings `wanted`, or nil if there is no such case.
 function findings.find(cases, wanted)
   for _, case in ipairs(cases) do
     local held = case.status == "done"
@@ -30,9 +30,11 @@ end
 
 -- --- one case ------------------------------------------------------------------------------------
 
--- alpha-tilde after the first update, its mean, at the end; smallest and largest.
+-- Returns statistics of the depth partition alpha-tilde = h_c / (h_c + h_p) over the updates: first,
+-- last, mean, lowest and highest value, range divided by the mean, and `off`, the largest relative
+-- deviation from alpha.
 function findings.partition(case)
-  local course = case.history.depth_partition -- NaN before any wear
+  local course = case.history.depth_partition -- entry 1 is NaN: no wear yet
   local found = { first = course[2], last = course[#course], low = math.huge, high = -math.huge }
   local sum = 0
   for i = 2, #course do
@@ -45,14 +47,16 @@ function findings.partition(case)
   return found
 end
 
--- Largest pressure over that at the centre: what stands up at the edges of the scar.
+-- Returns the largest pressure divided by the pressure at the centre. A value above 1 means
+-- pressure peaks, usually at the edges of the scar.
 function findings.edge(case) return case.p_max / case.p_center end
 
--- Share of the pressure at the centre that is lost at the end.
+-- Returns the relative decrease of the pressure at the centre from the unworn to the final state.
 function findings.fall(case) return 1 - case.p_center / case.history.p_center[1] end
 
--- Bend of the fall of pressure: largest distance from the straight line between its ends, as a share
--- of the fall.
+-- Returns how much the pressure at the centre, as a function of the distance, deviates from a
+-- straight line between its first and last value. The result is the largest deviation divided by
+-- the total decrease of the pressure.
 function findings.bend(case)
   local p, d, worst = case.history.p_center, case.history.distance, 0
   for i = 1, #p do
@@ -61,16 +65,16 @@ function findings.bend(case)
   return worst / (p[1] - p[#p])
 end
 
--- Ripples: the sawtooth in the pressure over the middle of the contact, as a share of that at the
--- centre.
+-- Returns the amplitude of the sawtooth ripple of the pressure in the middle of the contact, divided
+-- by the pressure at the centre.
 function findings.ripple(case)
   local pressure = case:pressure "cylinder"
   return measure.sawtooth(pressure.x, pressure.p, 0.6 * case.half_width) / case.p_center
 end
 
--- --- several -------------------------------------------------------------------------------------
+-- --- several cases -------------------------------------------------------------------------------------
 
--- A value linear between the rows of a history.
+-- Returns the value `name` of a history at a distance, by linear interpolation between its rows.
 local function at(history, name, distance)
   local d, v = history.distance, history[name]
   for i = 2, #d do
@@ -81,7 +85,7 @@ local function at(history, name, distance)
   return v[#v]
 end
 
--- Largest over smallest of a value of the cases, less 1.
+-- Returns the ratio of the largest to the smallest number of a list, minus 1.
 local function spread(list)
   return math.max(table.unpack(list)) / math.min(table.unpack(list)) - 1
 end
@@ -92,20 +96,22 @@ local function over_alphas(cases, column, value)
   return list
 end
 
--- How much the deepest of the sum h_c + h_p depends on alpha at a stroke.
+-- Returns the relative difference between the largest and the smallest maximum of h_c + h_p among
+-- all values of alpha at a stroke.
 function findings.sum_spread(cases, column)
   return spread(over_alphas(cases, column, function(case)
     return math.max(table.unpack(case:combined().h))
   end))
 end
 
--- How far the centre pressures of all alpha at a stroke are apart at the end.
+-- Returns the relative difference between the largest and the smallest final pressure at the centre
+-- among all values of alpha at a stroke.
 function findings.pressure_spread(cases, column)
   return spread(over_alphas(cases, column, function(case) return case.p_center end))
 end
 
--- How far the depth of the cylinder for alpha is from that of the plate for 1 - alpha, as a share of
--- it, from a tenth of the distance on; the alpha where it is farthest.
+-- Compares the depth of the cylinder for alpha with the depth of the plate for 1 - alpha at ten equally
+-- spaced distances. Returns the largest relative difference and the alpha at which it occurs.
 function findings.swap(cases, column)
   local worst, where = 0, nil
   for _, alpha in ipairs(paper.alphas) do
@@ -120,7 +126,8 @@ function findings.swap(cases, column)
   return worst, where
 end
 
--- The alpha in (0, 1] with the highest edges at a stroke, how high they are, and those for 1.
+-- Returns the alpha in (0, 1] with the highest pressure peak at a stroke, the height of this peak, and
+-- the height of the peak for alpha = 1. A height is the result of findings.edge.
 function findings.highest_edge(cases, column)
   local best, height = nil, 0
   for _, alpha in ipairs(paper.alphas) do
@@ -139,19 +146,21 @@ function findings.complete(cases)
   return true
 end
 
--- Largest difference of a profile to its mirror image, as a share of its depth.
+-- Returns the largest difference between a worn profile and its mirror image, divided by the depth
+-- of the profile.
 function findings.asymmetry(case, body)
   local h, worst = case:profile(body).h, 0
   for i = 1, #h // 2 do worst = math.max(worst, math.abs(h[i] - h[#h + 1 - i])) end
   return worst / math.max(table.unpack(h))
 end
 
--- "3.4 %", or "54 times" for how far a largest value is above a smallest.
+-- Formats a relative difference: 0.034 as "3.4 %", and values from 1 on as a ratio, such as
+-- "54 times" for 53.
 function findings.apart(share)
   return share < 1 and ("%.3g %%"):format(100 * share) or ("%.2g times"):format(1 + share)
 end
 
--- --- paper, archard, independent -------------------------------------------------------------------
+-- --- comparison of the paper, archard and the independent solution -------------------------------------------------------------------
 
 local function percent(value) return ("%.1f %%"):format(100 * value) end
 local function um(value) return ("%.4f µm"):format(1e3 * value) end
@@ -159,8 +168,9 @@ local function mpa(value) return ("%.1f MPa"):format(value) end
 local function three(value) return ("%.3f"):format(value) end
 local function two(value) return ("%.2f"):format(value) end
 
--- What is compared: text, the paper's words, value(cases) and its form, the independent value (as
--- text or as that value).
+-- Returns the list of compared quantities. Each entry contains the name of the quantity (`text`), the
+-- statement of the paper, the function value(cases), the function `form` that formats its result, and
+-- the value of the independent solution (`other`) as a text or number.
 local function quantities()
   local rows = {}
   local function add(text, said, form, value, other)
@@ -241,7 +251,8 @@ local function shown(form, value)
   return type(value) == "string" and value or form(value)
 end
 
--- Rows of texts: heads, then a line a quantity; `sets` is a list of { title=, cases= }.
+-- Returns the comparison as rows of texts: a row of column headings, then one row for each quantity.
+-- `sets` is a list of { title=, cases= }; each set has its own column.
 function findings.compared(sets)
   local rows = { { "", "paper" } }
   for _, set in ipairs(sets) do rows[1][#rows[1] + 1] = set.title end
@@ -255,7 +266,8 @@ function findings.compared(sets)
   return rows
 end
 
--- Final values against the independent ones: a line a case that has them.
+-- Returns rows of texts that compare final depths and pressures with the independent solution. Each
+-- case with an independent solution has three rows.
 function findings.finals(sets)
   local rows = { { "s", "α", "" } }
   for _, set in ipairs(sets) do rows[1][#rows[1] + 1] = set.title end
@@ -284,8 +296,9 @@ end
 
 -- --- Table 1 ---------------------------------------------------------------------------------------
 
--- Each case as it was run: N, stroke, procedure, cycles per update, contact solutions, seconds, the
--- depth of the first update by Eq. (28) and as it came out.
+-- Returns rows of texts about how each case was computed: stroke, number of cycles, procedure, cycles
+-- per update, contact solutions and computing time [s]. The last two columns are the depth of the
+-- first update by Eq. (28) and the computed depth of this update [um].
 function findings.table_1(cases)
   local rows = { { "α", "s", "s / mm", "r", "N", "procedure", "N̄", "n_c", "updates",
     "contact solutions", "seconds", "Δh₀ by Eq. (28) / µm", "first h_c + h_p / µm" } }

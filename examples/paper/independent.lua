@@ -1,13 +1,15 @@
--- What other solutions of the paper's problem give, to be compared with. Nothing here comes from
--- archard. Closed forms: Hertz, and Eq. (27). The rest: two elastic half-planes by boundary
--- elements, frictionless, cells of 5 um, fine steps and increments; converged to about 0.1 %, but
--- for pressures at the edges of scars, which grow as the cells get smaller.
+-- Contains independent solutions of the paper's problem for comparison. None of them was computed
+-- with archard. Two solutions are closed forms: Hertz, and Eq. (27). The other values come from a
+-- frictionless boundary element solution for two elastic half-planes, with cells of 5 um and fine
+-- steps and increments. These values are converged to about 0.1 %, except the pressures at the edges
+-- of scars, which increase as the cells become smaller.
 local independent = {}
 
 independent.hertz = { half_width = 0.107641, p_max = 591.431 } -- mm, MPa
 
--- Rows: stroke [mm], alpha, depths of cylinder and plate [um], pressure at the centre [MPa],
--- alpha-tilde first, mean, last; each at the end of 1320 mm.
+-- Each row contains the stroke [mm], alpha, the depths of cylinder and plate [um] and the pressure at
+-- the centre [MPa] after 1320 mm of sliding. Rows with three more values also contain the depth
+-- partition alpha-tilde: its first value, its mean and its last value.
 independent.finals = {
   { 0.11, 0, 0, 3.4265, 235.3 },
   { 0.11, 0.25, 0.9461, 2.5410, 202.1, 0.259, 0.268, 0.271 },
@@ -19,10 +21,12 @@ independent.finals = {
   { 20, 1, 3.5408, 0, 185.0 },
 }
 
--- Largest pressure over that at the centre at the end, plate at x = 0, stroke a; by alpha.
+-- For each alpha, the largest pressure divided by the pressure at the centre, in the final state with
+-- the plate at x = 0 and stroke a.
 independent.edges = { [0.25] = 1.04, [0.5] = 1.02, [0.75] = 1.41, [1] = 1.00 }
 
--- The row of a case, by the names of its values; nil: there is none.
+-- Returns the final values of a case as a table with named fields, or nil if there is no independent
+-- solution of this case. The stroke is in mm.
 function independent.case(stroke, alpha)
   for _, row in ipairs(independent.finals) do
     if row[1] == stroke and row[2] == alpha then

@@ -1,5 +1,6 @@
--- One HTML page around the figures of a study: what each shows, what to look at, how to make it
--- again. Stands by itself: no file but the pictures beside it.
+-- Writes an HTML page with the figures and tables of a study. Each figure has a description, a caption
+-- and the commands that draw it. The page needs no other files except the pictures and linked data
+-- files in its folder.
 
 local files = require "archard.files"
 
@@ -40,7 +41,8 @@ th:first-child, td:first-child { text-align: left; }
 
 local function base_name(path) return path:match("[^/]*$") end
 
--- The picture a browser shows best; the others as links.
+-- Returns the HTML of a figure's picture and of links to all its files. The picture is the SVG file if
+-- there is one, otherwise the first file.
 local function picture(figure)
   local shown, links = nil, {}
   for _, file in ipairs(figure.files) do
@@ -65,7 +67,7 @@ local function figure_section(figure, how)
   }, "\n")
 end
 
--- A table from its CSV form: the same numbers, rounded for reading.
+-- Returns an HTML table from a list of rows. The first row contains the column headings.
 local function html_table(lines)
   local out = { '<div class="scroll"><table>' }
   for i, line in ipairs(lines) do
@@ -83,8 +85,9 @@ end
 
 -- --- the page ------------------------------------------------------------------------------------
 
--- content: { title=, lead=, tables = { { title=, text=, rows=, file= } }, figures = list of what
--- study:figures returned, each with how= }
+-- Returns the HTML text of the page. `content` is a table { title=, lead=, tables = { { title=, text=,
+-- rows=, file= } }, figures= }. `figures` is a list of figures returned by study:figures; the field `how`
+-- of a figure contains the commands that draw it.
 function page.html(content)
   local links, sections = {}, {}
   for i, each in ipairs(content.tables or {}) do

@@ -1,4 +1,5 @@
--- Figures 5 and 6b: the meshes and the way of the plate, from the cases of the paper's study.
+-- Draws Figure 5 (the meshes) and Figure 6b (the position of the plate during a cycle) from the
+-- cases of the paper's study.
 
 local part = ...
 local findings = part "findings"
@@ -6,7 +7,7 @@ local paper = require "archard.study.paper"
 
 -- --- Fig. 5 --------------------------------------------------------------------------------------
 
--- Where the wear box ends: the deepest nodes of its columns.
+-- Returns a curve through the deepest node of each column of the wear box.
 local function floor_of(body)
   local nodes, per_column = body:box(), body.rows + 1
   local curve = { x = {}, y = {}, title = "end of the wear box", colour = "black", width = 2,
@@ -17,7 +18,8 @@ local function floor_of(body)
   return curve
 end
 
--- What is shown of the bodies: nothing for all, else half a width, depths below and above [mm].
+-- Each view has a title, half of its width, its depth in the plate and its height in the cylinder
+-- [mm]. A view without sizes shows the whole bodies.
 local views = { { "both bodies" }, { "outer partitions", 2.2, 1.6, 1.1 },
   { "inner partitions", 0.65, 0.55, 0.55 }, { "wear boxes", 0.14, 0.1, 0.1 } }
 
@@ -26,7 +28,7 @@ local function view(model, which)
   local box = half and { -half, half, -below, above }
   local panel = { title = title, xlabel = "x / mm", ylabel = "y / mm", equal = true, key = "none",
     xrange = box and { -half, half }, yrange = box and { -below, above } }
-  local handed = half and { -2 * half, 2 * half, -2 * below, 2 * above } -- equal scales can widen what is shown
+  local handed = half and { -2 * half, 2 * half, -2 * below, 2 * above } -- larger than the view: equal scales can enlarge it
   for series, name in ipairs{ "cylinder", "plate" } do
     local curve = require "archard.plot.mesh".edges(model.mesh[name], handed)
     curve.series, curve.dash, curve.width = series, 1, half and half < 0.2 and 1 or 0.5
@@ -36,7 +38,7 @@ local function view(model, which)
   return panel
 end
 
--- A model of this case's definition; that with the most ordinary zones, stroke a.
+-- Returns the model of the case with alpha = 0.5 and stroke a, or nil if this case is missing.
 local function model_of(cases)
   local case = findings.case(cases, 0.5, 1)
   return case and case:wear().model

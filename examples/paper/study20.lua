@@ -1,8 +1,10 @@
--- The paper's study: twenty cases and the trials of its convergence example, table and figures.
+-- Runs the paper's study: the twenty cases and the trials of its convergence example. Prints a
+-- table of the results and draws the figures.
 --   archard examples/paper/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
 --     [--fine] [--shard I/N] [--merge F...] [--no-figures] [--no-trials]
--- Results are kept in the run file; a second start goes on where the first one ended. With --shard
--- only that share is computed, and nothing drawn; --merge joins the files of the shares.
+-- Results are stored in the run file, so an interrupted study continues at the next start. With
+-- --shard the script computes only share I of the N shares of the cases and draws nothing. --merge
+-- joins the run files of the shares.
 
 local usage = [[
 usage: archard study20.lua [options]
@@ -23,7 +25,7 @@ local function stop(message)
   os.exit(2, true)
 end
 
--- In the source folder what is made goes to build/.
+-- Returns the default path of an output. In archard's source folder, outputs are written to build/.
 local function usual(name)
   local folder = io.open("build/archard")
   if not folder then return name end
@@ -66,9 +68,10 @@ local function file_beside(file, what)
   return (file:gsub("%.archard$", "") .. "-" .. what .. ".archard")
 end
 
-local fine_size = 0.010 -- mm: on 20 um pressures are polygons
+local fine_size = 0.010 -- [mm]; with elements of 20 um, pressure curves are visibly polygons
 
--- The unworn pressure on smaller and smaller elements, as rows.
+-- Computes the largest pressure of the unworn contact on successively smaller elements. Returns rows of
+-- texts.
 local function unworn_meshes()
   local rows = { { "size / µm", "elements across 2a", "largest p / MPa", "off Hertz'", "change" } }
   for _, step in ipairs((require "archard.study.search".mesh({}, 0.01))) do
@@ -79,14 +82,14 @@ local function unworn_meshes()
   return rows
 end
 
--- Where the search for the best settings came to an end of its own.
+-- Returns a sentence about the settings for which the search ended at the limit of its range.
 local function ends_of(found)
   local notes = found:notes()
   return notes[1] and "Where it says ≥ or ≤ no further ones were tried: " .. table.concat(notes, "; ")
     .. "." or ""
 end
 
--- What the page has in tables: list of { title=, text=, rows=, file= }.
+-- Returns the tables of the page as a list of { title=, text=, rows=, file= }.
 local function page_tables(runs, found)
   local tables, findings = require "archard.study.table", part "findings"
   local sets = { { title = "archard, 20 µm", cases = runs.study20:cases() } }
@@ -167,7 +170,8 @@ local function draw(options, runs, found)
   print(("%d figures and index.html are in %s"):format(#drawn, options.figures))
 end
 
--- The runs beside the twenty cases: trials, and for the figures of `make figures` finer meshes.
+-- Runs the studies besides the twenty cases: the trials and, with --fine, the twenty cases on a finer
+-- mesh and the study of meshes.
 local function run_others(options, runs)
   local function run(name, made)
     runs[name] = made:run{ file = file_beside(options.file, name), workers = options.workers }

@@ -1,5 +1,5 @@
--- Figure 8: how cycles per update, increments and the rule of integration show in the profiles, and
--- the study of meshes, which the paper leaves to a sentence.
+-- Draws Figure 8: how the profiles depend on the cycles per update, the increments per cycle and the
+-- integration rule. Also draws the study of meshes, for which the paper has no figure.
 
 local part = ...
 local findings = part "findings"
@@ -13,14 +13,15 @@ local function trial_case(cases, trial, rule)
   return findings.find(cases, { increments = trial[1], jump = trial[2], cycles = 1000, rule = rule })
 end
 
--- Asymmetry as a reader takes it in.
+-- Formats an asymmetry as a percentage. Values below 1e-9 are rounding errors and become 0 %.
 local function percent(value)
   return value < 1e-9 and "0 %" or value < 1e-6 and ("%.0e"):format(value) or ("%.2g %%"):format(100 * value)
 end
 
 -- --- Fig. 8 --------------------------------------------------------------------------------------
 
--- The curves of a row of trials; the key of a body's panel tells its asymmetry.
+-- Returns one curve for each of the chosen trials, or nil if a case is missing. If `body` is given,
+-- the title of each curve contains the asymmetry of this body's profile.
 local function curves_of(cases, chosen, name, rule, body)
   local curves = {}
   for i, trial in ipairs(chosen) do
@@ -33,11 +34,12 @@ local function curves_of(cases, chosen, name, rule, body)
   return curves
 end
 
--- Where each kind of panel has room for its key.
+-- Positions of the key at which it covers no curve.
 local places = { cylinder = "top left", plate = "bottom left", pressure = "top right" }
 local heights = { cylinder = { 0, 6 }, plate = { -0.8, 0.05 }, pressure = { 0, 500 } }
 
--- trials: list of { increments, jump }; name tells them apart. A row for each rule.
+-- Returns a function that draws the chosen trials with one row of panels for each integration rule.
+-- `chosen` is a list of { increments, jump }. `name` returns the label of a trial.
 local function trials(chosen, name)
   return function(cases)
     local panels = {}
@@ -58,7 +60,7 @@ end
 local function name_jump(trial) return ("N̄ = %d"):format(trial[2]) end
 local function name_increments(trial) return ("n_c = %d"):format(trial[1]) end
 
--- Largest asymmetry of a body over trials by a rule.
+-- Returns the largest asymmetry of a body among the chosen trials with an integration rule.
 local function worst(cases, chosen, rule, body)
   local most = 0
   for _, trial in ipairs(chosen) do
@@ -67,7 +69,7 @@ local function worst(cases, chosen, rule, body)
   return most
 end
 
--- "10 %, 4.1 %, 1.6 % and 0.82 % for n_c = 16, 40, 100 and 200"
+-- Joins a list of texts: "16, 40, 100 and 200".
 local function listed(list)
   return table.concat(list, ", ", 1, #list - 1) .. " and " .. list[#list]
 end
@@ -156,7 +158,7 @@ local function shows_meshes(cases)
     independent.edges[0.75])
 end
 
--- Rows of texts for the page: size, alpha, depths, pressures.
+-- Returns the results of the study of meshes as rows of texts for the page.
 local function mesh_rows(cases)
   local rows = { { "size / µm", "α", "h_c / µm", "h_p / µm", "p at the centre / MPa",
     "largest p / p at the centre", "updates" } }
