@@ -6,14 +6,16 @@
 
 #include "plot/figure.h"
 
-/* Kinds of canvas. If two terminals produce one file format, the better terminal is first. Font
- * sizes are in the unit of the terminal, for 100 pixels per inch. */
+/* A kind of canvas: a file format and a terminal of gnuplot that produces it. `text` is true for
+ * pictures in characters, `vector` for vector formats. Font sizes are in the unit of the terminal,
+ * for 100 pixels per inch. */
 typedef struct kind {
   const char *ending, *terminal, *options, *family;
   double points, unit; /* default font size; size of one point [terminal units] */
   int text, vector;
 } kind;
 
+/* All kinds. If two terminals produce the same file format, the better terminal is first. */
 static const kind kinds[] = {
     {"png", "pngcairo", "enhanced background '#ffffff'", "sans", 11, 1.042, 0, 0},
     {"png", "png", "enhanced truecolor", "sans", 9, 1, 0, 0},
@@ -139,8 +141,8 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   return ARC_OK;
 }
 
-/* Writes the size of the canvas. On the canvas for Braille dots each character has two columns
- * and four rows of dots. */
+/* Writes the size of the canvas. The canvas for Braille dots has twice as many columns and four
+ * times as many rows as the picture, because a character consists of eight dots. */
 static void size_words(const arc_canvas *canvas, arc_text *script) {
   if (is_paper(canvas))
     arc_text_format(script, " size %gin,%gin", canvas->width / canvas->inch,
@@ -162,8 +164,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* Writes the scale of lines and marks. It is written for each picture, because a terminal keeps
- * its last settings. Only cairo terminals have a scale of marks. */
+/* Writes the scale of lines and marks. The scale is written for each picture, because a terminal
+ * keeps its last settings. Only cairo terminals have a scale of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

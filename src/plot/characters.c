@@ -1,6 +1,6 @@
-/* Pictures in characters: reads gnuplot's output into cells, adds the curves as Braille dots,
- * and writes the cells. For Braille dots gnuplot draws two pictures. The first picture has axes
- * and texts on the grid of characters. The second picture has only the curves, on a finer grid
+/* Converts pictures in characters. Reads gnuplot's output into cells, adds the curves as Braille
+ * dots, and writes the cells. For Braille dots gnuplot draws two pictures. The first picture has
+ * axes and texts on the grid of characters. The second picture has only the curves, on a finer grid
  * where each character is one dot. In this method gnuplot itself clips the curves and draws
  * steps and logarithmic axes. The only escape sequences of its character terminal are colours,
  * ESC [ ... m. */
@@ -97,8 +97,8 @@ static const char *mark_of(char c) {
   return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
 }
 
-/* Sets a cell to the Braille character of its eight dots. Its colour is the most frequent colour
- * of the dots. If one of the dots is a mark, the cell shows the mark instead. */
+/* Sets a cell to the Braille character of its eight dots. The character has the most frequent
+ * colour of the dots. If one of the dots is a mark, the cell shows the mark instead. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const char *mark = NULL;

@@ -10,7 +10,7 @@
  * colour-blind readers can distinguish curves. The colour is reset at each line end. If `dots`
  * is not NULL, it is gnuplot's picture of only the curves, with twice the columns and four times
  * the rows. Where `picture` is blank or black, the dots are added as Braille characters of eight
- * dots. Black in `picture` means a curve. Marks of points are kept. */
+ * dots. Black characters in `picture` belong to curves. Marks of points are kept. */
 void arc_characters(const char *picture, size_t length, const char *dots, size_t dots_length,
                     arc_text *out);
 

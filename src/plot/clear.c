@@ -64,7 +64,7 @@ static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axi
 
 /* --- linear axes ------------------------------------------------------------------------------ */
 
-/* Returns true if two consecutive points of a curve are at this height. */
+/* Returns true if any curve has two consecutive points at the y value `height`. */
 static int runs_along(const arc_plot_panel *panel, double height, double span) {
   for (size_t i = 0; i < panel->curve_count; i++) {
     const arc_plot_curve *curve = &panel->curves[i];

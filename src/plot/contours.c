@@ -154,7 +154,7 @@ size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
 /* --- samples ---------------------------------------------------------------------------------- */
 
 typedef struct raster {
-  double x0, dx, y0, dy; /* coordinate of sample i: x0 + i dx */
+  double x0, dx, y0, dy; /* sample i of a row is at x = x0 + i dx */
   int columns, rows;
   double *values;
 } raster;

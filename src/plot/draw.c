@@ -15,7 +15,7 @@
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
 /* Resets gnuplot between figures. `reset` clears gnuplot's error number, so the number is saved
- * before. */
+ * before the reset. */
 static const char anew[] = ARC_GNUPLOT_NOTE_FAILURE "reset\nundefine $*\n";
 
 static arc_status no_memory(arc_error *error) {

@@ -8,8 +8,8 @@
 /* Properties of the output that affect the commands. */
 typedef struct arc_canvas {
   const char *terminal; /* gnuplot's terminal; NULL for a script of the user */
-  int text;             /* 1: characters, 0: pixels */
-  int ascii, colour;    /* pictures in characters: only ASCII; in colours */
+  int text;             /* true for a picture in characters, false for pixels */
+  int ascii, colour;    /* for pictures in characters: true if only ASCII; true if coloured */
   int grey;             /* true: greys instead of colours (pixels only) */
   int window;           /* true for an interactive window */
   int vector;           /* true for a vector format, where polygons increase the file size */
@@ -57,7 +57,7 @@ typedef struct arc_ticks {
   int decimals;     /* decimals of the mantissa (7 in 7e-4) */
   int decades;      /* decades between labels of a logarithmic axis; 0: chosen by gnuplot */
   int first, last;  /* range of a logarithmic axis: 10^first to 10^last */
-  int parts;        /* labels between powers of ten: 1: at all multiples, 3: at 2 and 5 */
+  int parts;        /* labels between powers of ten: 0 none, 1 at all multiples, 3 at 2 and 5 */
   int bare;         /* true: labels are powers of ten without mantissa */
   int exponent;     /* exponent of the largest number of a linear axis */
   double low, high; /* first and last tick of a linear axis, in steps */
@@ -87,8 +87,9 @@ void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_tex
 /* Writes the commands of a figure that has been checked. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
 
-/* Write a command with a quoted text of the user. arc_writer_words writes the text unchanged,
- * for names. arc_writer_label shows subscripts, superscripts and Greek letters. */
+/* These functions write a command that contains a quoted text of the user. arc_writer_words writes
+ * the text unchanged and is used for names. arc_writer_label shows subscripts, superscripts and
+ * Greek letters. */
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after);
 void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after);
 
@@ -131,8 +132,8 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
  * wide. 0 means gnuplot's default. */
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
-/* Returns true if all panels share one key; index of a title in this key; height of the key
- * [rows]. */
+/* arc_look_one_key returns true if all panels share one key. arc_look_title returns the index of a
+ * title in this key. arc_look_key_rows returns the height of this key [rows]. */
 int arc_look_one_key(const arc_writer *w);
 size_t arc_look_title(const arc_writer *w, const char *title);
 double arc_look_key_rows(const arc_writer *w);

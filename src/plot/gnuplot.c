@@ -1,6 +1,7 @@
-/* A session with gnuplot: start, version, commands and replies, restart. gnuplot continues after
- * an error. Therefore every list of commands ends with a command that prints a marker line with
- * the error number. The output before this line is the answer. */
+/* Manages a session with gnuplot: starts gnuplot, reads its version, sends commands, reads the
+ * replies, and starts gnuplot again after it has ended. gnuplot continues after an error. Therefore
+ * every list of commands ends with a command that prints a marker line with the error number. The
+ * output before this line is the answer. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

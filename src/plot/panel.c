@@ -87,9 +87,10 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* Returns true if ranges are extended to the aspect ratio of the frame, so that frames align. This
- * applies to panels with equal scales, in characters (twice as high as wide) or beside other
- * panels. A field would have empty margins and is not extended in pixels. */
+/* Returns true if the ranges of a panel with equal scales are extended to the aspect ratio of the
+ * frame. They are extended in pictures of characters, and if there are other panels, so that frames
+ * align. In pixels the ranges of a field are not extended, because the frame would have empty
+ * margins. */
 static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
   return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
 }

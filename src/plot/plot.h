@@ -1,13 +1,13 @@
 /* archard/plot.h - figures drawn by gnuplot.
- *
- * The gnuplot child process (arc_gnuplot), and figures of columns of doubles (arc_plot_figure).
- * Nothing is printed: a picture in characters is returned to the caller.
+ * Declares sessions with a gnuplot child process (arc_gnuplot), and figures made of arrays of
+ * doubles (arc_plot_figure). The functions print nothing: a picture in characters is returned to
+ * the caller.
  *
  * Texts are UTF-8, and no character in them has a special meaning for gnuplot. They are shown
  * unchanged, except for the following forms. \alpha is the Greek letter. The characters after a
  * single letter and _ (p_H, \alpha_c) are subscripts, and digits after ^ (mm^2, 10^-8) are
- * superscripts, in pictures of pixels. There 5e-08 is written as a power of ten. The arrays and
- * texts of a figure belong to the caller and are only read. */
+ * superscripts, in pictures of pixels. In these pictures 5e-08 is written as a power of ten. The
+ * arrays and texts of a figure belong to the caller and are only read. */
 #ifndef ARCHARD_PLOT_H
 #define ARCHARD_PLOT_H
 
@@ -65,7 +65,7 @@ arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t co
  * quotes and backslashes are escaped, backquotes are written as codes, control characters as
  * blanks, invalid UTF-8 as '?'. If `ascii` is non-zero, characters that are not ASCII are
  * replaced by ASCII text (Greek letters by their names). The caller frees the result with
- * free(). NULL: out of memory. */
+ * free(). Returns NULL if memory is exhausted. */
 char *arc_plot_quote(const char *text, int ascii);
 
 /* --- a figure --------------------------------------------------------------------------------- */
@@ -173,7 +173,7 @@ arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 /* --- output of a figure ----------------------------------------------------------------------- */
 
 typedef enum arc_plot_medium {
-  ARC_PLOT_TEXT,   /* characters, returned */
+  ARC_PLOT_TEXT,   /* characters, returned to the caller */
   ARC_PLOT_SIXEL,  /* escape codes for terminals with pictures, returned to the caller */
   ARC_PLOT_PNG,    /* the bytes of a png picture, returned to the caller */
   ARC_PLOT_WINDOW, /* a window on the screen */
@@ -185,13 +185,13 @@ typedef struct arc_plot_output {
   const char *file;     /* path of a file */
   const char *terminal; /* gnuplot's terminal for a window; NULL: the first available one */
   int width, height;    /* characters for text, otherwise pixels; 0: chosen from the figure */
-  int colour;           /* text: true writes ANSI colours */
-  int ascii;            /* text: true writes only ASCII characters */
-  int grey;             /* pixels: true converts colours to greys of the same luminance */
-  int fine;      /* text with colour: true draws curves in Braille dots, eight to a character */
-  double dpi;    /* pixels per inch in files; 0: 100 */
-  double points; /* font size [pt]; 0: default */
-  double lines;  /* scale of line widths and marks; 0: 1 */
+  int colour;           /* for text: true if ANSI colours are written */
+  int ascii;            /* for text: true if only ASCII characters are written */
+  int grey; /* for pixels: true if colours are converted to greys of the same luminance */
+  int fine; /* for coloured text: true if curves are drawn as Braille dots, eight in a character */
+  double dpi;         /* pixels per inch in files; 0: 100 */
+  double points;      /* font size [pt]; 0: default */
+  double lines;       /* scale of line widths and marks; 0: 1 */
   const char *family; /* font family; NULL: default */
 } arc_plot_output;
 

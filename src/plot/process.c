@@ -1,5 +1,5 @@
-/* A child process and the exchange of data with it. The child's standard input and output are
- * one socket. Writing to a socket can avoid the signal SIGPIPE, so the caller's signal handlers
+/* Starts and ends a child process and exchanges data with it. The child's standard input and output
+ * are one socket. Writing to a socket can avoid the signal SIGPIPE, so the caller's signal handlers
  * need not be changed. */
 #include "plot/process.h"
 #include "system/child.h"

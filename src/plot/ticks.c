@@ -7,7 +7,9 @@
 
 #include "plot/figure.h"
 
-/* Digits beyond MOST_DIGITS are rounding errors of doubles. */
+/* Labels have at least DIGITS significant digits, and at most MOST_DIGITS, because further digits
+ * are rounding errors of doubles. Powers of ten are considered if a label has LONG_LABEL characters
+ * or more. */
 enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
 /* Returns the smallest step of the form 1, 2 or 5 times a power of ten for which the span has at

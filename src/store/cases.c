@@ -1,4 +1,4 @@
-/* The cases of a run file: their list, status, and named values. */
+/* Reads and writes the list of cases in a run file, their status and their named values. */
 #include "store/store.h"
 
 #include <math.h>
@@ -170,7 +170,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* a flag is stored as an integer, a number never is */
+  case ARC_VALUE_FLAG: /* only flags are stored as integers */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
@@ -205,7 +205,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* Memory of the value that is read from a row. The caller frees it. */
+/* Memory of the value that is read from a row. The caller frees the memory. */
 typedef struct buffers {
   double *array;
   char *text;

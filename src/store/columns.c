@@ -1,6 +1,6 @@
-/* Names of columns in the file, and parts of SQL texts made from these names. The history has a
- * column for each item of the list in archard/wear.h. A column name includes the unit, such as
- * half_width_mm. */
+/* Defines the names of columns in the file, and writes parts of SQL texts that contain these names.
+ * The history has a column for each item of the list in archard/wear.h. A column name includes the
+ * unit, such as half_width_mm. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -76,9 +76,9 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings whose column has another name. Their own name is also the name of a result, a keyword
- * of SQL, or (for settings of the model) a setting of the run. Each row has prefix, setting,
- * column. */
+/* Settings whose column has another name, because the name of the setting is also the name of a
+ * result, a keyword of SQL, or (for settings of the model) the name of a setting of the run. Each
+ * row contains the prefix, the setting and the column. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},

@@ -1,5 +1,6 @@
-/* Interface to SQLite; no other file includes SQLite. It translates SQLite's codes to statuses with
- * advice, and restricts SQLite to the run file, its journal and unnamed files. */
+/* Implements all access to SQLite; no other file includes SQLite. Translates SQLite's codes to
+ * statuses and messages with advice. Restricts SQLite to the run file, its journal and unnamed
+ * files. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"
@@ -14,8 +15,8 @@
 struct database {
   sqlite3 *handle;
   char *path, *name; /* path of the file, and its name in messages */
-  long long bytes;   /* size of the file and of the attached file at the start of the query */
-  long long beside;
+  long long bytes;   /* size of the file at the start of the query [bytes] */
+  long long beside;  /* size of the attached file [bytes] */
   arc_lock_kind locks;
   long long work; /* remaining instructions of the query, in units of WATCH */
 };
@@ -180,7 +181,7 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* equal for all kinds of lock */
+  open_beneath = beneath->xOpen; /* the same function for all kinds of lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
@@ -309,8 +310,8 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
-/* Replaces the database by a copy without a file name. SQLite keeps the copy in memory while it
- * is small, and later in a hidden file. */
+/* Replaces the database by a copy without a file name. SQLite keeps the copy in memory while it is
+ * small, and in a hidden file when it becomes large. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
   arc_status status = arc_database_open("", db->name, 1, 1, &made, error);

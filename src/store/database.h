@@ -1,4 +1,5 @@
-/* Databases, and queries with numbered parameters (from 1) and columns (from 0). */
+/* Declares databases and queries. The parameters of a query are numbered from 1, its columns from
+ * 0. */
 #ifndef STORE_DATABASE_H
 #define STORE_DATABASE_H
 

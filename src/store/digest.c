@@ -1,6 +1,6 @@
-/* Checksums (FNV-1a, 64 bit) of all data of a finished case. The transaction that finishes the
- * case stores its checksum, and functions that read the case compare it. SQLite detects damage
- * to the structure of a file; the checksums detect damage to the values. */
+/* Computes and compares checksums (FNV-1a, 64 bit) of all data of finished cases. The transaction
+ * that finishes the case stores its checksum, and functions that read the case compare it. SQLite
+ * detects damage to the structure of a file; the checksums detect damage to the values. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -169,8 +169,9 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
 
 /* --- comparing checksums ---------------------------------------------------------------------- */
 
-/* Queries for the checksum of a case, and for 1 if the case must have a checksum. of_run is for
- * a case whose run is read: it requires a checksum also for data whose case is missing. */
+/* These queries return the checksum of a case, and 1 if the case must have a checksum, otherwise 0.
+ * of_run is used before a run is read. It also requires a checksum for data whose case is missing.
+ */
 static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
@@ -204,8 +205,8 @@ static arc_status compare(arc_store *store, const char *sql, int id, arc_error *
   return status;
 }
 
-/* Compares the checksum within one transaction, because another program may store the case at
- * the same time. */
+/* Computes the checksum of a case and compares it with the stored checksum within one transaction,
+ * because another program may store the case at the same time. */
 static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
   if (store->verified == id || is_open(store, id)) return ARC_OK;
   int own = 0;

@@ -1,4 +1,5 @@
-/* The rollback journal beside a run file, which SQLite replays when it opens the file. */
+/* Checks the rollback journal beside a run file. SQLite replays the journal when it opens the file.
+ */
 #ifndef STORE_JOURNAL_H
 #define STORE_JOURNAL_H
 

@@ -1,5 +1,5 @@
-/* Arrays that grow with the rows of a query. The rows are not counted before, because their number
- * may change. */
+/* Enlarges arrays while the rows of a query are read. The rows are not counted before reading,
+ * because their number may change. */
 #include "store/store.h"
 
 #include <limits.h>

@@ -1,4 +1,4 @@
-/* Run files: identification, creation, replacement, transactions and notes. */
+/* Recognises, creates, opens and replaces run files, and reads and writes their notes. */
 #include "store/journal.h"
 #include "store/store.h"
 
@@ -155,7 +155,7 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **res
   return status;
 }
 
-/* True if the file has no cases. */
+/* Sets *empty to 1 if the file has no cases, otherwise to 0. */
 static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
   arc_case *cases;
   size_t count;

@@ -1,7 +1,7 @@
-/* The tables of a run file, the views for users, and the conversion of older formats. The names
- * of the columns are from columns.c. A file that is opened for writing is converted in one
- * transaction. A program that only reads never changes the file, because an older program may
- * still use it or it may be write-protected; a temporary copy is converted instead. */
+/* Creates the tables of a run file and the views for users, and converts files of older formats.
+ * The names of the columns are defined in columns.c. A file that is opened for writing is converted
+ * in one transaction. A program that only reads never changes the file, because an older program
+ * may still use it or it may be write-protected; a temporary copy is converted instead. */
 #include "store/store.h"
 
 #include <stdlib.h>
@@ -57,8 +57,9 @@ static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, st
                             "CREATE VIEW units (name, unit, text) AS VALUES @units;"
                             "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
 
-/* Conversion to format 5, in which arrays are stored. The older tables have one row for each
- * node of a surface, and one row for the state of each body. */
+/* SQL statements for the conversion to format 5, in which surfaces and states are stored as arrays.
+ * The older tables have one row for each node of a surface, and one row for the state of each body.
+ */
 #define PACKED(name, column)                                                                       \
   "INSERT INTO arrays SELECT case_id, 'surface', updates, max(distance_mm), body, '" name          \
   "', count(*), 1, array_of(" column ") FROM older_surfaces GROUP BY case_id, updates, body;"
@@ -82,9 +83,9 @@ static const char to_arrays[] =
     "DROP TABLE older_surfaces; DROP TABLE older_state;";
 /* clang-format on */
 
-/* Conversions from each format to the next, which must not be changed after a release. `names`
- * renames tables and columns to the names in the present SQL texts. `values` adds or changes
- * values that are included in the checksums. */
+/* Conversions from each format to the next format. A conversion must not be changed after a
+ * release. `names` renames tables and columns to the names in the present SQL texts. `values` adds
+ * or changes values that are included in the checksums. */
 static const struct migration {
   int from;
   const char *names, *values;

@@ -51,9 +51,8 @@ arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends the transaction if arc_store_enter opened it (`own`): commits if `status` is ARC_OK,
  * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* Begin and end a transaction that only reads. It reads one
- * snapshot of the file. The transaction must be short, because programs that write wait for its
- * end. */
+/* These functions begin and end a transaction that only reads. It reads one snapshot of the file.
+ * The transaction must be short, because programs that write wait for its end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
@@ -66,7 +65,7 @@ void arc_store_look_away(arc_store *store, int own);
  * each column of the history, @values by the same number of ", ?", @results by the columns that
  * are results, @settings by the expressions of the settings, @bytes by all bytes in hexadecimal,
  * @numbers by the columns of `surfaces`, @units by the rows of `units`. The caller frees the
- * text. NULL: out of memory. */
+ * text. Returns NULL if memory is exhausted. */
 char *arc_columns_sql(const char *pattern);
 
 /* Runs statements without results. In this function and the functions below, `sql` is a pattern
@@ -79,7 +78,7 @@ arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q,
 /* Runs a statement with the id of the case as parameter 1. */
 arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
-/* --- format.c, schema.c: the number of a format; tables and views ----------------------------- */
+/* --- format.c, schema.c: format number, tables and views -------------------------------------- */
 
 /* Checks that this program supports the format. Errors: ARC_FORMAT. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
@@ -122,8 +121,9 @@ enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, with its final zero 
  * the caller stores the text itself. */
 arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
                               arc_error *error);
-/* Returns the text with the name `name`; the caller frees it. NULL: the string is not the name
- * of a text. Errors: ARC_FORMAT if the text is missing or does not match its name. */
+/* Sets *text to the text with the name `name`, or to NULL if the string is not the name of a text.
+ * The caller frees the text. Errors: ARC_FORMAT if the text is missing or does not match its name.
+ */
 arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
 /* Compares all texts with their names, which contain a checksum. Errors: ARC_FORMAT if a text
  * does not match its name. */

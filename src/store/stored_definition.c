@@ -1,7 +1,7 @@
-/* Definitions as named values. One table has the type and address of each value, for writing,
- * reading and checking. It is made from the lists of settings, so that a new setting needs no
- * code here. A setting NAME may also have the values NAME_function (a flag, because functions
- * are not stored), NAME_series.distance and NAME_series.value. */
+/* Stores definitions as named values. A table with the type and address of each value is used for
+ * writing, reading and checking. The table is made from the lists of settings, so that a new
+ * setting needs no code here. A setting NAME may also have the values NAME_function (a flag,
+ * because functions are not stored), NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
 
@@ -20,7 +20,7 @@ typedef struct slot {
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
   void *at;     /* address of a value with the type of `kind` */
-  int *count;   /* length of the array, shared with other arrays; 0: no array */
+  int *count;   /* address of the array's length, shared with other arrays; *count is 0 if absent */
   int optional; /* true for an array that may be absent */
 } slot;
 

@@ -1,5 +1,5 @@
-/* Runs in a run file: history, surfaces and state. All data is checked before use, because files
- * are not trusted. */
+/* Saves and reads the history, surfaces and state of runs in a run file. All data is checked before
+ * use, because files are not trusted. */
 #include "store/store.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* The two values of the column `part`, which is the use of an array in a file. */
+/* The two values of the column `part`, which indicates the use of an array. */
 static const char surface[] = "surface", state[] = "state";
 
 static arc_status save_arrays(arc_store *store, int id, const char *part, const arc_array *arrays,

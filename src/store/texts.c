@@ -1,5 +1,5 @@
-/* Long texts, such as imported meshes. Each text is stored only once, under a name made from its
- * checksum. Values refer to this name. A text has the same name in all files. */
+/* Stores long texts, such as imported meshes. Each text is stored only once, under a name made from
+ * its checksum. Values refer to this name. A text has the same name in all files. */
 #include "store/store.h"
 
 #include <inttypes.h>

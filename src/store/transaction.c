@@ -1,5 +1,5 @@
-/* Transactions. The begin of a transaction checks that the format is still supported. The commit
- * writes the checksums of finished cases. */
+/* Begins and ends transactions. The start of a transaction checks that the format is still
+ * supported. The commit writes the checksums of finished cases. */
 #include "store/store.h"
 
 /* Begins a transaction. Checks the format, because a newer version may have converted the file

@@ -1,6 +1,6 @@
-/* Starts and ends child processes; no other file starts programs. It uses POSIX, and on Linux
- * the signal that a child receives when its parent ends. posix_spawn cannot request this signal,
- * so vfork is used. vfork copies no memory and runs no fork handlers of libraries. */
+/* Starts and ends child processes; no other file starts programs. A child receives the signal
+ * SIGKILL when its parent ends (Linux). posix_spawn cannot request this signal, so vfork is used.
+ * vfork copies no memory and runs no fork handlers of libraries. */
 #define _GNU_SOURCE /* for vfork, execvpe, close_range */
 #include "system/child.h"
 #include "system/jail.h"
@@ -48,7 +48,7 @@ static int use_own_signals(void) {
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
-  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* fails on older kernels: no descriptor closes */
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* older kernels: fails and closes nothing */
   return 0;
 }
 

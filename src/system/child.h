@@ -9,7 +9,7 @@ typedef struct arc_child_def {
   const char *program;      /* name of a program in PATH, or a path with a slash */
   char *const *arguments;   /* name of the program and its arguments, terminated by NULL */
   char *const *environment; /* terminated by NULL; NULL: environment of this process */
-  int ends[3];              /* become the child's standard input, output and error */
+  int ends[3];              /* descriptors of the child's standard input, output and error */
   double part;              /* fraction of the remaining memory if it is limited (memory_limit.h) */
 } arc_child_def;
 

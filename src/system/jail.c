@@ -1,6 +1,6 @@
-/* Restrictions of the process by Linux: Landlock for files, a filter of system calls, limits.
- * Constants newer than the headers of Debian 12 are defined here. The kernel reports which features
- * it supports. */
+/* Restricts the process by means of Linux: Landlock for files, a filter of system calls, and
+ * resource limits. Constants newer than the headers of Debian 12 are defined here. The kernel
+ * reports which features it supports. */
 #define _GNU_SOURCE /* for O_PATH, dl_iterate_phdr, syscall */
 #include "system/jail.h"
 
@@ -60,8 +60,8 @@ typedef struct rules {
   uint64_t handled;
 } rules;
 
-/* Rules for files, for connections (version 4), and for signals and abstract sockets of other
- * processes (version 6). */
+/* The rights that Landlock restricts: access to files, connections (from version 4), and signals
+ * and abstract sockets of other processes (from version 6). */
 typedef struct ruleset {
   uint64_t files, net, scoped;
 } ruleset;
@@ -125,8 +125,8 @@ static void allow_system(rules *r) {
     allow(r, devices[i], READ_FILE | WRITE_FILE);
 }
 
-/* Allows a library of this program, in any folder. The first one is the program itself, which
- * contains the name of its loader. */
+/* Allows access to a library of this program, in any folder. The first library in the list is the
+ * program itself, which contains the name of its loader. */
 static int allow_library(struct dl_phdr_info *library, size_t size, void *context) {
   rules *r = context;
   (void)size;
@@ -138,8 +138,8 @@ static int allow_library(struct dl_phdr_info *library, size_t size, void *contex
   return 0;
 }
 
-/* Allows a program, and the folders lib and share beside its folder if it is outside the system
- * folders. */
+/* Allows access to a program. If the program is outside the system folders, also allows the folders
+ * lib and share beside its folder. */
 static void allow_program(rules *r, const char *path) {
   char whole[PATH_MAX], beside[PATH_MAX + 8];
   if (!path || !realpath(path, whole)) return;
@@ -334,7 +334,7 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to connect children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* needed to connect children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* text injected into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
@@ -395,7 +395,8 @@ static void drop_rights(void) {
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
-/* Sets the soft and the hard limit, so that the limit cannot be raised again. */
+/* Sets the soft and the hard limit of a resource, so that the process cannot raise the limit again.
+ * Returns true on success. */
 static int limit(enum __rlimit_resource what, double most) {
   struct rlimit l;
   if (getrlimit(what, &l) != 0) return 0;
@@ -423,7 +424,8 @@ static double threads_of_user(void) {
  * threads. */
 enum { MORE_THREADS = 512 };
 
-/* Returns false for root, whose processes the system does not count. */
+/* Limits the number of processes and threads. Returns false on failure, and for root, because the
+ * system does not count root's processes. */
 static int confine_processes(void) {
   return limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
 }

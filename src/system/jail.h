@@ -2,8 +2,8 @@
 #ifndef SYSTEM_JAIL_H
 #define SYSTEM_JAIL_H
 
-/* Folders where files may be read and written, and a program that may be run in addition to this
- * one. Each is a path or NULL. */
+/* A folder in which files may be read, a folder in which files may be written, and a program that
+ * may be run in addition to this program. Each is a path or NULL. */
 typedef struct arc_jail {
   const char *read, *write, *program;
   double largest_file; /* limit of the size of a file [bytes] */

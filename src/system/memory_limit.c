@@ -1,5 +1,5 @@
-/* Memory limit of this process and its children. The size of the process is read from /proc
- * (Linux). */
+/* Sets the memory limit of this process and its children. The size of the process is read from
+ * /proc (Linux). */
 #include "system/memory_limit.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@ static struct {
   } reservations[MOST_CHILDREN];
 } state;
 
-/* Returns the mapped memory of this process and the size of its data [bytes]; 0 if unknown. */
+/* Returns the mapped memory of this process, and sets *data to the size of its data [bytes]. Both
+ * are 0 if unknown. */
 static double mapped(double *data) {
   double all = 0, private = 0;
   FILE *file = fopen("/proc/self/statm", "r");

@@ -14,12 +14,12 @@ void arc_memory_limit_set(double bytes);
  * libraries (128 MiB of OpenBLAS), which a child needs as well. */
 rlim_t arc_memory_limit_base(void);
 
-/* Reserves a fraction of the remaining memory for a child that is about to start. Returns bytes +
- * 1, or 0 if there is no limit. */
+/* Reserves a fraction of the remaining memory for a child that is about to start. Returns the
+ * reserved bytes plus 1, or 0 if there is no limit. */
 rlim_t arc_memory_limit_reserve(double part);
 
-/* Assigns a reservation to a started child. child 0: no child was started, and the reservation is
- * released. */
+/* Assigns a reservation to a started child. If `child` is 0, no child was started and the
+ * reservation is released. */
 void arc_memory_limit_assign(rlim_t bytes, pid_t child);
 /* Releases the reservation of a child that has ended. */
 void arc_memory_limit_release(pid_t child);
