@@ -297,7 +297,7 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
-  int chosen = curve->colour && curve->dash == 0; /* true: a full line */
+  int chosen = curve->colour && curve->dash == 0; /* the user chose a colour, but no dash pattern */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);

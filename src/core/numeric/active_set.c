@@ -1,5 +1,6 @@
-/* Primal-dual active set method: conjugate gradients on a set reduce the residual, then the set is
- * revised, until the set does not change and the residual is small. */
+/* Implements the primal-dual active set method. Conjugate gradients reduce the residual on the
+ * active set, then the set is revised. Both steps are repeated until the set does not change and
+ * the residual is small. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 
 enum { most_sets = 30 /* iterations before the cycling safeguard starts */ };
 
-/* The set is revised after the residual has decreased to this share. */
+/* The set is revised after conjugate gradients have reduced the residual by this factor. */
 static const double fall = 0.3;
 
 /* Revises the set: cells with p < 0 leave it, and cells that overlap by more than the limit enter
@@ -39,8 +40,8 @@ static unsigned long long hash_of(const pass *s) {
   return hash;
 }
 
-/* Stores the gaps in w->g and the rigid unknowns in `delta`. Before, restores the loads, because
- * the projections of many steps change the loads by rounding errors. */
+/* Stores the gaps in w->g and the rigid unknowns in `delta`. First restores the loads, because the
+ * rounding errors of many projections have changed them. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
   arc_active_run(s, arc_active_restore_load);
@@ -50,8 +51,8 @@ static void finish(const pass *s, double *delta) {
   memcpy(delta, w->delta, (size_t)(s->problem->blocks * s->problem->modes) * sizeof *delta);
 }
 
-/* Revises the set until it does not change (then *done is true), or until the sets repeat or are
- * too many (then the safeguard must start). */
+/* Revises the set until it does not change and the residual is small; *done is then true. If sets
+ * repeat, or after most_sets sets, returns with *done false, and the safeguard must start. */
 static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error *error) {
   unsigned long long seen[2] = {0, 0};
   double product = 0, share = fall;
@@ -95,7 +96,7 @@ arc_status arc_active_set_solve(const active_problem *problem, active_work *work
   return status;
 }
 
-/* Sets the active set to {p > 0}, the gaps to those of the problem, and dp to 0. */
+/* Sets the active set to {p > 0}, the gaps to problem->gap, and dp to 0. */
 static void start_tangent(const pass *s, const double *p) {
   const size_t all = (size_t)s->problem->blocks * (size_t)s->problem->cells;
   for (size_t c = 0; c < all; c++)

@@ -1,9 +1,12 @@
-/* Contact as a convex problem with rigid unknowns: g = A p + gap - N delta >= 0, p >= 0, p g = 0,
- * sum over cells of area N p = load. Several blocks (positions of a stroke) of the same cells are
- * solved at once, each with `modes` rigid unknowns delta and its own loads. A may couple the
- * blocks; it is self-adjoint and positive in <p, q> = sum over blocks of weight, over cells of area
- * p q. The method is a primal-dual active set with conjugate gradients, whose projections conserve
- * the loads. If sets repeat, it is replaced by steps of Polonsky and Keer's method, which decrease
+/* Solves contact as a convex problem for the pressures p and the rigid unknowns delta. The
+ * conditions are g = A p + gap - N delta >= 0, p >= 0 and p g = 0 in each cell, and the sum of area
+ * N p over the cells equals the load. Several blocks (positions of a stroke) of the same cells are
+ * solved at once. Each block has `modes` rigid unknowns and its own loads. A may couple the blocks.
+ * It is self-adjoint and positive definite for the inner product <p, q>, the sum of weight area p q
+ * over all blocks and cells.
+ *
+ * The method is a primal-dual active set method with conjugate gradients, whose projections
+ * conserve the loads. If sets repeat, steps of Polonsky and Keer's method follow, which decrease
  * the energy. */
 #ifndef NUMERIC_ACTIVE_SET_H
 #define NUMERIC_ACTIVE_SET_H
@@ -12,22 +15,23 @@
 
 enum { ARC_MOST_MODES = 3 };
 
-/* to := A from, all blocks [blocks * cells]. Returns ARC_OK or the error that ends the solution. */
+/* Computes to = A from for all blocks, both [blocks * cells]. Returns ARC_OK, or an error that ends
+ * the solution. */
 typedef arc_status (*operator_fn)(void *context, const double *from, double *to);
 
 typedef struct active_problem {
   int blocks, cells, modes;
   const double *gap;    /* [blocks][cells] gaps without pressure */
-  const double *area;   /* [cells] areas; NULL: 1 */
-  const double *mode;   /* [modes][cells] N; NULL: one mode, 1 everywhere */
+  const double *area;   /* [cells] areas; NULL: all areas are 1 */
+  const double *mode;   /* [modes][cells] values of N; NULL: one mode, which is 1 in all cells */
   const double *load;   /* [blocks][modes] loads */
-  const double *weight; /* [blocks] weights; NULL: 1 */
+  const double *weight; /* [blocks] weights; NULL: all weights are 1 */
   operator_fn apply;
   operator_fn
       precondition; /* approximate inverse of A, positive definite; NULL: no preconditioner */
   void *context;    /* argument of both functions */
   double tolerance; /* tolerance of gaps, relative to the largest displacement A p */
-  work_team *team;  /* threads for the blocks; NULL: the caller alone */
+  work_team *team;  /* threads for the blocks; NULL: only the calling thread */
 } active_problem;
 
 /* Work done for a solution. */
@@ -46,17 +50,17 @@ void arc_active_work_destroy(active_work **work);
 
 /* Solves a problem. The initial p [blocks][cells] must be positive in some cell of every block and
  * determines the first active set. p and delta [blocks][modes] are the solution; the gaps are in
- * the workspace. On ARC_NOT_CONVERGED, ARC_NUMERIC, or an error of `apply`, p is undefined. Adds to
- * *count. */
+ * the workspace. On ARC_NOT_CONVERGED, ARC_NUMERIC, or an error of `apply`, p is undefined. Adds
+ * the work of this solution to *count. */
 arc_status arc_active_set_solve(const active_problem *problem, active_work *work, double *p,
                                 double *delta, active_count *count, arc_error *error);
 
 /* Returns the gaps of the last solution [blocks][cells]. */
 const double *arc_active_set_gaps(const active_work *work);
 
-/* On the active set {p > 0} of a solution, computes dp [blocks][cells] with A dp + gap - N delta =
- * 0 on the set, 0 elsewhere, and without loads. problem->tolerance is relative to `gap`, and
- * problem->load is not used. */
+/* Computes dp [blocks][cells] for the active set {p > 0} of a solution. On the set A dp + gap - N
+ * delta = 0, in other cells dp = 0, and the loads of dp are 0. problem->tolerance is relative to
+ * `gap`, and problem->load is not used. */
 arc_status arc_active_set_tangent(const active_problem *problem, active_work *work, const double *p,
                                   double *dp, active_count *count, arc_error *error);
 

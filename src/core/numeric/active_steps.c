@@ -1,4 +1,5 @@
-/* Parts of the active set method: loads, residuals, and conjugate gradients on a set. */
+/* Implements the steps of the active set method: loads, residuals, and conjugate gradients on a
+ * set. */
 #include "core/base/dense.h"
 #include "core/numeric/active_work.h"
 
@@ -115,7 +116,7 @@ static int invert(int m, double *a, double *inverse) {
   return 0;
 }
 
-/* x := inverse b */
+/* Computes x = inverse b. */
 static void times(int m, const double *inverse, const double *b, double *x) {
   for (int i = 0; i < m; i++) {
     x[i] = 0;
@@ -123,8 +124,9 @@ static void times(int m, const double *inverse, const double *b, double *x) {
   }
 }
 
-/* Computes the inverse of the matrix N' y, summed over the cells with their areas in `area`. y
- * [modes][cells]: vectors, NULL: the modes N. */
+/* Computes the inverse of the matrix N' y, whose sums over the cells are weighted by `area`. y
+ * contains vectors [modes][cells]; if it is NULL, the modes N are used. Returns non-zero if the
+ * matrix is singular. */
 static int invert_gram(const pass *s, const double *area, const double *y, double *inverse) {
   const int m = s->problem->modes, n = s->problem->cells;
   double a[square];
@@ -136,7 +138,7 @@ static int invert_gram(const pass *s, const double *area, const double *y, doubl
   return invert(m, a, inverse);
 }
 
-/* Computes x := inverse N' v, with sums over the cells weighted by `area`. */
+/* Computes x = inverse N' v. The sums over the cells are weighted by `area`. */
 static void fit_modes(const pass *s, const double *area, const double *inverse, const double *v,
                       double *x) {
   const int m = s->problem->modes;
@@ -182,8 +184,8 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* Returns the rounding error of the gaps of the set, the lower limit of what iterations can
- * reach. */
+/* Returns the rounding error of the gaps on the set. Iterations cannot reduce the residual below
+ * this value. */
 static double rounding_of(const pass *s, size_t o) {
   const double *gap = s->problem->gap + o, *area = s->w->area + o;
   double largest = 0;
@@ -192,8 +194,8 @@ static double rounding_of(const pass *s, size_t o) {
   return 16 * DBL_EPSILON * largest;
 }
 
-/* Adds `gap` to g, which is A p before. Stores the largest displacement |A p|, but at least the
- * displacement at which the tolerance of gaps equals the rounding error. */
+/* Adds `gap` to g, which contains A p before the call. Stores the largest displacement |A p|, but
+ * at least the displacement at which the tolerance of gaps equals the rounding error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);
@@ -352,7 +354,8 @@ double arc_active_rms(const pass *s) {
   return sqrt(arc_active_total(s) / area);
 }
 
-/* Computes z from r; returns their product. */
+/* Computes the preconditioned residual z from the residual r. Stores the inner product of both in
+ * *product. */
 static arc_status precondition(const pass *s, double *product) {
   if (s->w->y) {
     const arc_status status = s->problem->precondition(s->problem->context, s->w->r, s->w->z);

@@ -1,4 +1,5 @@
-/* Internals of the active set method: its workspace, and the steps that both methods use. */
+/* Declares the workspace of the active set method, and the steps shared with Polonsky and Keer's
+ * method. */
 #ifndef NUMERIC_ACTIVE_WORK_H
 #define NUMERIC_ACTIVE_WORK_H
 
@@ -16,7 +17,7 @@ struct active_work {
   double *area;             /* areas of cells in the set, 0 elsewhere */
   double *z;                /* preconditioned residual, or r without a preconditioner */
   double *y; /* [blocks][modes][cells] preconditioned modes; NULL without a preconditioner */
-  double *mode, *whole;     /* default N and areas */
+  double *mode, *whole;     /* default values of N, and default areas */
   double *gram, *oblique;   /* [blocks][modes][modes] inverses of N' N and N' y on the set */
   double *delta;            /* [blocks][modes] rigid unknowns */
   double *sum;              /* [blocks] partial sums of a pass over the blocks */
@@ -50,10 +51,11 @@ int arc_active_changes(const pass *s);
 /* Returns g - N delta of a cell. */
 double arc_active_gap(const pass *s, int block, int cell);
 
-/* Task for arc_active_run: scales p by 1 + N x so that it carries the load of its block. */
+/* Task for arc_active_run: scales p by 1 + N x so that p carries the load of its block. */
 void arc_active_restore_load(void *context, int block, int worker);
-/* Tasks for arc_active_run. In this order: the set becomes {p > 0}; Gram matrices of the set;
- * residual on the set, with its square in w->sum; d A d in w->sum. */
+/* Tasks for arc_active_run. arc_active_mark sets the active set to {p > 0}. arc_active_factor
+ * computes the Gram matrices of the set. arc_active_residual computes the residual on the set and
+ * stores its square in w->sum. arc_active_curvature stores the product d A d in w->sum. */
 void arc_active_mark(void *context, int block, int worker);
 void arc_active_factor(void *context, int block, int worker);
 void arc_active_residual(void *context, int block, int worker);
@@ -73,12 +75,13 @@ arc_status arc_active_begin(const pass *s, arc_error *error);
 /* Returns the root mean square of the residual whose squares are in w->sum. */
 double arc_active_rms(const pass *s);
 /* Makes steps of conjugate gradients on the set until the residual is at most `wanted`. *product is
- * the product of the residual and the preconditioned residual; it is kept between calls on one set
- * and is 0 for a new set. */
+ * the product of the residual and the preconditioned residual; it must be kept between calls on the
+ * same set, and must be 0 for a new set. */
 arc_status arc_active_relax(pass *s, double wanted, double *product, active_count *count,
                             arc_error *error);
 
-/* Makes steps of Polonsky and Keer's method from p. */
+/* Computes the solution by steps of Polonsky and Keer's method, which start at p. Errors:
+ * ARC_NOT_CONVERGED, ARC_NUMERIC, errors of `apply`. */
 arc_status arc_active_guard(pass *s, active_count *count, arc_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Loops over cell values, compiled for wide registers. */
+/* Implements loops over cell values, compiled for wide registers. */
 #include "core/numeric/cells.h"
 
 #include "core/base/wide.h"

@@ -1,7 +1,7 @@
-/* Convolutions by FFTW. Rows are transformed first, only those of the window. Then blocks of
+/* Computes convolutions by FFTW. First the rows of the window are transformed. Then blocks of
  * columns are transformed, multiplied by the kernel and transformed back, so that the padded box is
- * never stored as a whole. Plans are estimated: they depend on sizes and the processor only, never
- * on timing. */
+ * never stored as a whole. Plans are estimated and not measured, so that they depend only on the
+ * sizes and the processor. */
 #include "core/numeric/convolution.h"
 
 #include "core/base/wide.h"
@@ -20,12 +20,12 @@ struct convolution {
   int padded;     /* distance of two rows of the values in numbers */
   double *symbol; /* scaled symbol by blocks of columns, each [box_rows][columns of the block] */
   int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
-  fftw_plan into, out_of;   /* plans for rows, in place */
+  fftw_plan into, out_of;   /* plans for rows, forward and back */
   fftw_plan down[2], up[2]; /* plans for columns: of whole blocks, and of the last block */
 };
 
-/* Arrays of a workspace. Transforms go from one array to another, since FFTW copies data if they
- * are in place. */
+/* Arrays of a workspace. Each transform reads one array and writes another, because FFTW would copy
+ * the data of a transform in place. */
 struct convolution_work {
   double *values;                /* [rows][padded columns] */
   fftw_complex *spectrum;        /* [rows][stride] */
@@ -84,7 +84,8 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
                             FFTW_ESTIMATE);
 }
 
-/* Makes a plan. Plans of a process share memory, which FFTW's own lock protects. */
+/* Creates the plans of a convolution. Returns 0 on failure. All plans of a process share memory,
+ * which a lock of FFTW protects. */
 static int plan(convolution *c, convolution_work *w) {
   const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();
@@ -177,8 +178,8 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
   return create(rows, columns, box_rows, box_columns, EVEN_LAGS, symbol, made, error);
 }
 
-/* Wraps the kernel on the box, transforms it, and keeps the real or imaginary part that is not
- * zero. */
+/* Computes the symbol of a kernel. Evaluates the kernel on the periodic box, transforms these
+ * values, and stores the part of the transform (real or imaginary) that is not zero. */
 static arc_status find_symbol(int box_rows, int box_columns, lag_parity parity, lag_fn kernel,
                               const void *context, double *symbol, arc_error *error) {
   const double up = parity & ODD_ROWS ? -1 : 1, back = parity & ODD_COLUMNS ? -1 : 1;
@@ -283,7 +284,8 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
   }
 }
 
-/* Transform the columns first .. first + width - 1 of the spectrum to w->waves, and back. */
+/* lower_block transforms the columns first .. first + width - 1 of the spectrum to w->waves.
+ * raise_block transforms w->waves back to these columns. */
 static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
   const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
   for (size_t i = 0; i < (size_t)c->rows; i++)

@@ -1,13 +1,14 @@
-/* Convolutions of cell values with even or odd kernels, by Fourier transforms. Only convolution.c
- * includes fftw3.h. */
+/* Declares convolutions of cell values with even or odd kernels, which are computed by Fourier
+ * transforms. Only convolution.c includes fftw3.h. */
 #ifndef NUMERIC_CONVOLUTION_H
 #define NUMERIC_CONVOLUTION_H
 
 #include "archard/base.h"
 
 /* A convolution u[i][j] = sum over k, l of kernel(i - k, j - l) p[k][l] on a window of rows x
- * columns cells, stored row by row, computed on a periodic box that contains the window. It does
- * not change once made: any number of threads may apply it, each with its own workspace. */
+ * columns cells, which are stored row by row. It is computed on a periodic box that contains the
+ * window. A convolution does not change after its creation, so several threads may apply it at
+ * once, each with its own workspace. */
 typedef struct convolution convolution;
 typedef struct convolution_work convolution_work;
 
@@ -45,27 +46,30 @@ size_t arc_convolution_bytes(const convolution *c);
 convolution_work *arc_convolution_work(const convolution *largest);
 void arc_convolution_work_free(convolution_work **work);
 
-/* u := kernel * p, both [rows * columns], which may be the same array. The workspace must have been
- * made for a convolution at least as large. */
+/* Computes the convolution u of the kernel with p, both [rows * columns]. u and p may be the same
+ * array. The workspace must have been made for a convolution at least as large. */
 void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
                            double *u);
 
-/* u[0] := k[0] * p[0] + k[1] * p[1], u[1] := k[1] * p[0] + k[2] * p[1], with two transforms each.
- * The kernels must have the same window, and none may be odd in one direction only. u may be p. */
+/* Computes two convolutions with a symmetric matrix of three kernels: u[0] = k[0] * p[0] + k[1] *
+ * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two transforms forward and two back are needed.
+ * The kernels must have the same window, and no kernel may be odd in only one direction. u may be
+ * the same as p. */
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
                                 const double *const p[2], double *const u[2]);
 
-/* Transforms a box once, for pictures. `spectrum` is [box_rows][box_columns / 2 + 1] pairs (real,
- * imaginary). forward: from values [box_rows][box_columns]; back: to values from a spectrum, which
- * is destroyed, with the factor 1 / (box_rows box_columns). */
+/* These functions transform a whole box. `values` has the shape [box_rows][box_columns], `spectrum`
+ * consists of [box_rows][box_columns / 2 + 1] pairs (real, imaginary). The transform back
+ * multiplies by 1 / (box_rows box_columns) and destroys the spectrum. Error: ARC_MEMORY. */
 arc_status arc_transform_forward(int box_rows, int box_columns, const double *values,
                                  double *spectrum, arc_error *error);
 arc_status arc_transform_back(int box_rows, int box_columns, double *spectrum, double *values,
                               arc_error *error);
 
-/* Transforms of several rows of `box` (even) numbers each, for kernels that are a convolution along
- * rows only. values [rows][box]; spectrum [rows][box / 2 + 1] pairs (real, imaginary). Two threads
- * must not use one at once. Returns NULL if out of memory. */
+/* Transforms of several rows with `box` (even) numbers each, for convolutions along rows only.
+ * `values` has the shape [rows][box], `spectrum` consists of [rows][box / 2 + 1] pairs (real,
+ * imaginary). Two threads must not use the same transform at once. arc_rows_create returns NULL if
+ * out of memory. */
 typedef struct row_transform row_transform;
 row_transform *arc_rows_create(int rows, int box);
 void arc_rows_destroy(row_transform **t);

@@ -1,6 +1,6 @@
-/* Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set method.
- * Every step clips negative pressures, so that the energy decreases and no set repeats. A step
- * needs two applications of A. */
+/* Implements Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set
+ * method. Every step clips negative pressures, so that the energy decreases and no set repeats. A
+ * step needs two applications of A. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
@@ -22,8 +22,8 @@ static void turn(void *context, int block, int worker) {
   w->sum[block] = -arc_cells_dot3(n, w->area + o, w->r + o, w->d + o);
 }
 
-/* Makes the step, after which p >= 0. Cells without pressure that overlap enter the set and are
- * counted. */
+/* Changes p by the step and sets negative pressures to 0. Cells without pressure whose gap is
+ * negative receive a pressure. Stores their number in w->changes. */
 static void clip(void *context, int block, int worker) {
   const pass *s = context;
   int entered = 0;
@@ -56,7 +56,7 @@ static double overlap_of(const pass *s) {
   return overlap;
 }
 
-/* Computes gaps and residual of p. */
+/* Computes the gaps and the residual for the present p. */
 static arc_status look(pass *s, active_count *count, arc_error *error) {
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);

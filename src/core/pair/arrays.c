@@ -1,4 +1,4 @@
-/* Lists of named arrays. */
+/* Copies and searches lists of named arrays. */
 #include "archard/array.h"
 
 #include <stdlib.h>

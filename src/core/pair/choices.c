@@ -1,4 +1,4 @@
-/* Names of choices and bodies. */
+/* Defines the names of choices and bodies. */
 #include "core/pair/cycle.h"
 
 const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};

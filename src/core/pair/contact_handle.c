@@ -1,4 +1,4 @@
-/* Contact handles: problem, result, and the functions of the kind. */
+/* Implements the functions for arc_contact by the functions of the kind of its pair. */
 #include "core/pair/surfaces.h"
 #include "core/pair/units.h"
 

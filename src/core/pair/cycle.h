@@ -1,6 +1,7 @@
-/* Data exchanged between a run and the kind of its pair of bodies: points of the cycle, wear of a
- * cycle at given depths, depths of an update. Vectors over sites [n] have the sites of the upper
- * body first, then those of the lower body. Vectors by body are parts of one block. */
+/* Declares the data that a run and the kind of its pair of bodies exchange: the points of a cycle,
+ * the wear of a cycle, and the depths of an update. Sites are the surface points of the bodies.
+ * Vectors [n] contain first the values at the sites of the upper body, then the values at the sites
+ * of the lower body. The vectors of both bodies are adjacent in one block of memory. */
 #ifndef PAIR_CYCLE_H
 #define PAIR_CYCLE_H
 
@@ -9,23 +10,24 @@
 /* Values for a pair of bodies that follow from a definition. */
 typedef struct wear_manner {
   arc_procedure procedure; /* procedure, SP or NSP */
-  double strokes;   /* number of strokes, r of Eq. (21): 2, or 1 if a cycle is a single pass */
+  double strokes;   /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
   double stroke;    /* [mm] stroke */
   double modulus;   /* [MPa] modulus: a tangential force per thickness / modulus counts as sliding
                        distance */
   double radius;    /* [mm] radius at which the sliding of a rotation is measured */
   double thickness; /* [mm] thickness by which the loads of a block are divided */
-  int rests;        /* 1: the contact stays at one position */
-  int even; /* 1: the lower body wears evenly or along a track, and its sites do not move; see
+  int rests;        /* true if the contact stays at one position */
+  int even; /* true if the lower body wears evenly or along a track and its sites do not move; see
                wear_rate.even */
-  int counts_forces; /* 1: the work depends on forces, which the rates sum up, and not only on the
+  int counts_forces; /* true if the work depends on forces that the rates sum up, not only on the
                         load */
-  int layered[ARC_BODIES]; /* 1: a body has layers, which may have wear coefficients of their own */
-  int closed;              /* 1: the contact never changes, so that no solution is needed */
+  int layered[ARC_BODIES]; /* true if the body has layers, which may have wear coefficients of their
+                              own */
+  int closed;              /* true if the contact never changes, so that no solution is needed */
 } wear_manner;
 
-/* A block of loading: its points, the contact problems that points share, and its number of
- * cycles. */
+/* A block of loading: its points, its contact problems, and its number of cycles. Several points
+ * may share one contact problem. */
 typedef struct wear_block {
   int count;          /* number of points; number of increments between them */
   double *x;          /* [count] position of the lower body [mm] */
@@ -45,24 +47,26 @@ typedef struct wear_block {
   double start_distance, start_cycle; /* cycle and distance of the run at the start of this block */
 } wear_block;
 
-/* Wear of one cycle per unit of wear coefficient: sum of p ds over the strokes [MPa mm]. */
+/* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes
+ * of the cycle [MPa mm]. */
 typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [sites of the body] rates; one block */
-  double even;         /* rate of an evenly worn lower body (Eq. 27), or of a track 1 mm wide */
-  double peak;         /* largest pressure at a site in the window [MPa] */
-  double energy;       /* energy dissipated per thickness [N] */
-  double shear, stick; /* largest tangential force [N/mm]; width that never slips [mm] */
-  double gross;        /* 1: the whole contact slips at some time */
-  double pressed;      /* integral of the normal force over the sliding distance of a cycle [N] */
+  double even;   /* rate of an evenly worn lower body (Eq. 27), or of a track 1 mm wide */
+  double peak;   /* largest pressure at a site in the window [MPa] */
+  double energy; /* energy dissipated per thickness [N] */
+  double shear,
+      stick;      /* largest tangential force [N/mm]; width of the zone that never slips [mm] */
+  double gross;   /* 1 if the whole contact slips at some time, otherwise 0 */
+  double pressed; /* integral of the normal force over the sliding distance of a cycle [N] */
 } wear_rate;
 
-/* Depths of an update. */
+/* Wear depths of an update of the geometry. */
 typedef struct wear_depths {
   double *node[ARC_BODIES]; /* [sites of the body] depths [mm]; one block */
   double even;              /* even wear of the lower body, or of a track 1 mm wide [mm] */
-  double error;             /* estimated error / tolerance of an implicit update; else 0 */
-  double peak;              /* largest pressure [MPa] of the cycle that caused the depths */
-  double energy;            /* energy dissipated in the update, per thickness [N] */
+  double error;   /* estimated error of an implicit update divided by the tolerance; otherwise 0 */
+  double peak;    /* largest pressure [MPa] of the cycle that caused the depths */
+  double energy;  /* energy dissipated in the update, per thickness [N] */
   double pressed; /* integral of the normal force over the sliding distance of the update [N] */
 } wear_depths;
 
@@ -74,7 +78,7 @@ typedef struct wear_window {
   const wear_block *block;
   const arc_shape *shape; /* shape on which the contact is solved */
   int first, last;
-  int chained; /* 1: the solution of point `first` on an earlier shape can be used (Eq. 4) */
+  int chained; /* true if the solution of point `first` on an earlier shape can be used (Eq. 4) */
   const arc_wear_record *state; /* state for local factors; NULL: no local factors */
   double mu;                    /* coefficient of friction, for runs with friction */
   const double *depth;          /* [n] depths in addition to those of the shape; NULL: none */
@@ -94,8 +98,8 @@ typedef struct wear_stage {
   wear_progress *progress;
   double k[ARC_BODIES]; /* [mm2/N] wear coefficients of the sites that move */
   double *z;            /* [mm] depths z at the largest coefficient of each body's layers */
-  double *known;        /* the constant part of z */
-  double *worn;         /* depths z at the coefficients of the layers */
+  double *known;        /* constant part of z [mm] */
+  double *worn;         /* depths z at the coefficients of the layers [mm] */
   wear_rate last;       /* last rate without the rates of the sites (`node`) */
   void *own;            /* data of the kind */
   arc_error error;      /* error of the last failure */

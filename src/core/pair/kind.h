@@ -1,14 +1,15 @@
-/* Kinds of pairs of bodies. A kind implements surfaces, contact and their wear over a cycle. Laws,
- * coefficients, steps and histories are common to all kinds (core/wear). A run uses its bodies
- * through this table only. */
+/* Declares the table of functions of a kind of pair of bodies. A kind implements surfaces, contact,
+ * and the wear of a cycle. Wear laws, coefficients, steps and histories are common to all kinds
+ * (core/wear). A run uses its bodies only through this table. */
 #ifndef PAIR_KIND_H
 #define PAIR_KIND_H
 
 #include "core/pair/cycle.h"
 
-/* Functions for runs that outgrow their sites. Optional ones may be NULL. */
+/* Functions for runs whose contact becomes larger than the surface covered by their sites. Optional
+ * functions may be NULL. */
 typedef struct arc_growth {
-  /* Returns true if a run must grow before the next step, with the reason. */
+  /* Returns true if a run must grow before the next step, and sets *why to the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
   /* Returns true if a step failed because the run has outgrown its sites, and not because the
    * step was too long. */
@@ -24,15 +25,15 @@ typedef struct arc_growth {
   /* Optional: recreates a new run on sites fine enough for its cycles. *finer is NULL if the sites
    * are fine enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
-  /* Report growth, a mesh that the user requested, and a step that failed although the run could
-   * grow. */
+  /* `report` reports that a run has grown, `report_mesh` that the mesh was changed at the user's
+   * request. `refuse` reports a step that failed although the run could grow. */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                        arc_error *error);
 } arc_growth;
 
-/* Functions of a kind. Optional ones may be NULL. */
+/* Functions of a kind. Optional functions may be NULL. */
 typedef struct arc_kind {
   const char *name;
 
@@ -50,7 +51,8 @@ typedef struct arc_kind {
       const arc_model *model,
       arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
-  int maps; /* true: surfaces are maps over x and z, whose cells each contact and run chooses */
+  int maps; /* true if surfaces are maps over x and z; each contact and run then chooses its cells
+             */
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
@@ -82,7 +84,7 @@ typedef struct arc_kind {
   /* Optional: gives warnings about the definition; with `unworn` also about sites that are too
    * coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* Optional: warns if the sites were too coarse for the last update. Returns 1 if so. */
+  /* Optional: if the sites were too coarse for the last update, gives a warning and returns 1. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
@@ -104,7 +106,8 @@ typedef struct arc_kind {
   /* Optional: converts depths [n] at the largest coefficient of the layers to depths at their own
    * coefficients. */
   void (*through_layers)(const arc_shape *shape, double *depth);
-  /* Adds the volumes of depths, and the depths of tracks, before the shape is worn. */
+  /* Adds the volumes of the depths, and the depths of tracks, to the record. It is called before
+   * the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
   /* Optional: prepares a shape for an update with these depths in its middle, where quantities that
@@ -126,8 +129,7 @@ typedef struct arc_kind {
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
   /* Optional: returns the sawtooth measure of pressures between neighbouring sites, relative to
-   * their mean
-   * [-], on the surfaces of the last record. */
+   * their mean [-], on the surfaces of the last record. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
@@ -137,13 +139,13 @@ typedef struct arc_kind {
   /* Returns the largest eigenvalue [1/cycle] of k times a tangent. */
   double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
-  /* Functions of an implicit step. * `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
+  /* Functions of an implicit step. `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
    * must still be called). `start` computes k times the rate at z = 0. `stage` solves from the
-   * present z and its rate, and writes those of the solution, with z = known + h rate to the bit
-   * (ARC_NOT_CONVERGED: a shorter step may succeed). `error` filters stiff ripples out of the
-   * estimated errors of depths, and returns the share of the load, or of the largest pressure, that
-   * the errors shift; a negative value means unknown. `end_stages` writes a step's even wear,
-   * largest pressure and normal force, unless depths is NULL. */
+   * present z and its rate, and writes z and the rate of the solution, for which z = known + h rate
+   * is exact in every bit. After its error ARC_NOT_CONVERGED a shorter step may succeed. `error`
+   * filters stiff ripples out of the estimated errors of depths, and returns the share of the load,
+   * or of the largest pressure, that the errors shift; a negative value means unknown. `end_stages`
+   * writes a step's even wear, largest pressure and normal force, unless depths is NULL. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
@@ -155,10 +157,10 @@ typedef struct arc_kind {
   /* Returns the depth [mm] of wear that has the same effect on the contact as its elastic
    * displacement. */
   double (*natural_depth)(const arc_wear *w);
-  /* Optional: return integrals of k over the distance [mm3/N]. The first removes `depth` [mm] from
-   * a lower body that wears evenly. The second is that after which the wear of layers, even layers
-   * or also those under `scars`, changes the contact by as much as an update may. NULL: there are
-   * no such limits. */
+  /* Optional: return integrals of k over the distance [mm3/N]. The first integral removes `depth`
+   * [mm] from a lower body that wears evenly. After the second integral the wear of layers has
+   * changed the contact by as much as one update may. It includes evenly worn layers and, if
+   * `scars` is true, layers under scars. NULL: there are no such limits. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
   /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,

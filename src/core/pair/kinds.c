@@ -1,4 +1,4 @@
-/* The list of kinds. */
+/* Selects the kind of pair for a model definition. */
 #include "core/pair/kind.h"
 
 extern const arc_kind arc_plane_kind, arc_space_kind, arc_springs_kind;

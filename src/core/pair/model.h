@@ -1,4 +1,4 @@
-/* Members of arc_model: the common first part of models of all kinds. */
+/* Declares the members that models of all kinds have in common, and those of surfaces. */
 #ifndef PAIR_MODEL_H
 #define PAIR_MODEL_H
 
@@ -11,7 +11,7 @@ struct arc_model {
   double seconds; /* [s] time that the build needed */
 };
 
-/* Common first part of the surfaces of all kinds. */
+/* First member of the surfaces of all kinds. */
 typedef struct shape_handle {
   arc_model *model;
 } shape_handle;

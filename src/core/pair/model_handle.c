@@ -1,4 +1,4 @@
-/* Handles of models and surfaces: definition, kind, reference count.
+/* Implements functions for models and surfaces of all kinds: definition, kind, and reference count.
  */
 #include "core/pair/model.h"
 

@@ -1,4 +1,4 @@
-/* Common first part of contacts of all kinds. */
+/* Declares the first member of contacts of all kinds. */
 #ifndef PAIR_SURFACES_H
 #define PAIR_SURFACES_H
 

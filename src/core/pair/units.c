@@ -1,5 +1,6 @@
-/* Warnings for numbers that are probably in another unit. The limits exclude usual values:
- * polyethylene of 500 MPa and diamond of 1.2e6 MPa, the 1e-6 mm2/N of a polymer without filler. */
+/* Gives warnings for numbers that are probably in another unit. The limits allow usual values:
+ * moduli from polyethylene (500 MPa) to diamond (1.2e6 MPa), and wear coefficients up to that of a
+ * polymer without filler (1e-6 mm2/N). */
 #include "core/pair/units.h"
 #include "core/base/callbacks.h"
 

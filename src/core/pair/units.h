@@ -1,5 +1,5 @@
-/* Warnings for numbers that are probably in another unit. Each names the number and the expected
- * unit. */
+/* Declares warnings for numbers that are probably in another unit. Each warning contains the number
+ * and the expected unit. */
 #ifndef PAIR_UNITS_H
 #define PAIR_UNITS_H
 
@@ -8,7 +8,8 @@
 /* Checks Young's moduli of both bodies, and the largest pressure `p_max` [MPa] relative to them. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
-/* Check a wear coefficient [mm2/N], and a stroke [mm] relative to the half width of the contact. */
+/* Checks a wear coefficient [mm2/N], and a stroke [mm] relative to the half width of the contact
+ * [mm]. */
 void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks);
 

@@ -1,11 +1,13 @@
-/* Kind of pair: a rigid ball and a rigid flat, each with a layer of independent springs (Winkler),
- * on a square of sites about x = z = 0. The contact has a fixed position, while the flat slides by
- * less than the contact's width. So both bodies wear at each site under p = K (approach - recess -
- * depths), with K = 1 / (t / M_upper + t / M_lower) and M = E (1 - nu) / ((1 + nu) (1 - 2 nu)). For
- * unworn surfaces load = pi R K approach^2.
+/* Kind of pair: a rigid ball and a rigid flat, each with a layer of independent springs (Winkler).
+ * The sites form a square about x = z = 0. The contact has a fixed position, because the flat
+ * slides by less than the contact's width. At each site the pressure p = K (approach - recess -
+ * depths) wears both bodies. `recess` is the height of the unworn ball above its lowest point, and
+ * K = 1 / (t / M_upper + t / M_lower) is the stiffness of both layers [MPa/mm], with the thickness
+ * t of each layer and its modulus M = E (1 - nu) / ((1 + nu) (1 - 2 nu)). For unworn surfaces load
+ * = pi R K approach^2.
  *
- * This file is an example of a kind. Outside it only the table of kinds and the list of geometries
- * refer to it. */
+ * This file is an example of a kind. Outside this file only the table of kinds and the list of
+ * geometries refer to it. */
 #include "archard/measure.h"
 #include "core/base/carve.h"
 #include "core/pair/model.h"
@@ -17,14 +19,15 @@
 
 typedef struct springs {
   arc_model handle;
-  int row, count;     /* number of sites in a row along x, and of all sites */
+  int row, count;     /* number of sites in a row along x, and number of all sites */
   double area, K;     /* area of a site [mm2]; stiffness [MPa/mm] */
   double *x, *recess; /* [count] in contiguous rows; the middle row is at z = 0 */
 } springs;
 
 typedef struct spring_surfaces {
   shape_handle handle;
-  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* [count]; p under the reference load */
+  double *h[ARC_BODIES], *y[ARC_BODIES],
+      *p; /* [count] depth, height, and pressure under the reference load */
 } spring_surfaces;
 
 static const springs *model_of(const arc_model *model) {
@@ -98,9 +101,9 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 
 /* --- one contact ------------------------------------------------------------------------------ */
 
-/* Computes the pressures [count] under a load [N] with the compliance `a` [mm/MPa]: a p = approach
- * - gap where this is positive. Newton's method approaches the solution from above. On input p
- * contains the gaps of the unloaded surfaces. */
+/* Computes the pressures p [count] under a load [N] with the compliance `a` [mm/MPa]. At each site
+ * a p = approach - gap if this difference is positive, otherwise p = 0. Newton's method approaches
+ * the solution from above. On input p contains the gaps of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;
@@ -126,8 +129,8 @@ static arc_status press(const springs *s, double a, double load, double *p, arc_
   return ARC_OK;
 }
 
-/* Computes the gaps of the unloaded surfaces, worn by the additional depths [2 count] (NULL:
- * none). */
+/* Computes the gaps of the unloaded surfaces [count] after additional wear by `depth` [2 count]. If
+ * `depth` is NULL, there is no additional wear. */
 static void gaps(const arc_shape *shape, const double *depth, double *gap) {
   const springs *s = under(shape);
   const spring_surfaces *f = on(shape);
@@ -148,7 +151,8 @@ static void discard(arc_shape **shape) {
   *shape = NULL;
 }
 
-/* Computes the heights, y upwards from 0 at the unworn ball's lowest point and the unworn flat. */
+/* Computes the heights of both surfaces. y points upwards and is 0 at the lowest point of the
+ * unworn ball and on the unworn flat. */
 static void read_heights(const springs *s, spring_surfaces *f) {
   for (int i = 0; i < s->count; i++) {
     f->y[ARC_UPPER][i] = s->recess[i] + f->h[ARC_UPPER][i];
@@ -306,7 +310,8 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 /* --- the cycle -------------------------------------------------------------------------------- */
 
-/* Returns the sliding distance of point `at` of a window, its weight [mm]. */
+/* Returns the weight of point `at` in the wear of a window: the sliding distance that the point
+ * represents [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = window->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -314,8 +319,8 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* Largest entry of -d rate / d depth. It is the entry of any site in contact at a constant
- * approach. */
+/* The tangent is reduced to the largest entry of -d rate / d depth. At a constant approach only
+ * diagonal entries are not zero. */
 typedef struct spring_tangent {
   double value;
 } spring_tangent;
@@ -374,9 +379,10 @@ static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tan
   return (k[ARC_UPPER] + k[ARC_LOWER]) * ((const spring_tangent *)(const void *)t)->value;
 }
 
-/* --- stages: a diagonal ----------------------------------------------------------------------- */
+/* --- stages of implicit steps ----------------------------------------------------------------- */
 
-/* Solves a stage: the wear of h cycles per pressure adds to the compliance of the springs. */
+/* Solves a stage of h cycles. The wear depth per unit of pressure in h cycles is added to the
+ * compliance of the springs. */
 static arc_status stage(wear_stage *s, double h, double *rate) {
   const arc_wear *w = s->run;
   const springs *m = model_of(w->model);
@@ -423,7 +429,8 @@ static double natural_depth(const arc_wear *w) {
 
 /* --- results and storage ---------------------------------------------------------------------- */
 
-/* Returns the profile along x through the middle. */
+/* Creates the arrays of positions, depths, heights and pressures of both bodies along x through the
+ * middle. */
 static arc_status show(const arc_wear *w, arc_array **arrays, size_t *count, arc_error *error) {
   enum { names = 4 };
   const springs *s = model_of(w->model);
