@@ -1,4 +1,4 @@
-/* Protected calls of chunks, with error messages, tracebacks and interrupts. */
+/* Runs chunks in protected calls and prints their error messages and tracebacks. */
 #include "cli/chunk.h"
 
 #include "lua/base/error.h"

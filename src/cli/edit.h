@@ -1,4 +1,4 @@
-/* cli/edit.h - the line editor: editing, history, completion, Ctrl-C, Ctrl-D, Ctrl-Z.
+/* cli/edit.h - the line editor of the prompt, with history, completion, Ctrl-C, Ctrl-D and Ctrl-Z.
  *
  * There is one terminal, so there is one editor, and its state is in static variables. */
 #ifndef CLI_EDIT_H

@@ -9,7 +9,8 @@
 
 typedef void (*history_entry_fn)(void *context, const char *entry);
 
-/* Creates the folder and returns the path of the file, which the caller frees; NULL on failure. */
+/* Creates the folder and returns the path of the file, which the caller frees. Returns NULL on
+ * failure. */
 char *history_file_open(void);
 
 void history_file_append(const char *path, const char *entry);

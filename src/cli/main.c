@@ -192,13 +192,14 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
-/* Returns the path of the script. NULL: there is no script, or the script is standard input. */
+/* Returns the path of the script, or NULL if there is no script or the script is standard input. */
 static const char *script_path(const command *self) {
   const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
   return name && strcmp(name, "-") != 0 ? name : NULL;
 }
 
-/* Runs all code that may raise a Lua error. */
+/* Opens Lua's libraries and the module, and runs the script or the prompt. It is called by
+ * lua_pcall, because it may raise Lua errors. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
   luaL_checkversion(L);

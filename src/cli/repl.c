@@ -88,8 +88,8 @@ typedef struct prompt {
   pending chunk;
 } prompt;
 
-/* Lua function of the prompt and the text before the cursor. Returns a list of words or "files",
- * and the character that is appended if there is only one word. */
+/* Lua function of two arguments: the prompt, and the text before the cursor. Returns a list of
+ * words or "files", and the character that is appended if there is only one word. */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
   push_module_function(L, "archard.session.complete", "words");

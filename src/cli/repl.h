@@ -1,4 +1,4 @@
-/* cli/repl.h - the prompt: reads chunks, runs them, prints their values. */
+/* cli/repl.h - the prompt, which reads chunks, runs them and prints their values. */
 #ifndef CLI_REPL_H
 #define CLI_REPL_H
 

@@ -1,4 +1,4 @@
-/* The limits of the sandbox. */
+/* Sets and enforces the limits of the sandbox. */
 #include "cli/sandbox.h"
 
 #include "archard/base.h"
@@ -63,7 +63,7 @@ lua_State *sandbox_new_state(sandbox *self) {
 
 /* --- enabling the sandbox --------------------------------------------------------------------- */
 
-/* Computes the folder of a path. A name without a folder has the folder ".". */
+/* Copies the folder of a path to `folder`. The folder of a name without slashes is ".". */
 static void folder_of(const char *path, char folder[PATH_MAX]) {
   const char *slash = path ? strrchr(path, '/') : NULL;
   const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;

@@ -1,4 +1,4 @@
-/* Signal handlers. They request a stop by the functions of lua/base/interrupt.h. */
+/* Installs signal handlers, which request a stop by the functions of lua/base/interrupt.h. */
 #include "cli/signals.h"
 
 #include "lua/base/interrupt.h"
@@ -43,7 +43,7 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
-  install(SIGXFSZ, SIG_IGN, 0); /* so that write() fails at the size limit of a file */
+  install(SIGXFSZ, SIG_IGN, 0); /* ignored, so that write() fails at the size limit of a file */
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
 

@@ -51,13 +51,12 @@ typedef struct wear_block {
  * of the cycle [MPa mm]. */
 typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [sites of the body] rates; one block */
-  double even;   /* rate of an evenly worn lower body (Eq. 27), or of a track 1 mm wide */
-  double peak;   /* largest pressure at a site in the window [MPa] */
-  double energy; /* energy dissipated per thickness [N] */
-  double shear,
-      stick;      /* largest tangential force [N/mm]; width of the zone that never slips [mm] */
-  double gross;   /* 1 if the whole contact slips at some time, otherwise 0 */
-  double pressed; /* integral of the normal force over the sliding distance of a cycle [N] */
+  double even;         /* rate of an evenly worn lower body (Eq. 27), or of a track 1 mm wide */
+  double peak;         /* largest pressure at a site in the window [MPa] */
+  double energy;       /* energy dissipated per thickness [N] */
+  double shear, stick; /* largest tangential force [N/mm]; width that always sticks [mm] */
+  double gross;        /* 1 if the whole contact slips at some time, otherwise 0 */
+  double pressed;      /* integral of the normal force over the sliding distance of a cycle [N] */
 } wear_rate;
 
 /* Wear depths of an update of the geometry. */

@@ -51,8 +51,7 @@ typedef struct arc_kind {
       const arc_model *model,
       arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
-  int maps; /* true if surfaces are maps over x and z; each contact and run then chooses its cells
-             */
+  int maps; /* true if surfaces are maps over x and z, whose cells each contact and run chooses */
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 

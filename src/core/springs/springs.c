@@ -26,8 +26,7 @@ typedef struct springs {
 
 typedef struct spring_surfaces {
   shape_handle handle;
-  double *h[ARC_BODIES], *y[ARC_BODIES],
-      *p; /* [count] depth, height, and pressure under the reference load */
+  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* [count] depth, height, pressure */
 } spring_surfaces;
 
 static const springs *model_of(const arc_model *model) {

@@ -1,4 +1,4 @@
-/* Boxes: metatables, methods, fields and closing. */
+/* Implements boxes: their metatables, methods, fields and closing. */
 #include "lua/base/box.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -15,8 +15,8 @@ static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Raises an error for the unknown name at index 2 if the user's code reads it. Upvalue 4: all
- * names. */
+/* Raises an error for the unknown name at index 2 if the user's code reads it. Upvalue 4 is the
+ * list of all valid names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
     strict_refuse(L, class_upvalue(L)->name, lua_tostring(L, 2), lua_upvalueindex(4));

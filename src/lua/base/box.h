@@ -41,7 +41,7 @@ typedef struct box {
   void *thing;           /* NULL: the box is empty */
   int tag;               /* number for use by the class */
   int busy;              /* true while the engine changes the thing; other calls are errors */
-  int closing; /* close() was called while functions use the box: the last of them empties it */
+  int closing;           /* true if close() was called during use; the last user empties the box */
   call_held held;
 } box;
 

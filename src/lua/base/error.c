@@ -142,7 +142,7 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   throw(L);
 }
 
-/* Pushes the traceback at index 1 without the lines of built-in scripts. */
+/* Pushes a copy of the traceback at index 1 without the lines of built-in scripts. */
 static int without_own(lua_State *L) {
   luaL_Buffer kept;
   luaL_buffinit(L, &kept);

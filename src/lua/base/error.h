@@ -16,12 +16,12 @@
 /* Pushes `text` with control characters escaped (arc_show_text), as in all error objects. */
 void error_push_plain(lua_State *L, const char *text);
 
-/* Raises an error object. `format` is as for lua_pushfstring. */
+/* Raises an error object. `format` has the syntax of lua_pushfstring. */
 void error_raise(lua_State *L, arc_status code, const char *where, const char *format, ...)
     __attribute__((noreturn));
 
 /* Returns if `status` is ARC_OK; otherwise raises the engine's error. A stop requested by the user
- * raises "interrupted". `step` < 0: no update. */
+ * raises "interrupted". `step` is the number of the update that failed; < 0: no update. */
 void error_check(lua_State *L, arc_status status, const arc_error *error, const char *where,
                  lua_Number step);
 

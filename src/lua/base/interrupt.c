@@ -1,5 +1,5 @@
-/* The request flag, the hook and the tracked coroutines. While a request is pending, the hook
- * raises the error "interrupted" at every instruction. */
+/* Implements the request flag, the hook, and the tracking of coroutines. While a request is
+ * pending, the hook raises the error "interrupted" at every instruction. */
 #include "lua/base/interrupt.h"
 
 #include <lauxlib.h>

@@ -19,7 +19,7 @@ static int least(int a, int b, int c) {
 }
 
 /* Returns the edit distance of two names: the number of letters to change, insert, delete or swap.
- * LONGEST if a name is too long. */
+ * Returns LONGEST if a name is too long. */
 static int distance_of(const char *a, const char *b) {
   int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
   if (la > LONGEST || lb > LONGEST) return LONGEST;
@@ -35,7 +35,7 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
-/* Returns the valid name for a symbol or term of textbooks and other programs, "" if there is
+/* Returns the valid name for a symbol or term of textbooks and other programs, or "" if there is
  * none. */
 static const char *meaning_of(const char *name) {
   static const char *const pairs[][2] = {
@@ -89,7 +89,8 @@ void names_offer(names_search *search, const char *known) {
   search->limit = distance;
 }
 
-/* nearest(name, list of valid names) -> the most similar name, or nil if none is similar */
+/* nearest(name, list of valid names) returns the most similar name, or nil if no name is similar.
+ */
 static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -153,14 +154,14 @@ const char *names_push_shown(lua_State *L, int index) {
   return lua_pushfstring(L, lua_isnil(L, index) ? "%s" : "a %s", luaL_typename(L, index));
 }
 
-/* shown(value) -> description such as 3, "text", "a wear object", "a table" */
+/* shown(value) returns a description such as 3, "text", "a wear object", "a table". */
 static int names_shown(lua_State *L) {
   lua_settop(L, 1);
   names_push_shown(L, 1);
   return 1;
 }
 
-/* plain(text) -> the text with control characters written as \xNN */
+/* plain(text) returns the text with control characters written as \xNN. */
 static int names_plain(lua_State *L) {
   luaL_checkstring(L, 1);
   error_push_plain(L, names_push_text(L, 1));

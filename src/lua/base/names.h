@@ -9,7 +9,7 @@
  * textbooks (mu, R, Q) are replaced by the valid name of their meaning. */
 typedef struct names_search {
   const char *name;
-  const char *best; /* most similar name so far; if equal, the first in the alphabet; NULL: none */
+  const char *best; /* most similar name so far, alphabetically first if equal; NULL: none */
   int limit;        /* number of letters that may differ */
 } names_search;
 

@@ -84,7 +84,8 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Versions of pairs and ipairs that ignore metamethods of the user's tables. */
+/* Version of pairs that ignores metamethods of the user's tables. raw_ipairs is such a version of
+ * ipairs. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushvalue(L, lua_upvalueindex(1));

@@ -138,8 +138,8 @@ static int table_tostring(lua_State *L) {
   return 1;
 }
 
-/* Sets __index of the metatable on top of the stack. `words`: absolute index of the aliases, 0
- * without aliases. */
+/* Sets __index of the metatable on top of the stack. `words` is the absolute index of the table of
+ * aliases, or 0 without aliases. */
 static void set_index(lua_State *L, const char *where, int words) {
   lua_pushstring(L, where);
   if (words)
@@ -297,7 +297,7 @@ void strict_libraries(lua_State *L) {
 
 /* --- the module archard.strict ---------------------------------------------------------------- */
 
-/* table(t, where) -> t, made strict with the name `where` */
+/* table(t, where) makes the table t strict with the name `where` and returns it. */
 static int module_table(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const char *where = luaL_checkstring(L, 2);
@@ -392,7 +392,8 @@ static int object_method(lua_State *L) {
   return lua_gettop(L);
 }
 
-/* methods(metatable) -> metatable, whose __methods now check the class of their object */
+/* methods(metatable) makes the __methods of the metatable check the class of their object, and
+ * returns the metatable. */
 static int module_methods(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -411,7 +412,8 @@ static int module_methods(lua_State *L) {
 static const char lua_classes[] =
     "archard.lua_classes"; /* registry key of the metatables by __name */
 
-/* class(metatable) -> metatable for objects made in Lua. Its __index returns the methods in
+/* class(metatable) completes a metatable for objects made in Lua and returns it. Its __index
+ * returns the methods in
  * __methods and raises errors for unknown names. Fields in __fields may be nil. */
 static int module_class(lua_State *L) {
   module_methods(L);
@@ -440,7 +442,7 @@ static int module_class(lua_State *L) {
   return 1;
 }
 
-/* class_named(name) -> the metatable of class() whose __name is `name`, or nil */
+/* class_named(name) returns the metatable of class() whose __name is `name`, or nil. */
 static int module_class_named(lua_State *L) {
   luaL_checkstring(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
@@ -449,7 +451,7 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
-/* is(value, name) -> true if the value is an object of the class whose __name is `name` */
+/* is(value, name) returns true if the value is an object of the class whose __name is `name`. */
 static int module_is(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   lua_settop(L, 1);
@@ -459,7 +461,8 @@ static int module_is(lua_State *L) {
   return 1;
 }
 
-/* object(fields, class) -> a read-only object of the class, with the fields of a table */
+/* object(fields, class) returns a read-only object of the class with the fields of the table
+ * `fields`. */
 static int module_object(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checktype(L, 2, LUA_TTABLE);

@@ -11,9 +11,9 @@
 /* Switches the errors for unknown names off in this Lua state (option --lax). */
 void strict_lax(lua_State *L);
 
-/* Returns true if the user's code reads the field. For __index functions in C. */
+/* Returns true if the user's code reads the field. It is called by __index functions in C. */
 int strict_reads(lua_State *L);
-int strict_reads_called(lua_State *L); /* strict_reads for functions wrapped by call.h */
+int strict_reads_called(lua_State *L); /* the same for functions wrapped by call.h */
 
 /* Raises the error "no field 'NAME'" for the object `where`. Valid names are the text keys and the
  * list values of the table at index `known`. */

@@ -23,8 +23,8 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* Returns true if the surface of this kind of body is given by points over x. has_map is true for a
- * map over x and z. */
+/* Returns true if the surface of this kind of body is given by points over x. has_map returns true
+ * if it is given by a map over x and z. */
 static int has_points(arc_solid kind) {
   return is_own(kind, "y") && !is_own(kind, "z");
 }

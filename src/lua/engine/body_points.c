@@ -1,4 +1,4 @@
-/* Surfaces of bodies given by points: profiles over x, maps over x and z. */
+/* Reads surfaces of bodies that are given by points: profiles over x, and maps over x and z. */
 #include "lua/engine/body_points.h"
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"

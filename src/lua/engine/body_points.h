@@ -1,4 +1,4 @@
-/* Reads surfaces of bodies given by points: profiles over x, maps over x and z. */
+/* Reads surfaces of bodies that are given by points: profiles over x, and maps over x and z. */
 #ifndef LUA_BODY_POINTS_H
 #define LUA_BODY_POINTS_H
 

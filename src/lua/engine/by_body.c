@@ -1,5 +1,6 @@
-/* Results by body: tables with one field for each body, whose key is the name of the body. Roles
- * (upper, lower), kinds and the default names of the bodies are aliases of these fields. */
+/* Creates tables of results by body. Such a table has one field for each body, whose key is the
+ * name of the body. Roles (upper, lower), kinds and the default names of the bodies are aliases of
+ * these fields. */
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"

@@ -9,7 +9,8 @@
 #include "lua/base/box.h"
 #include "lua/base/settings.h"
 
-/* Defines the function for a computed field that is a number. `expression` may use L. */
+/* Defines the function that pushes a computed field whose value is a number. `expression` may use
+ * L. */
 #define NUMBER_FIELD(class, field, expression)                                                     \
   static int class##_##field(lua_State *L) {                                                       \
     lua_pushnumber(L, (lua_Number)(expression));                                                   \
@@ -139,7 +140,7 @@ void worn_check(lua_State *L, int index, const char *where);
  * index `worn` defines the wear of the shape. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
-/* worn_push_shape for 3-D models, where the value at `worn` is a table by body (worn_map.c). */
+/* Works as worn_push_shape for 3-D models. The value at `worn` is a table by body (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
 /* Returns true if the table at `index` is a map or has the fields of a map (worn_map.c). */

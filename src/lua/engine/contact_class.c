@@ -65,8 +65,8 @@ static const arc_model_def *model_of(const arc_contact *contact) {
   return arc_model_definition(arc_contact_model(contact));
 }
 
-/* contact.stick: list of the stick zones from left to right; in 3-D the fraction of the contact
- * area that sticks */
+/* Field contact.stick: the list of the stick zones from left to right, or in 3-D the fraction of
+ * the contact area that sticks. */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
@@ -213,7 +213,7 @@ static int contact_pressure(lua_State *L) {
   return 1;
 }
 
-/* contact:shear(body) returns { x=, q= }, in 3-D contact:shear() a map. */
+/* contact:shear(body) returns { x=, q= }. In 3-D contact:shear() returns a map. */
 static int contact_shear(lua_State *L) {
   static const char *const names[] = {"q", "qz", NULL};
   const arc_contact *contact = self(L);
@@ -227,7 +227,7 @@ static int contact_shear(lua_State *L) {
   return 1;
 }
 
-/* contact:slip() returns { x=, s= } at the cylinder's nodes, in 3-D a map. */
+/* contact:slip() returns { x=, s= } at the cylinder's nodes. In 3-D it returns a map. */
 static int contact_slip(lua_State *L) {
   static const char *const names[] = {"s", "sz", NULL};
   const arc_contact *contact = self(L);
@@ -280,10 +280,10 @@ static void keep_call(lua_State *L, int given, int from) {
   lua_setiuservalue(L, -2, 2);
 }
 
-/* Module contact_record: record(contact) returns { given=, update=, from= }. given: the
- * arguments of contact{} or contact:move{}; update: the number of updates that the run in `worn`
- * had when the contact was created, or nil; from: the record of the contact before the move, or
- * nil. */
+/* Module contact_record: record(contact) returns { given=, update=, from= }. `given` contains the
+ * arguments of contact{} or contact:move{}. `update` is the number of updates that the run in
+ * `worn` had when the contact was created, or nil. `from` is the record of the contact before the
+ * move, or nil. */
 static int contact_record(lua_State *L) {
   box_check(L, 1, &contact_class, "contact_record");
   lua_getiuservalue(L, 1, 2);

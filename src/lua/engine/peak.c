@@ -1,11 +1,11 @@
-/* Position of the largest pressure of a contact. */
+/* Writes the position of the largest pressure of a contact as text. */
 #include "lua/engine/peak.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Two pressures are regarded as equal if their relative difference is at most `alike`, two
- * positions if it is at most `same_position`. */
+/* Two pressures are regarded as equal if their relative difference is at most `alike`. Two
+ * positions are regarded as equal if their relative difference is at most `same_position`. */
 static const double alike = 1e-3, same_position = 1e-6;
 
 static size_t largest(const arc_array *p) {

@@ -1,4 +1,5 @@
-/* lua/engine/peak.h - position of the largest pressure of a contact, for printed summaries. */
+/* lua/engine/peak.h - writes the position of the largest pressure of a contact for printed
+ * summaries. */
 #ifndef LUA_PEAK_H
 #define LUA_PEAK_H
 

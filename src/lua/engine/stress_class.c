@@ -1,4 +1,4 @@
-/* The stress object of a contact, which has a table of nodal arrays for each body. */
+/* Creates the stress object of a contact, which contains a table of nodal arrays for each body. */
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"

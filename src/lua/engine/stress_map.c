@@ -1,5 +1,5 @@
-/* Stresses in half-spaces: contact:stress{ y= } returns maps of a horizontal plane,
- * contact:stress{ z= } and { x= } return maps of a vertical section. */
+/* Computes maps of the stresses in half-spaces. contact:stress{ y= } returns maps of a horizontal
+ * plane, contact:stress{ z= } and contact:stress{ x= } return maps of a vertical section. */
 #include "archard/space.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"

@@ -1,5 +1,5 @@
-/* The field `worn` of 3-D models. For each body it has a function (x, z) -> depth or a map of
- * depths. Their values are sampled at the initial cells of the run. */
+/* Reads the field `worn` of 3-D models. For each body the field contains a function (x, z) -> depth
+ * or a map of depths. The depths are sampled at the initial cells of the run. */
 #include "archard/space.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"

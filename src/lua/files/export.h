@@ -4,7 +4,8 @@
 
 #include "lua/engine/classes.h"
 
-/* Returns the extension of a path's last name, such as ".vtk"; NULL if it has none. */
+/* Returns the extension of the file name in a path, such as ".vtk", or NULL if the name has none.
+ */
 const char *export_ending(const char *path);
 
 /* Pushes "file-cylinder.ending" for "file.ending". `usual` is the extension if `path` has none. */

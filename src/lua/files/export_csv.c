@@ -85,8 +85,8 @@ static void add_nodal(lua_State *L, csv_table *table, const char *name, const ch
   table->data[at] = push_padded(L, values, count, table->rows);
 }
 
-/* Writes the pressures of both bodies in adjacent columns, with friction also shear, and slip at
- * the nodes of the cylinder. Shorter columns are extended with NaN. */
+/* Writes the pressures of both bodies in adjacent columns. With friction also writes the shear of
+ * both bodies and the slip at the nodes of the cylinder. Shorter columns are extended with NaN. */
 static void write_contact(lua_State *L, const char *path, const arc_contact *contact) {
   enum { most_columns = 7 };
   csv_table table = push_columns(L, most_columns);

@@ -25,8 +25,8 @@
 
 extern char **environ;
 
-/* LINE: longest line [bytes]; WORDS: longest stored standard error of a worker [bytes]; the
- * others are limits of a pool. */
+/* LINE is the length of the longest line [bytes]. WORDS is the largest number of stored bytes of a
+ * worker's standard error. The other constants are limits of a pool. */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
@@ -351,7 +351,7 @@ static int pool_wait(lua_State *L) {
   const int wait = wait_argument(L, 2);
   struct pollfd ready[2 * MOST_WORKERS];
   check_interrupt(L, p);
-  for (int i = 0; i < p->count; i++) { /* closed: poll ignores negative descriptors */
+  for (int i = 0; i < p->count; i++) { /* poll ignores closed descriptors: -1 */
     ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
     ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
   }

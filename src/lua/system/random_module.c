@@ -48,7 +48,7 @@ static int fill_latin(const points *p) {
   return 0;
 }
 
-/* Sobol points with a random digital shift (exclusive or) for each axis. The shift keeps the
+/* Fills Sobol points with a random digital shift (exclusive or) for each axis. The shift keeps the
  * uniformity of the set, makes the distribution of each point uniform, and makes no coordinate 0.
  * The first point (the origin), which GSL omits, is included, so that 2^m points are a complete
  * net. */

@@ -1,4 +1,4 @@
-/* Module `archard.term`: properties of the terminal, for scripts. */
+/* Module `archard.term`: functions for scripts that return properties of the terminal. */
 #include "lua/base/archard.h"
 #include "lua/system/term_query.h"
 

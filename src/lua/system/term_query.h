@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 typedef struct term_answer {
-  int kitty, sixel; /* kitty, sixel: true if the terminal supports this protocol */
+  int kitty, sixel; /* true if the terminal supports this graphics protocol */
 } term_answer;
 
 /* Queries the terminal of standard input and output once (at most one second) and stores the

@@ -1,5 +1,5 @@
-/* The state object that is the argument of the user's functions. The object reads the present
- * record and is reused for every call. It cannot be read after the call. */
+/* Implements the state object, which is the argument of the user's functions. The object reads the
+ * present record and is reused for every call. It cannot be read after the call. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"

@@ -1,4 +1,5 @@
-/* The functions that the user set in the definition of a run: storage, calls and errors. */
+/* Stores and calls the functions that the user set in the definition of a run, and handles their
+ * errors. */
 #include "lua/wear/wear_functions.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -85,7 +86,7 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
 typedef struct local_call {
   wear_functions *held;
   arc_body body;
-  int n, at;               /* at: present node, -1 for all nodes */
+  int n, at; /* number of nodes; `at` is the index of the present node, -1 for all nodes */
   const double *x, *z, *p; /* z is NULL in two dimensions */
   double *factor;
 } local_call;

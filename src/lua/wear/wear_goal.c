@@ -1,4 +1,5 @@
-/* End conditions of a wear run: distance or cycles, target values of measures, a function. */
+/* Reads the end conditions of a wear run: a distance or number of cycles, target values of
+ * measures, and a function. */
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
 
@@ -61,7 +62,7 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 typedef struct measure {
   const char *group, *name; /* field of the run, and its subfield (or NULL) */
   int column;
-  int grows; /* true: it never decreases; the target must exceed its value */
+  int grows; /* true if the measure never decreases; the target must then exceed its value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name

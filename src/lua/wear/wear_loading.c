@@ -36,8 +36,8 @@ typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
   args_location location;
-  size_t given, count;    /* number of times: in the user's arrays, and sampled */
-  const double *from, *t; /* times from 0 to 1: of the user's arrays, and sampled */
+  size_t given, count;    /* number of times in the user's arrays, and of sampled times */
+  const double *from, *t; /* times from 0 to 1 of the user's arrays, and sampled times */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
@@ -67,7 +67,7 @@ static const double *push_times(const reading *r, size_t *count) {
   return t;
 }
 
-/* Returns the length of the array `name`, 0 if the field is not a table. */
+/* Returns the length of the array `name`, or 0 if the field is not a table. */
 static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;

@@ -104,7 +104,7 @@ int wear_contact(lua_State *L) {
   return 1;
 }
 
-/* wear.p_average: the largest pressure of wear:contact() after averaging over the default
+/* Field wear.p_average: the largest pressure of wear:contact() after averaging over the default
  * length. */
 int wear_p_average(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear");

@@ -1,4 +1,4 @@
-/* Rows of a run's history as tables, as aligned lines and as columns. */
+/* Pushes rows of a run's history as tables, as aligned lines of text, and as columns. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"

@@ -173,13 +173,13 @@ static int wear_local_factor(lua_State *L) {
   return 1;
 }
 
-/* w.functions: list of the settings that are functions, which files cannot store. */
+/* Field w.functions: the list of the settings that are functions. Files cannot store functions. */
 static int wear_functions_given(lua_State *L) {
   functions_push_names(L, def(L));
   return 1;
 }
 
-/* w.loading: the sampled blocks of loading, or false if the run has a stroke instead. */
+/* Field w.loading: the sampled blocks of loading, or false if the run has a stroke instead. */
 static int wear_loading(lua_State *L) {
   const arc_wear_def *settings = def(L);
   if (settings->blocks == 0)
@@ -189,14 +189,14 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-/* w.procedure: the procedure that the run uses. If the definition has "auto", this is the chosen
- * procedure. */
+/* Field w.procedure: the procedure that the run uses. If the definition has "auto", this is the
+ * procedure that the program has chosen. */
 static int wear_procedure(lua_State *L) {
   lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
   return 1;
 }
 
-/* w.update_at: the setting `update`. The field w.update is the number of updates. */
+/* Field w.update_at: the setting `update`. The field w.update is the number of updates. */
 static int wear_update_at(lua_State *L) {
   lua_pushstring(L, arc_update_names[def(L)->update]);
   return 1;
@@ -207,7 +207,7 @@ static int wear_model(lua_State *L) {
   return 1;
 }
 
-/* w.mesh: the meshes by body with the present worn nodes. */
+/* Field w.mesh: the meshes of both bodies with the present worn nodes. */
 static int wear_mesh(lua_State *L) {
   mesh_push_worn(L, arc_wear_shape(self(L)));
   return 1;
@@ -383,7 +383,7 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   return text;
 }
 
-/* Adds the bodies: shapes, materials, layers, mesh. */
+/* Adds lines that describe the bodies: shapes, materials, layers and mesh. */
 static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   enum { columns = 80 };
   char line[500], pair[300], space[100], mesh[80];
