@@ -1,9 +1,8 @@
 /* Reads and writes the history file. The file is read completely, split into entries, and rewritten
  * without duplicates if necessary. Sessions lock its folder while they use the file. An entry
- * consists of a line
- * "#TIME" and the lines of its text. A text line that has the form "#TIME" itself is written
- * with a backslash before it. Remains of a crash (half a line, a line "#TIME" without text, zero
- * bytes) do not affect other entries. */
+ * consists of a line "#TIME" and the lines of its text. A text line that has the form "#TIME"
+ * itself is written with a backslash before it. Remains of a crash (half a line, a line "#TIME"
+ * without text, zero bytes) do not affect other entries. */
 #include "cli/history_file.h"
 
 #include "archard/base.h"

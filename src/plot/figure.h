@@ -132,10 +132,11 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
  * wide. 0 means gnuplot's default. */
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
-/* arc_look_one_key returns true if all panels share one key. arc_look_title returns the index of a
- * title in this key. arc_look_key_rows returns the height of this key [rows]. */
+/* Returns true if all panels share one key. */
 int arc_look_one_key(const arc_writer *w);
+/* Returns the index of a title in the shared key. */
 size_t arc_look_title(const arc_writer *w, const char *title);
+/* Returns the height of the shared key [rows]. */
 double arc_look_key_rows(const arc_writer *w);
 /* Returns the height of the key below a panel [rows]. */
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel);

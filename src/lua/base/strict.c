@@ -413,8 +413,8 @@ static const char lua_classes[] =
     "archard.lua_classes"; /* registry key of the metatables by __name */
 
 /* class(metatable) completes a metatable for objects made in Lua and returns it. Its __index
- * returns the methods in
- * __methods and raises errors for unknown names. Fields in __fields may be nil. */
+ * returns the methods in __methods and raises errors for unknown names. Fields in __fields may be
+ * nil. */
 static int module_class(lua_State *L) {
   module_methods(L);
   lua_newtable(L);
