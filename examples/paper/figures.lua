@@ -82,7 +82,7 @@ local function evolution(cases)
   panels[6] = { xlabel = "d / mm", ylabel = "volume / 10⁻³ mm³", title = "volumes" }
   for i, body in ipairs{ "cylinder", "plate" } do
     panels[6][i] = parts.history(case, "volume_" .. body, 1e3)
-    panels[6][i].title, panels[6][i].dash, panels[6][i].width = body, i, i == 1 and 2.5 or nil -- the curves coincide
+    panels[6][i].title, panels[6][i].dash, panels[6][i].width = body, i, i == 1 and 2.5 or nil -- equal curves
   end
   for i = 1, 6 do panels[i].key = i == 3 and "top right" or i > 4 and "top left" or "none" end
   return { panels = panels, layout = { 2, 3 }, size = { 1500, 840 } }
@@ -164,7 +164,7 @@ local function sums(cases)
   return { panels = panels, layout = { 2, 2 }, size = { 1000, 800 } }
 end
 
--- --- texts about the results ------------------------------------------------------------------------
+-- --- texts about the results ---------------------------------------------------------------------
 
 local function percent(value) return ("%.3g %%"):format(100 * value) end
 

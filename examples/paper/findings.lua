@@ -72,7 +72,7 @@ function findings.ripple(case)
   return measure.sawtooth(pressure.x, pressure.p, 0.6 * case.half_width) / case.p_center
 end
 
--- --- several cases -------------------------------------------------------------------------------------
+-- --- several cases -------------------------------------------------------------------------------
 
 -- Returns the value `name` of a history at a distance, by linear interpolation between its rows.
 local function at(history, name, distance)
@@ -160,7 +160,7 @@ function findings.apart(share)
   return share < 1 and ("%.3g %%"):format(100 * share) or ("%.2g times"):format(1 + share)
 end
 
--- --- comparison of the paper, archard and the independent solution -------------------------------------------------------------------
+-- --- comparison of the paper, archard and the independent solution -------------------------------
 
 local function percent(value) return ("%.1f %%"):format(100 * value) end
 local function um(value) return ("%.4f µm"):format(1e3 * value) end
@@ -294,7 +294,7 @@ function findings.finals(sets)
   return rows
 end
 
--- --- Table 1 ---------------------------------------------------------------------------------------
+-- --- Table 1 -------------------------------------------------------------------------------------
 
 -- Returns rows of texts about how each case was computed: stroke, number of cycles, procedure, cycles
 -- per update, contact solutions and computing time [s]. The last two columns are the depth of the

@@ -28,7 +28,7 @@ local function view(model, which)
   local box = half and { -half, half, -below, above }
   local panel = { title = title, xlabel = "x / mm", ylabel = "y / mm", equal = true, key = "none",
     xrange = box and { -half, half }, yrange = box and { -below, above } }
-  local handed = half and { -2 * half, 2 * half, -2 * below, 2 * above } -- larger than the view: equal scales can enlarge it
+  local handed = half and { -2 * half, 2 * half, -2 * below, 2 * above } -- wider than the view
   for series, name in ipairs{ "cylinder", "plate" } do
     local curve = require "archard.plot.mesh".edges(model.mesh[name], handed)
     curve.series, curve.dash, curve.width = series, 1, half and half < 0.2 and 1 or 0.5

@@ -114,7 +114,7 @@ local function shows_fewer(cases)
     percent(worst(cases, fewer, "trapezoid", "plate")))
 end
 
--- --- the study of meshes ---------------------------------------------------------------------------
+-- --- the study of meshes -------------------------------------------------------------------------
 
 local function mesh_case(cases, alpha, size)
   for _, case in ipairs(cases) do

@@ -12,7 +12,7 @@
 typedef struct sandbox {
   int wanted, strict;  /* strict: do not run if the system cannot enforce all restrictions */
   double memory;       /* memory limit [MiB] */
-  double seconds;      /* [s] 0: no limit */
+  double seconds;      /* time limit [s]; 0: no limit */
   double instructions; /* limit of the number of Lua instructions */
   size_t used;         /* memory used by Lua [bytes] */
 } sandbox;

@@ -72,7 +72,7 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-/* Positions of the numbers on contour lines. The number of a level is at the segment that is
+/* At most this many contour lines have numbers. The number of a level is at the segment that is
  * farthest from the frame, from the numbers of lower levels and from the next contour line.
  * Distances are fractions of the box. */
 enum { MOST_NUMBERS = 40 };

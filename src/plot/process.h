@@ -10,7 +10,7 @@
 /* A process that is not running has pid 0 and both descriptors -1. */
 typedef struct arc_process {
   pid_t pid;
-  int talk;   /* socket to its standard input and output */
+  int talk;   /* socket to the standard input and output of the process */
   int errors; /* standard error of the process */
 } arc_process;
 

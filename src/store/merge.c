@@ -25,8 +25,8 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
 #define HISTORY "case_id, step@columns"
 #define ARRAYS  "case_id, " ARC_ARRAYS
 
-/* SQL query for the first case whose rows differ between the two files. c: columns, t: table, w:
- * condition, f and g: files. */
+/* SQL query for the first case whose rows differ between the two files. In these macros c is a list
+ * of columns, t a table, w a condition, f and g are the two files. */
 #define ROWS(f, t, c, w)    "SELECT " c " FROM " f "." t w
 #define LESS(f, g, t, c, w) "SELECT * FROM (" ROWS(f, t, c, w) " EXCEPT " ROWS(g, t, c, w) ")"
 #define DIFFERS(t, c, w)                                                                           \

@@ -18,7 +18,7 @@ struct arc_store {
   database *db;
   char *path, *file;          /* the name given by the user, and the absolute path */
   arc_atomic_file *temporary; /* new file that is not published yet, or NULL */
-  int older;                  /* 1 while the tables have a format before 5 */
+  int older;                  /* true while the tables have a format before 5 */
   int verified;               /* case whose checksum was compared last; 0: none */
   int *open; /* [opened] cases changed in this transaction, which need new checksums */
   size_t opened;

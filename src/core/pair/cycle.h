@@ -9,12 +9,12 @@
 
 /* Values for a pair of bodies that follow from a definition. */
 typedef struct wear_manner {
-  arc_procedure procedure; /* procedure, SP or NSP */
-  double strokes;   /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
-  double stroke;    /* [mm] stroke */
-  double modulus;   /* [MPa] modulus: a tangential force per thickness / modulus counts as sliding
-                       distance */
-  double radius;    /* [mm] radius at which the sliding of a rotation is measured */
+  arc_procedure procedure; /* SP or NSP */
+  double strokes; /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
+  double stroke;  /* [mm] stroke */
+  double modulus; /* [MPa] a tangential force per thickness divided by `modulus` replaces an unknown
+                     sliding distance */
+  double radius;  /* [mm] radius at which the sliding of a rotation is measured */
   double thickness; /* [mm] thickness by which the loads of a block are divided */
   int rests;        /* true if the contact stays at one position */
   int even; /* true if the lower body wears evenly or along a track and its sites do not move; see
@@ -29,7 +29,7 @@ typedef struct wear_manner {
 /* A block of loading: its points, its contact problems, and its number of cycles. Several points
  * may share one contact problem. */
 typedef struct wear_block {
-  int count;          /* number of points; number of increments between them */
+  int count;          /* number of points; the block has count - 1 increments */
   double *x;          /* [count] position of the lower body [mm] */
   double *line;       /* [count] load per thickness [N/mm]; 0: the bodies are apart */
   double *problem_x;  /* [count] position of the contact [mm]: x, or 0 for a contact at rest */
@@ -44,7 +44,7 @@ typedef struct wear_block {
                      cycle, else 1 */
   double sliding; /* sliding distance of a cycle [mm] */
   double cycles;  /* number of cycles, which may be INFINITY in the last block */
-  double start_distance, start_cycle; /* cycle and distance of the run at the start of this block */
+  double start_distance, start_cycle; /* [mm], [cycles] run's state at the start of the block */
 } wear_block;
 
 /* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes

@@ -109,8 +109,8 @@ typedef struct arc_kind {
    * the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
-  /* Optional: prepares a shape for an update with these depths in its middle, where quantities that
-   * depend on the depths must be accurate. */
+  /* Optional: predicts data of a shape that depend on its wear, such as the compliance, for the
+   * middle of an update. `depth` contains the depths in the middle of the update. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
   /* Wears a shape and adds the volumes. Layers limit the depths. On failure the shape must be
@@ -187,9 +187,9 @@ typedef struct arc_kind {
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
   /* Returns arrays of the present surfaces for arc_wear_surfaces, body by body. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
-  /* Return the complete state of surfaces, with update and distance 0, in one block to be freed
-   * with free() (NULL: out of memory), and restore it from untrusted numbers, with the errors of
-   * arc_wear_resume. */
+  /* `save` returns the complete state of surfaces, with update and distance 0, in one block, which
+   * the caller frees with free(). It returns NULL if out of memory. `load` restores surfaces from a
+   * state, whose numbers are not trusted. Errors: those of arc_wear_resume. */
   arc_array *(*save)(const arc_shape *shape, size_t *count);
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
                      size_t count, arc_shape **shape, arc_error *error);

@@ -24,9 +24,9 @@ void call_now(lua_State *L, int arguments, int results);
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 
-/* Member of each object that can be marked as used. count: number of functions that use the
- * object; kept: true if the registry keeps the object alive; last: function that is called when
- * no function uses the object any more. */
+/* Member of each object that can be marked as used. `count` is the number of functions that use the
+ * object. `kept` is true if the registry keeps the object alive. `last` is called when no function
+ * uses the object any more. */
 typedef struct call_held {
   int count, kept;
   void (*last)(struct call_held *self);

@@ -48,16 +48,16 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* Pops a value and stores it in the table below it, in the field of the body `body`. */
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
-/* Sets the metatable of the table by body on top of the stack, so that the table has aliases for
- * all words for the bodies. */
+/* Sets the metatable of the table by body on top of the stack, so that every word that identifies a
+ * body is an alias of its field. */
 void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
-/* push_by_body pushes a table with one number for each body. push_body_names pushes a table of the
- * bodies' names. */
+/* Pushes a table with one number for each body. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
 /* Adds aliases of depth_NAME and volume_NAME to the history on top of the stack, one for each
  * word that names a body. */
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
+/* Pushes a table of the names of both bodies. */
 void push_body_names(lua_State *L, const arc_model_def *def);
 /* Pushes a copy of the table at `index`. Keys that name bodies are replaced in the copy by
  * body_names. */

@@ -127,8 +127,9 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* Pushes { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }. The
- * fields are lists of settings, `columns` a list of the columns of the history. */
+/* Pushes { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }. Each
+ * field is a list of settings, except `columns`, which is the list of the columns of the history.
+ */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);

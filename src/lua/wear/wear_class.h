@@ -19,9 +19,9 @@ typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* end of the run [cycles]; 0: the end is a distance */
   double distance_before, cycle_before; /* [mm], [cycles] present position if wear:set changes it */
-  int own_steps; /* true: the user set scheme or jump, or set changes the run */
-  int own_k;     /* true: the user set k or alpha, or set changes the run */
-  int worn;      /* true: the run starts on worn surfaces */
+  int own_steps; /* true if the user set scheme or jump, or wear:set changes the run */
+  int own_k;     /* true if the user set k or alpha, or wear:set changes the run */
+  int worn;      /* true if the run starts on worn surfaces */
   int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
