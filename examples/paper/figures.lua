@@ -231,7 +231,7 @@ local function see_strokes(cases)
   end
   return ("A longer stroke spreads the plate's wear wider and thinner, so that the contact stays "
     .. "narrower and the cylinder wears deeper. For α = 1 the stroke makes a difference of %s in the "
-    .. "pressure at the centre; for α = 0.25 it goes from %.0f MPa (a) to %.0f MPa (2R), where "
+    .. "pressure at the centre; for α = 0.25 it increases from %.0f MPa (a) to %.0f MPa (2R), where "
     .. "Hertz' is %.0f MPa."):format(percent(high / low - 1), case_of(cases, 0.25, 1).p_center,
     case_of(cases, 0.25, 4).p_center, independent.hertz.p_max)
 end
@@ -275,7 +275,7 @@ list.paper = {
     caption = "Stroke a, α = 0.5: worn shapes of the cylinder (a) and the plate (b), pressure (c) "
       .. "at equal numbers of cycles; pressure at the centre (d), largest depths (e) and volumes "
       .. "(f) over the travelled distance.", shows = see_reference },
-  { name = "fig10", title = "Figure 10. Who wears more", draw = effect_of_alpha,
+  { name = "fig10", title = "Figure 10. Distribution of wear", draw = effect_of_alpha,
     caption = "Final shapes and pressures of all twenty cases: a row for each stroke, a colour for "
       .. "each α.", shows = if_complete(see_edges) },
   { name = "fig11", title = "Figure 11. Depths and pressure over distance", draw = courses,
@@ -289,7 +289,7 @@ list.paper = {
     caption = "Wear depth partition α̃ = h_c / (h_c + h_p) over distance for each stroke (mind the "
       .. "axis of d), and along the surface for s = a at the end (e).",
     shows = if_complete(see_partition) },
-  { name = "fig14", title = "Figure 14. Both depths together", draw = sums,
+  { name = "fig14", title = "Figure 14. Sum of both depths", draw = sums,
     caption = "Sum of both wear profiles at the end, the bodies aligned, for each stroke.",
     shows = if_complete(see_sums) },
 }

@@ -63,7 +63,7 @@ local function figure_section(figure, how)
     "<figure>", image,
     ("<figcaption>%s %s</figcaption>"):format(text(figure.caption), links),
     "</figure>",
-    how and ("<p class=\"how\">To make it again:</p><pre>%s</pre>"):format(text(how)) or "",
+    how and ("<p class=\"how\">Commands that draw this figure:</p><pre>%s</pre>"):format(text(how)) or "",
   }, "\n")
 end
 

@@ -13,7 +13,7 @@ usage: archard study20.lua [options]
   --figures DIR    where to draw the figures and index.html (figures, in build/ if there is one)
   --no-figures     draw nothing
   --fine           draw the twenty cases from a mesh of 10 um, and how results depend on the mesh
-  --converge       find the best settings of every case, for Table 1
+  --converge       search the largest step and the fewest increments of every case, for Table 1
   --no-trials      leave out the runs of Figure 8
   --shard I/N      compute only the share I of N into the run file
   --merge FILE...  join the run files of all shares first]]
@@ -54,7 +54,7 @@ local function read_options(arguments)
     elseif merged and not word:find("^%-") then
       merged[#merged + 1] = word
     else
-      stop("study20: cannot make sense of " .. word)
+      stop("study20: unknown option " .. word)
     end
     i = i + 1
   end
@@ -85,7 +85,7 @@ end
 -- Returns a sentence about the settings for which the search ended at the limit of its range.
 local function ends_of(found)
   local notes = found:notes()
-  return notes[1] and "Where it says ≥ or ≤ no further ones were tried: " .. table.concat(notes, "; ")
+  return notes[1] and "≥ and ≤ mark values at the limit of the search: " .. table.concat(notes, "; ")
     .. "." or ""
 end
 
@@ -116,11 +116,11 @@ local function page_tables(runs, found)
   if sets[1] then
     add("Table 1", "The cases as they were run, with the paper's cycles between two updates (N̄). "
       .. "SP slides the plate in n_c increments a cycle, NSP solves one contact an update. Eq. (28) "
-      .. "has 2 s for the way of a cycle; over the whole plate, r = 1, it is s. It overestimates the "
+      .. "uses the sliding distance 2 s of a cycle; over the whole plate, r = 1, it is s. It overestimates the "
       .. "first depth, as the last column shows.", findings.table_1(runs.study20:cases()))
   end
   if found then
-    add("Table 1, found anew", "The paper's cycles between updates, and the most that keep the "
+    add("Table 1, from the search", "The paper's cycles between updates, and the most that keep the "
       .. "surfaces smooth and symmetric here, with the fewest increments a cycle (n_c) that give the "
       .. "same profiles. " .. ends_of(found), found:table_1())
   end

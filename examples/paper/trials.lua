@@ -83,8 +83,8 @@ local function ripple(cases, trial)
 end
 
 local function shows_few(cases)
-  return ("Which rule integrates the stroke decides on symmetry. By Eq. (5), the upper sum, plates "
-    .. "are lopsided by up to %s of their depth, and cylinders by %s at most: what the paper shows. "
+  return ("The symmetry depends on the integration rule. By Eq. (5), the upper sum, plates "
+    .. "are asymmetric by up to %s of their depth, and cylinders by %s at most: what the paper shows. "
     .. "By Eq. (4), the trapezoid that it recommends, all are mirror images to %s. Ripples are another "
     .. "matter: the pressure's sawtooth is %s of the pressure at the centre with 50 cycles between "
     .. "updates, %s with 100, %s with 200, where the paper has numerous irregularities."):format(
@@ -95,7 +95,7 @@ local function shows_few(cases)
 end
 
 local function shows_many(cases)
-  return ("With n_c = 200 the lopsidedness by Eq. (5) is down to %s. The pressure's sawtooth for 200 "
+  return ("With n_c = 200 the asymmetricness by Eq. (5) is down to %s. The pressure's sawtooth for 200 "
     .. "cycles between updates stays (%s with n_c = 40, %s with 200): ripples belong to the step in "
     .. "wear, asymmetry to that along the stroke."):format(
     percent(worst(cases, many, "simple", "plate")), ripple(cases, few[3]), ripple(cases, many[3]))
@@ -194,7 +194,7 @@ return {
   meshes = {
     { name = "meshes", title = "Meshes. Worn pressures on smaller elements", draw = meshes,
       caption = "Stroke a at the end of the distance: pressure on elements of 20, 10 and 5 µm, with "
-        .. "as many more updates (geometry frozen). Keys tell the largest pressure over that at the "
+        .. "as many more updates (geometry frozen). The keys show the largest pressure divided by that at the "
         .. "centre.", shows = shows_meshes },
   },
 }

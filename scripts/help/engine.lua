@@ -209,9 +209,10 @@ return {
       .. "the direction of slip rotates, and three times the true error elsewhere. Motions whose number of "
       .. "increments you set are not included." },
   { "contact.stick", kind = "field", unit = "mm",
-    text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; empty in gross slip. "
-      .. "The error of an edge is 0.15 of an element, or 0.3 if fewer than six elements stick. In 3-D: the "
-      .. "share of the contact area that sticks." },
+    text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; empty in gross slip. The "
+      .. "error of an edge is 0.15 of an element, or 0.3 if fewer than six elements stick. In 3-D: the share "
+      .. "of the contact area that sticks. The stick radius under a ball is half_width times the square root "
+      .. "of this share." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
     text = "Shear traction at the surface nodes of a body, { x=, q= } in mm and MPa: on the cylinder along +x, on "
@@ -367,7 +368,9 @@ return {
       .. "energy that of the cycle [N mm], stick_width the width that never slips [mm], and gross is true in "
       .. "gross slip. The energy is more accurate than the loop's area, which omits slip between nodes in "
       .. "partial slip, and in gross slip contains the surface strain under pressure (0.12 % at 591 MPa on "
-      .. "steel). plot.loop(w) draws the loop; study.fretting_map computes the transition to gross slip." },
+      .. "steel). The dissipated energy of a measured loop is its area: sum over its points of (q[i] + "
+      .. "q[i-1]) / 2 * (x[i] - x[i-1]). plot.loop(w) draws the loop; study.fretting_map computes the "
+      .. "transition to gross slip." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by a periodic cycle on the present surfaces; 0 before the first update." },

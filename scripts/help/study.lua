@@ -197,12 +197,14 @@ return {
   -- --- calibrate ------------------------------------------------------------------------------
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
-    text = "Wear coefficients from measured wear. Volumes give k, k_cylinder, k_plate and alpha (Eq. 12), with the "
-      .. "scatter of repeated tests and confidence intervals of the means. Volumes at several distances, calibrate{ "
-      .. "distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, give tables over the distance, with "
-      .. "which wear{ k=c.k, alpha=c.alpha } reproduces the volumes. Depths give k and alpha by simulation: "
-      .. "calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, load=100, distance=1320, stroke=0.44 }, with further "
-      .. "fields of wear{}; a given k is kept, and refused if the sum of both depths is more than 5 % off." },
+    text = "Wear coefficients (specific wear rates) from measured wear. Mass loss divided by the density is a "
+      .. "volume; 0 for a body that does not wear or was not measured. Volumes give k, k_cylinder, k_plate "
+      .. "and alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the means. "
+      .. "Volumes at several distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, "
+      .. "load=100 }, give tables over the distance, with which wear{ k=c.k, alpha=c.alpha } reproduces the "
+      .. "volumes. Depths give k and alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 "
+      .. "}, load=100, distance=1320, stroke=0.44 }, with further fields of wear{}; a given k is kept, and "
+      .. "refused if the sum of both depths is more than 5 % off." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
     text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both bodies. "
       .. "0: too small to measure. With a list of distances: the total volume at each distance, a list, or a list of "

@@ -10,14 +10,14 @@ return {
     text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
-    text = "Reads columns under a line of names, separated by commas, semicolons or tabs; numbers may have "
-      .. "decimal commas if semicolons or tabs separate the columns. Empty lines and lines that begin with # "
-      .. "are skipped; other lines above the names must be deleted or marked with #. Returns the columns as "
-      .. "lists by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) } work with "
-      .. "the columns t, x, load and x, h. Units after names, as in h [um] or h (um), are removed and values "
-      .. "converted to mm, N, MPa and s; columns with other units keep the whole name. The second argument "
-      .. "selects and renames columns, by name or number. A column is text if its first cell is. Without a "
-      .. "second argument the units by name and the list of names are returned too." },
+    text = "Reads (imports) columns under a line of names, separated by commas, semicolons or tabs; numbers "
+      .. "may have decimal commas if semicolons or tabs separate the columns. Empty lines and lines that "
+      .. "begin with # are skipped; other lines above the names must be deleted or marked with #. Returns "
+      .. "the columns as lists by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) "
+      .. "} work with the columns t, x, load and x, h. Units after names, as in h [um] or h (um), are "
+      .. "removed and values converted to mm, N, MPa and s; columns with other units keep the whole name. "
+      .. "The second argument selects and renames columns, by name or number. A column is text if its first "
+      .. "cell is. Without a second argument the units by name and the list of names are returned too." },
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",

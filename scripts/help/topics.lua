@@ -19,6 +19,7 @@ k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and m
   1e-5 mm3/J         is 1e-8 mm3/(N mm) = 1e4 um3/J, for law = "energy"
   K, dimensionless   k = K / H with the hardness H in MPa (9.81 times HV)
 
+calibrate{} computes k (specific wear rate) from measured volumes or mass loss.
 A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
 
@@ -55,7 +56,7 @@ Terms, with the symbol of the paper in brackets. Equation numbers in the help ar
   ripple         sawtooth of the surfaces: a jump above the stability limit
   scar           worn part of a surface
   slip           [s] relative tangential displacement of the surfaces [mm]
-  stick zone     part of the contact that does not slip
+  stick zone     part of the contact that does not slip, contact.stick
   stroke         [s_t] distance between the ends of the motion [mm]
   strokes        [r] strokes of a cycle, 2 or 1
   thickness      [t] of the bodies along z [mm]
@@ -166,7 +167,7 @@ update, w:run() all; Ctrl-C stops after the running step, and w:run() continues.
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 
-Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
+Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning; peaks of rough surfaces do not yield either, a plasticity index is not computed), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
 value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not

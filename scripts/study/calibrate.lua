@@ -29,8 +29,8 @@ fields.alpha, fields.loading, fields.worn = nil, nil, nil
 
 local function measurements(name, given)
   if given == nil then
-    check.fail(where, ("field '%s': expected the measured wear, got none (0: too little to measure)")
-      :format(name))
+    check.fail(where, ("field '%s': expected the measured wear, got none (0 if it was too small to measure or "
+      .. "not measured)"):format(name))
   end
   local list = type(given) == "table" and given or { given }
   for i = 1, math.max(#list, 1) do

@@ -130,7 +130,8 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
   if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* not needed: the worker pool is small */
   report_missing(missing);
   if (missing && self->strict) return 0;
-  fprintf(stderr, "archard: it cannot begin anew: %s\n", strerror(arc_child_again(argv)));
+  fprintf(stderr, "archard: cannot restart inside the sandbox: %s\n",
+          strerror(arc_child_again(argv)));
   return 0;
 }
 

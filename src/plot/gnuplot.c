@@ -74,7 +74,7 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name) {
 /* Returns the readable last part of gnuplot's error output. The output contains the command, a
  * caret, and then "line 0: MESSAGE" or "\"file\" line 7: MESSAGE". */
 static const char *last_words(arc_text *errors) {
-  if (!errors->data) return "no reason given";
+  if (!errors->data) return "gnuplot gave no reason";
   size_t end = errors->length;
   while (end > 0 && strchr(" \n\r\t", errors->data[end - 1])) end--;
   errors->data[end] = '\0';
