@@ -1,6 +1,7 @@
 -- Reads and checks the user's data for a fit, and computes the simulated values at the same points. Data
--- are profiles of a body at a distance (their position on the body is fitted too), friction loops
--- (fit/loop.lua), depth maps of joints (fit/sphere.lua), and quantities of the history over the distance.
+-- are profiles of a body after a sliding distance (their position on the body is fitted too), friction loops
+-- (fit/loop.lua), depth maps of joints (fit/sphere.lua), and quantities of the history as functions of the
+-- sliding distance.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns

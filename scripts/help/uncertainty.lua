@@ -90,7 +90,7 @@ return {
       .. "(Spearman's correlation with every field at the last distance), convergence (the same for "
       .. "increasing numbers n of samples) and, with indices, first and total: by field { value=, error= }, "
       .. "the share of the variance caused by the field alone, and with its interactions. print shows it." },
-  { "uncertainty.distance", kind = "field", unit = "mm", text = "Distances of the statistics." },
+  { "uncertainty.distance", kind = "field", unit = "mm", text = "Sliding distances at which the statistics are given." },
   { "uncertainty.of", kind = "field", text = "The results, by name." },
   { "uncertainty.fields", kind = "field", text = "The uncertain fields, by name." },
   { "uncertainty.n", kind = "field", text = "Number of samples." },

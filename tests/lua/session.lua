@@ -1,4 +1,5 @@
--- Tests session.save and session.open: objects are restored by name, runs with identical bits. Also tests
+-- Tests session.save and session.open: objects are restored under their names, and runs
+-- are identical to the bit. Also tests
 -- who(), time() and examples().
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")

@@ -347,9 +347,8 @@ do
   within(largest, 2 * mu * p0, 0.25, "largest principal stress, at the trailing edge, where it has a cusp [MPa]")
 end
 
--- Tests the stress along the surface near the edges, where it has cusps of 2 mu p0, at nodes within one and a
--- half elements. The load varies the distance of the nodes from the edge. (The largest value at a node is
--- below a peak between two nodes.)
+-- Tests the stress along the surface at the nodes within one and a half elements of the edges of the contact,
+-- where it has cusps of 2 mu p0. With each load the nodes have another distance from the edge.
 for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
   local size, worst = row[1], 0
   for normal = 80, 120, 10 do

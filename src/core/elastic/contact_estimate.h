@@ -10,8 +10,8 @@ typedef struct contact_estimate {
   double half_width; /* half width, see arc_model_half_width */
   double flat;       /* width of the part that touches without load */
   double at;   /* position x of the middle of the contact, as profiles may touch beside x = 0 */
-  double edge; /* half width of the cylinder or ball whose pressure has edges of the same sharpness;
-                  equal to the half width except for rounded edges or kinks */
+  double edge; /* half width of the contact of a cylinder or ball whose pressure falls as steeply at
+                  its edges; differs from the half width only for rounded edges and kinks */
   double wave; /* length of the shortest waves that change the pressure; INFINITY: there are none */
   double spot; /* width of the spots in contact on the crests of waves; INFINITY: no waves */
 } contact_estimate;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static const double softest = 500, stiffest = 2e6; /* [MPa] */
+static const double softest = 500, stiffest = 2e6; /* moduli of usual materials [MPa] */
 
 static void warn_modulus(const char *name, double E, const arc_callbacks *callbacks) {
   if (E < softest)

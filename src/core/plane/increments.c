@@ -12,7 +12,7 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
 /* Returns the length of an increment [mm] with accurate results, see arc_wear_reach. The
  * prepared pair makes repeated calls with several loads cheap. */
 static double reach_of(contact_pair *pair, double load) {
-  static const double share = 0.125; /* centre pressures within 1 %, also for short strokes */
+  static const double share = 0.125; /* keeps centre pressures within 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
 }
 
@@ -86,7 +86,7 @@ static double longest_increment(const arc_wear *w) {
 
 /* Warns if the user chose too few increments. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double leap = 4; /* in accurate lengths; equals half of the contact's half width */
+  static const double leap = 4; /* longest increment without a warning, in accurate lengths */
   const arc_wear_def *d = &w->def;
   if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
       d->slide == ARC_SLIDE_Z)

@@ -75,7 +75,8 @@ arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
                         const arc_wear_record *measured) {
-  static const double middle = 0.8; /* share of the half width; the steep edges are excluded */
+  static const double middle =
+      0.8; /* share of the half width that is averaged, without the steep edges */
   if (stays_hertzian(w, shape)) return 0;
   return arc_contact_problem_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
 }

@@ -22,7 +22,7 @@ static const double rich = 4;
 /* Returns the half width [mm] of the part of a body that is deeper than 1 % of the largest
  * depth. */
 static double worn_half(const arc_wear *w, arc_body b) {
-  static const double edge = 0.01; /* share of the largest depth */
+  static const double edge = 0.01; /* depth at the edge, relative to the largest depth */
   const shape_side *side = &w->shape->side[b];
   const double least = edge * arc_shape_depth(w->shape, b);
   double half = 0;
@@ -34,7 +34,7 @@ static double worn_half(const arc_wear *w, arc_body b) {
 /* Returns true if the contact has grown gradually to the edge of its zone. A sudden increase
  * means that the step is too long, and a larger mesh would hide this error. */
 static int has_grown_into_zone(const arc_wear *w) {
-  static const double share = 0.4; /* share of the zone */
+  static const double share = 0.4; /* share of the zone above which the contact has grown into it */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};

@@ -187,7 +187,8 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
  * u dh / b, and depths h change by the share p dh / (E h). The compliance in the middle of the
  * update makes this error one of second order. */
 static double scar_k_integral(const arc_wear *w) {
-  static const double late = 5, deeper = 0.1; /* factor of the tolerance; share of the half width */
+  static const double late = 5;     /* factor of the tolerance */
+  static const double deeper = 0.1; /* largest depth of an update, relative to the half width */
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;

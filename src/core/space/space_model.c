@@ -274,7 +274,7 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
   static const double small =
       0.2; /* ratio of contact width to radius above which slopes are no longer small */
   const double fewest = 4;          /* cells in the half width */
-  static const double coarse = 1.5; /* cell width over step of a map */
+  static const double coarse = 1.5; /* largest ratio of the cell width to the step of a map */
   double x, z;
   if (def->periodic) return;
   find_curvatures(def, &x, &z);

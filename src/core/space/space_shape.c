@@ -240,7 +240,7 @@ static arc_status read_cells(const arc_array *state, size_t count, arc_halfspace
 
 static arc_status read_depths(space_shape *s, int b, const arc_array *state, size_t count,
                               arc_error *error) {
-  static const double most = 1e6; /* [mm] */
+  static const double most = 1e6; /* largest depth that a file may contain [mm] */
   const arc_array *h = arc_array_find(state, count, (arc_body)b, "h");
   const size_t n = (size_t)space_sites(s, b);
   if (!h || arc_array_count(h) != n)

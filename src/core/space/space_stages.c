@@ -197,7 +197,7 @@ static arc_status find_slip(wear_stage *s) {
 /* Solves linearised problems repeatedly until the solution satisfies the law. */
 static arc_status solve_law(wear_stage *s, double h, double *peak) {
   enum { most_passes = 20 };
-  static const double settled = 1e-5; /* change over the largest depth */
+  static const double settled = 1e-5; /* accepted change, relative to the largest depth */
   stages *own = s->own;
   for (int pass = 0; pass < most_passes; pass++) {
     set_known(s, h, NULL);

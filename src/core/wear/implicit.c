@@ -118,7 +118,7 @@ static arc_status second_order(implicit *s, double cycles) {
 /* Returns the largest error of the depths of one body, at sites that are deep enough, divided by
  * the largest depth. */
 static double depth_error(const implicit *s, int b) {
-  static const double counts = 0.05; /* share of the largest depth */
+  static const double counts = 0.05; /* least depth that counts, relative to the largest depth */
   const arc_wear *w = s->at.run;
   const wear_sites on = w->kind->sites(s->at.window.shape, (arc_body)b);
   const double *depth = sites_from(w, s->at.worn, b), *off = sites_from(w, s->defect, b);

@@ -183,7 +183,7 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };
-  static const double nothing = 1e-12; /* share of the remaining distance */
+  static const double nothing = 1e-12; /* shortest progress, relative to the remaining distance */
   if (!plan->block->periodic || w->records <= many) return ARC_OK;
   const arc_wear_record *now = arc_wear_last(w);
   const double gone = now->distance - (now - many)->distance, left = limit - now->distance;
