@@ -125,12 +125,12 @@ typedef struct arc_loading {
       "over the distance; two values at one distance are a jump, where an update ends. "           \
       "Both are integrated over each update. A function is evaluated 1.6 times a cycle, at "       \
       "most 3236 times a run; shorter peaks may be missed.")                                       \
-  QUANTITY(                                                                                        \
-      alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                     \
-      "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "        \
-      "share of the wear volume. 0: only the plate wears, 1: only the cylinder. Its value is "     \
-      "measured as the worn volume of the upper body over that of both bodies: "                   \
-      "calibrate{ volume={...} }.")                                                                \
+  QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
+           "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
+           "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
+           "wears. Its value is "                                                                  \
+           "measured as the worn volume of the upper body over that of both bodies: "              \
+           "calibrate{ volume={...} }.")                                                           \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \

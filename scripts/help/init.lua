@@ -246,16 +246,20 @@ local function example_entries()
   return fine and list or {}
 end
 
--- Returns the topics, entries and examples that contain all words of a text or belong to it as a synonym,
--- the best first, and the number of good answers among them.
-function help.matches(text)
-  if type(text) ~= "string" then return {}, 0 end
+-- Returns all topics, entries and examples.
+local function everything()
   load_entries()
   local list = table.move(topics, 1, #topics, 1, {})
   table.move(ordered, 1, #ordered, #list + 1, list)
   local examples = example_entries()
-  table.move(examples, 1, #examples, #list + 1, list)
-  return search.find(list, text)
+  return table.move(examples, 1, #examples, #list + 1, list)
+end
+
+-- Returns the topics, entries and examples that contain all words of a text or belong to it as a synonym,
+-- the best first, and the number of good answers among them.
+function help.matches(text)
+  if type(text) ~= "string" then return {}, 0 end
+  return search.find(everything(), text)
 end
 
 -- --- showing -----------------------------------------------------------------------------------
@@ -275,18 +279,16 @@ end
 local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
   ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
 
--- Returns a text with the best entries for each word of a phrase, or nil if there are none.
+-- Returns a text with the entries that contain most words of a phrase, or nil if there are none.
 local function explain_words(phrase)
-  local texts, words = {}, search.words(phrase)
-  for _, word in ipairs(#words > 1 and words or {}) do
-    local found, sure = help.matches(word)
-    if not fillers[word] and sure > 0 then texts[#texts + 1] = show.found(found, word, math.min(sure, 4)) end
-  end
-  return texts[1] and ("no help for %q; help for its words:\n\n%s"):format(phrase, table.concat(texts, "\n\n"))
+  if #search.words(phrase) < 2 then return nil end
+  local found = search.nearly(everything(), phrase, fillers)
+  if not found[1] then return nil end
+  return ("no help for %q; nearest:\n\n%s"):format(phrase, show.found(found, phrase, 6))
 end
 
 -- Returns the help text of a name. If no entry has the name, the text lists the entries that a search
--- finds, the entries of the single words, or a similar name.
+-- finds, the entries that contain most of its words, or a similar name.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end

@@ -80,4 +80,42 @@ function search.find(entries, text)
   return found, sure
 end
 
+-- Returns the beginning of a word without its usual endings, as a pattern that finds it at the start of a word.
+local function stem(word)
+  local short = word:gsub("ing$", ""):gsub("ed$", ""):gsub("es?$", "")
+  if #short < 4 then short = word end
+  return "%f[%w]" .. short:gsub("%p", "%%%0")
+end
+
+-- Returns the entries that contain at least half of the words of a phrase, the best first. Words that few
+-- entries contain weigh more. fillers: set of words that do not count.
+function search.nearly(entries, text, fillers)
+  local words, texts, score = {}, {}, {}
+  for _, word in ipairs(search.words(text)) do
+    if not fillers[word] then words[#words + 1] = { stem = stem(word), among = {} } end
+  end
+  for i, entry in ipairs(entries) do
+    texts[i] = search.plain(table.concat({ entry.address, entry.use or "", entry.text }, " "))
+  end
+  local all = 0
+  for _, word in ipairs(words) do
+    for i in ipairs(entries) do
+      if texts[i]:find(word.stem) then table.insert(word.among, i) end
+    end
+    local weight = math.log(#entries / math.max(#word.among, 1))
+    all = all + (word.among[1] and weight or 0)
+    for _, i in ipairs(word.among) do score[i] = (score[i] or 0) + weight end
+  end
+  local found = {}
+  for i in ipairs(entries) do
+    if score[i] and score[i] > all / 2 then found[#found + 1] = i end
+  end
+  table.sort(found, function(a, b)
+    if score[a] ~= score[b] then return score[a] > score[b] end
+    return a < b
+  end)
+  for k, i in ipairs(found) do found[k] = entries[i] end
+  return found
+end
+
 return search

@@ -203,8 +203,9 @@ return {
       .. "Volumes at several distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, "
       .. "load=100 }, give tables over the distance, with which wear{ k=c.k, alpha=c.alpha } reproduces the "
       .. "volumes. Depths give k and alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 "
-      .. "}, load=100, distance=1320, stroke=0.44 }, with further fields of wear{}; a given k is kept, and "
-      .. "refused if the sum of both depths is more than 5 % off." },
+      .. "}, load=100, distance=1320, stroke=0.44 }, with further fields of wear{}. If k is given, only "
+      .. "alpha is identified; it is an error if the simulated sum of both depths then differs by more than "
+      .. "5 % from the measured sum." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
     text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both bodies. "
       .. "0: too small to measure. With a list of distances: the total volume at each distance, a list, or a list of "

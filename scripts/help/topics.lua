@@ -8,7 +8,7 @@ degrees. In 2-D a load acts on the whole thickness of the bodies, 1 mm by defaul
 three dimensions it is the total force.
 
 The travelled distance d [mm] counts both strokes of a cycle (to and fro): d = cycles * strokes * stroke, with two strokes per
-cycle. If the stroke is 2 * radius, the whole width of the
+cycle; with track = r a cycle is a revolution, d = cycles * 2 pi r. If the stroke is 2 * radius, the whole width of the
 cylinder, the plate passes in one direction only, and a cycle has one stroke. Depths are in mm; tables and plots in um have this unit in
 their labels.
 
@@ -19,7 +19,7 @@ k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and m
   1e-5 mm3/J         is 1e-8 mm3/(N mm) = 1e4 um3/J, for law = "energy"
   K, dimensionless   k = K / H with the hardness H in MPa (9.81 times HV)
 
-calibrate{} computes k (specific wear rate) from measured volumes or mass loss.
+calibrate{} computes k (specific wear rate) from measured volumes or mass loss; there is no table of typical values.
 A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
 
@@ -171,10 +171,10 @@ Not simulated: plastic flow (compare the largest von Mises stress with the yield
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
 value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not
-predicted. In 3-D layers wear by the k of each, with the compliance of their unworn thickness.
+predicted. In 3-D, each layer wears with its own k; the compliance is that of the unworn layers.
 
-Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. From a measured mass, give
-the volume to calibrate{}.]] },
+Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. If you measured a mass,
+convert it to a volume for calibrate{}.]] },
 
   { "accuracy", [[
 Errors of a run are due to the mesh, to the steps in time, and to the data. To estimate them:
@@ -222,7 +222,8 @@ map.read, body.map. Sections: w:profile("block", { z = 0 }). Files: export.vti, 
 
 "no field ... did you mean ...": an object has no such field or method. help(wear) lists those of runs.
 
-Rough profiles, ripples, sawtooth pressures: the jump is above the stability limit. See help "steps".
+Rough profiles, ripples, sawtooth or oscillating pressures from node to node: the jump is above the stability limit. Use jump = "auto",
+or a jump below w:stability(). See help "steps".
 
 Zone too narrow: omit the model in contact{}, or increase the mesh.zone named in the message. Runs enlarge it automatically.
 

@@ -115,8 +115,8 @@ end
 local function refuse_falling(name, tests, count)
   for i = 2, count do
     if statistics.mean(column(tests, i)) < statistics.mean(column(tests, i - 1)) then
-      check.fail(where, ("field '%s': expected the volume lost since the start, got a smaller volume at distance %d "
-        .. "than at %d"):format(name, i, i - 1))
+      check.fail(where, ("field '%s': expected the volume lost since the start, but the volume at distance no. %d is "
+        .. "smaller than at no. %d"):format(name, i, i - 1))
     end
   end
 end

@@ -104,8 +104,8 @@ local function surface(self, where, body, distance)
     end
   end
   if not found then
-    check.fail(where, ("case %d (%s) has no stored surface%s: it is %s"):format(self.id,
-      self.label, distance and (" up to %g mm"):format(distance) or "", self.status))
+    check.fail(where, ("case %d (%s) has no surface stored%s; its status is %s"):format(self.id,
+      self.label, distance and (" up to a distance of %g mm"):format(distance) or "", self.status))
   end
   return found
 end

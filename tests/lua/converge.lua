@@ -200,7 +200,7 @@ is(#calibrate{ load = 100, distance = at, error = 1e-6, volume = { cylinder = vo
 fails(function() calibrate{ load = 1, distance = at, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
   { "volume.cylinder", "5 volumes" }, "a volume for each distance")
 fails(function() calibrate{ load = 1, distance = { 1, 2 }, volume = { cylinder = { 2, 1 }, plate = 0 } } end,
-  "a smaller volume at distance 2", "volumes that fall")
+  "but the volume at distance no. 2 is", "volumes that fall")
 fails(function() calibrate{ load = 1, distance = { 2, 1 }, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
   "increasing", "distances that fall")
 fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "as 'depth' is given",
@@ -244,7 +244,7 @@ fails(function() calibrate{} end, "got neither", "volume or depth")
 fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "volume and depth together")
 fails(function() calibrate{ volume = { cylinder = 1 } } end, "load", "volumes without the load")
 fails(function() calibrate{ volume = { plate = 1e-4 }, load = 40, distance = 2000 } end,
-  { "'volume.cylinder'", "got none", "0: too little" }, "a body that is left out")
+  { "'volume.cylinder'", "got none", "0 if it was too small" }, "a body that is left out")
 fails(function() calibrate(with{ depth = { cylinder = 1e-3 } }) end, "'depth.plate'", "also of depths")
 fails(function()
   calibrate{ volume = { cylinder = { 1, 2, 3 }, plate = { 2, 2 } }, load = 1, distance = 1 }

@@ -225,7 +225,7 @@ do
   ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of one input are side by side")
 end
 
--- --- defects that an editor would not accept ----------------------------------------------------
+-- --- defects of figures that a journal would reject ---------------------------------------------
 
 do
   local x, y, bars = {}, {}, {}

@@ -1,6 +1,5 @@
--- Tests session.save and session.open: objects are restored under their names, and runs
--- are identical to the bit. Also tests
--- who(), time() and examples().
+-- Tests session.save and session.open: objects are restored under their names, and restored runs are
+-- identical to the bit. Also tests who(), time() and examples().
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds

@@ -90,7 +90,7 @@ end
 
 -- Tests that values that are not numbers are omitted from titles.
 s = study.open(stranger{ cases = { { alpha = "x", stroke = "y", load = "z" } } })
-fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end, "has no stored surface: it is waiting", "plots of words")
+fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end, "has no surface stored; its status is waiting", "plots of words")
 
 -- --- wrong arguments of help functions -----------------------------------------------------------
 

@@ -251,7 +251,7 @@ for _, name in ipairs(g.of) do
 end
 tap.note(("scaling of stresses holds to %.1e"):format(worst))
 ok(worst < 1e-4, "sensitivities obey the scaling of stresses to 1e-4")
--- Tests sensitivities against differences that this test extrapolates.
+-- Tests sensitivities against central differences with Richardson extrapolation.
 local function depth(load)
   local run = wear{ distance = 330, jump = 100, load = load, model = w.model }
   run:run{ progress = false }

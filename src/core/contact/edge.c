@@ -165,8 +165,8 @@ static int has_nodes(const ending *e, const stencil *at) {
 /* Fits the law at nodes so far from the edge that the position of the edge between nodes has no
  * influence, or at nearer nodes if the law does not extend so far. Returns 1 if the law fits as
  * well as in unworn contacts, 0 if it does not fit, and a share between 1 and 0 for a fit between
- * these limits. (Compared with finer meshes of worn contacts, the edge of a law that fits is more
- * accurate than the interpolated edge.) */
+ * these limits. Comparisons with finer meshes of worn contacts show that the edge of a law that
+ * fits is more accurate than the interpolated edge. */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;

@@ -28,9 +28,9 @@ arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_erro
     return arc_fail(error, ARC_ARGUMENT, "field '%sname': expected " ARC_BODY_NAME ", got \"%s\"",
                     path, b->name);
   if (!is_taken(b->name)) return ARC_OK;
-  return arc_fail(
-      error, ARC_ARGUMENT,
-      "field '%sname': expected a name that is not a kind of body, not a field of mesh and none "
-      "of upper, lower, plate, total, both and all, got \"%s\"",
-      path, b->name);
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field '%sname': expected a name other than a kind of body, a field of mesh, or "
+                  "one of 'upper', "
+                  "'lower', 'plate', 'total', 'both', 'all', got \"%s\"",
+                  path, b->name);
 }

@@ -16,7 +16,7 @@ typedef enum body_form {
 
 /* Limits of a kind of body, lengths along the surface [mm]. */
 typedef struct body_limits {
-  double zone;           /* largest width of a zone that leaves coarse columns beside it */
+  double zone;           /* largest width of a zone with coarse columns beside it */
   const char *zone_text; /* formula of this width in the user's fields */
   double outer;          /* half the length of surface that may have fine elements */
   double reach;          /* largest half width of a contact on this body */

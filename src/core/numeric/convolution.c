@@ -24,8 +24,8 @@ struct convolution {
   fftw_plan down[2], up[2]; /* plans for columns: of whole blocks, and of the last block */
 };
 
-/* Arrays of a workspace. Each transform reads one array and writes another, because FFTW would copy
- * the data of a transform in place. */
+/* Arrays of a workspace. Each transform reads one array and writes another, because FFTW
+ * copies the data in in-place transforms. */
 struct convolution_work {
   double *values;                /* [rows][padded columns] */
   fftw_complex *spectrum;        /* [rows][stride] */

@@ -188,9 +188,9 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
 }
 
 /* Adds the last step to the rate. Volumes remain exact, because the resultant of the linear
- * model's pressures is the load. The plate receives the wear of the cylinder's forces: several
- * positions share a solution in the Jacobian, which would give the plate's volume an error of
- * 2e-9. */
+ * model's pressures is the load. The wear of the plate is computed from the forces on the
+ * cylinder. Its own rate would have a volume error of 2e-9, because several positions share one
+ * solution in the Jacobian. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;

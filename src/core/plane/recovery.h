@@ -15,8 +15,8 @@ typedef struct surface_traction {
 
 /* Computes the stresses [3 * nodes] (xx, yy, xy, [MPa]) at nodes with positions xy and
  * displacements u [2 * nodes, mm] under a traction. On the boundary the stresses satisfy the
- * tractions. Inside they are fitted to the stresses at the centres of elements. Both are of
- * second order in the element size. Error: ARC_MEMORY. */
+ * tractions. Inside they are fitted to the stresses at the centres of elements. The errors of
+ * both are of second order in the element size. Error: ARC_MEMORY. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress);
 

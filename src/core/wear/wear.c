@@ -134,7 +134,8 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Moves a changed run to surfaces with more sites if its contact would leave the present sites. */
+/* If the contact of a run with a changed definition would outgrow its surfaces, moves the run to
+ * larger surfaces. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;

@@ -351,7 +351,7 @@ static int pool_wait(lua_State *L) {
   const int wait = wait_argument(L, 2);
   struct pollfd ready[2 * MOST_WORKERS];
   check_interrupt(L, p);
-  for (int i = 0; i < p->count; i++) { /* poll ignores closed descriptors: -1 */
+  for (int i = 0; i < p->count; i++) { /* closed descriptors are -1, which poll ignores */
     ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
     ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
   }
