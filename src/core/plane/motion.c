@@ -1,4 +1,5 @@
 /* Contacts with friction: presses the bodies together and moves them. */
+#include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 
 #include <math.h>
@@ -91,13 +92,14 @@ static double slack_of(const arc_contact *c, double load) {
  * motions under a force, whose displacements are small. In all other motions the pairs follow
  * the plate. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
-                         arc_error *error) {
+                         const arc_callbacks *callbacks, arc_error *error) {
   const double thickness = thickness_of(c);
   const double moved = motion->by_force ? 0 : motion->x - from->problem.x;
   const int stay = fabs(moved) <= slack_of(from, motion->load);
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
     const double share = (double)i / motion->increments;
+    if (callbacks_stop(callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
     friction_step step = {.mu = c->handle.def.friction, .by_force = motion->by_force};
     step.line = between(from->handle.def.load, motion->load, share) / thickness;
     step.x = between(from->handle.def.x, motion->x, share);
@@ -125,7 +127,7 @@ arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
   status = arc_contact_create(from->handle.shape, &def, result, error);
   if (status == ARC_OK) {
     arc_friction_copy(&(*result)->state, &from->state);
-    status = travel(*result, from, motion, error);
+    status = travel(*result, from, motion, callbacks, error);
   }
   return arc_contact_finish(result, status, callbacks, error);
 }

@@ -1,5 +1,6 @@
 /* Class contact: one contact solution and its pressures. The stresses are in stress_class.c. */
 #include "archard/contact.h"
+#include "lua/base/interrupt.h"
 #include "lua/base/array.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
@@ -343,7 +344,7 @@ typedef struct request {
 /* Pushes a box with the requested contact. The value at `holder` keeps the contact's model
  * alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
-  const arc_callbacks callbacks = {.warn = warn, .context = L};
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
   arc_contact *contact = NULL;
   box *made = box_push(L, &contact_class);
   box_keep(L, holder);
