@@ -160,7 +160,7 @@ refused({ "'name'", "letters", '"3s"' }, "a name that is no word", function() bo
 refused({ "'name'", "letters", "got 3" }, "a name that is no text", function() body.disc{ radius = 9, name = 3 } end)
 refused({ "'name'", "letters" }, "a name that is too long", function() body.disc{ radius = 9, name = ("x"):rep(32) } end)
 for _, word in ipairs{ "upper", "plate", "total", "ring", "size" } do
-  refused({ "'name'", "not a kind of body", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
+  refused({ "'name'", "other than a kind of body", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
 end
 refused({ "'lower.name'", '"a"' }, "two of one name", function()
   model{ upper = body.disc{ radius = 9, name = "a" }, lower = body.ring{ inner = 10, outer = 20, name = "a" } }

@@ -25,7 +25,7 @@ local wrong = { true, -1, 0 / 0, math.huge, path "nonsense", path "a\0b", "", {}
 -- Words in messages that state the expected value, or the reason to refuse a value of the right kind.
 local reasons = { "expected", "unknown field", "by name", "must be", "needs", "no column", "known:", "did you mean",
   "No such file", "nothing to draw", "no points", "not varied", "of its wear box", "contains another", "holds another", "holds a ",
-  "not a run file", "belongs to", "only allowed for", "is almost 0", "has no stored", "no scar is", "do not overlap" }
+  "not a run file", "belongs to", "only allowed for", "is almost 0", "has no surface stored", "no scar is", "do not overlap" }
 
 local function has_one(text, list)
   for _, words in ipairs(list) do

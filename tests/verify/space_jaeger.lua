@@ -87,14 +87,14 @@ local function both_ways(path)
 end
 
 -- The work of a turn is compared as a share of itself. Turns that dissipate less than 1/500 of the work in full slip
--- count for the mean only, and below 1/10000 they do not count.
+-- count for the mean only, and below 1/5000 they do not count.
 local motion, worst, errors, largest, large = {}, 0, {}, 0, 0
 for i = 1, count do
   local motions, error, size = both_ways(corners())
   for _, off in ipairs(motions) do
     motion[#motion + 1], worst = off, math.max(worst, off)
   end
-  if size > 1e-4 then errors[#errors + 1] = math.abs(error) end
+  if size > 2e-4 then errors[#errors + 1] = math.abs(error) end
   if size > 2e-3 then large, largest = large + 1, math.max(largest, math.abs(error)) end
   figures.note(("path %d: motion off by up to %.3f %%, work by %.2f %% of %.2g"):format(i, 100 * math.max(table.unpack(motions)),
     100 * error, size))
