@@ -8,6 +8,11 @@ static inline int callbacks_stop(const arc_callbacks *c) {
   return c && c->stop && c->stop(c->context);
 }
 
+/* Returns ARC_STOPPED with a message if the user stops the computation, else ARC_OK. */
+static inline arc_status callbacks_check(const arc_callbacks *c, arc_error *error) {
+  return callbacks_stop(c) ? arc_fail(error, ARC_STOPPED, "stopped on request") : ARC_OK;
+}
+
 static inline int callbacks_progress(const arc_callbacks *c, const struct arc_wear *wear) {
   return c && c->progress && c->progress(c->context, wear);
 }

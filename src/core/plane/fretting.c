@@ -52,9 +52,8 @@ static void fretting_free(fretting *r) {
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
   wear_path *path = path_of(r->w);
   const int shared = path->block->problem_of[at];
-  if (callbacks_stop(r->progress->callbacks))
-    return arc_fail(error, ARC_STOPPED, "stopped on request");
-  const arc_status status = arc_wear_prepare(r->w, r->window, at, error);
+  arc_status status = callbacks_check(r->progress->callbacks, error);
+  if (status == ARC_OK) status = arc_wear_prepare(r->w, r->window, at, error);
   if (status != ARC_OK) return status;
   r->progress->solutions++;
   return arc_friction_solve(&path->problem[shared], &path->compliance[shared], &path->workspace,

@@ -99,13 +99,13 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
     const double share = (double)i / motion->increments;
-    if (callbacks_stop(callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
     friction_step step = {.mu = c->handle.def.friction, .by_force = motion->by_force};
     step.line = between(from->handle.def.load, motion->load, share) / thickness;
     step.x = between(from->handle.def.x, motion->x, share);
     step.tangential =
         between(from->handle.result.tangential, motion->tangential, share) / thickness;
-    status = go_to(c, stay ? from->problem.x : step.x, &step, error);
+    status = callbacks_check(callbacks, error);
+    if (status == ARC_OK) status = go_to(c, stay ? from->problem.x : step.x, &step, error);
   }
   c->handle.def.x = c->state.x;
   return status;

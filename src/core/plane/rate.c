@@ -132,8 +132,8 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
-  if (callbacks_stop(progress->callbacks))
-    return arc_fail(error, ARC_STOPPED, "stopped on request");
+  const arc_status status = callbacks_check(progress->callbacks, error);
+  if (status != ARC_OK) return status;
   if (window->chained && at == window->first) return keep_forces(w, window, now, error);
   if (!same_as_before(w, window, at)) return solve_point(w, window, at, progress, now, error);
   arc_path_copy(path_of(w), &path_of(w)->point[(at + 1) % 2], now);

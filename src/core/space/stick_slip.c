@@ -180,7 +180,8 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
   const int cells = carrying(p);
   double missed, each[2];
   for (int pass = 0; pass < most_sets; pass++) {
-    if (callbacks_stop(p->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
+    const arc_status status = callbacks_check(p->callbacks, error);
+    if (status != ARC_OK) return status;
     int changes = begin_slip(p, w, fresh);
     const double wanted = p->tolerance * find_slip(p, w, count);
     changes += end_slip(p, w, wanted, fresh);
