@@ -326,14 +326,6 @@ arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-static arc_loop *make_loop(size_t count) {
-  arc_loop *loop = malloc(sizeof *loop + 2 * count * sizeof(double));
-  if (!loop) return NULL;
-  double *numbers = (double *)(void *)(loop + 1);
-  *loop = (arc_loop){.count = count, .x = numbers, .tangential = numbers + count};
-  return loop;
-}
-
 /* Converts the forces of the loop to the whole thickness, and sets the energy of one cycle. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
@@ -347,13 +339,9 @@ arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progr
                               arc_loop **loop, arc_error *error) {
   arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
   if (status != ARC_OK) return status;
-  fretting r = {.w = w,
-                .window = window,
-                .progress = progress,
-                .rate = &w->work.rate,
-                .loop = make_loop((size_t)window->block->count)};
-  if (!r.loop) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");
-  status = evaluate(&r, error);
+  fretting r = {.w = w, .window = window, .progress = progress, .rate = &w->work.rate};
+  status = arc_loop_create((size_t)window->block->count, &r.loop, error);
+  if (status == ARC_OK) status = evaluate(&r, error);
   if (status == ARC_OK)
     finish_loop(*loop = r.loop, window->block->repeat, w->manner.thickness, r.rate);
   else

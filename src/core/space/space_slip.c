@@ -438,14 +438,6 @@ arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const
 
 enum { points_of_loop = 40 };
 
-static arc_loop *make_loop(size_t count) {
-  arc_loop *loop = malloc(sizeof *loop + 2 * count * sizeof(double));
-  if (!loop) return NULL;
-  double *numbers = (double *)(void *)(loop + 1);
-  *loop = (arc_loop){.count = count, .x = numbers, .tangential = numbers + count};
-  return loop;
-}
-
 /* Returns load and motion at the end of one of `parts` parts of an increment. The pressures at
  * this point are known only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
@@ -490,12 +482,13 @@ static arc_status trace_steady(const cycle *c, int parts, arc_loop *loop, arc_er
 static arc_status draw(cycle *c, arc_loop **loop, arc_error *error) {
   const int increments = c->block->count - 1;
   const int parts = increments < points_of_loop ? (points_of_loop - 1) / increments + 1 : 1;
-  arc_loop *made = make_loop((size_t)(increments * parts + 1));
-  if (!made) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");
+  arc_loop *made;
+  arc_status status = arc_loop_create((size_t)(increments * parts + 1), &made, error);
+  if (status != ARC_OK) return status;
   made->energy = c->rate->energy / c->block->repeat;
   made->stick_width = c->rate->stick;
   made->gross = c->rate->gross != 0;
-  const arc_status status = trace_steady(c, parts, made, error);
+  status = trace_steady(c, parts, made, error);
   if (status == ARC_OK)
     *loop = made;
   else
