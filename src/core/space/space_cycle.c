@@ -68,13 +68,37 @@ static arc_status rub(const wear_window *v, space_path *path, arc_error *error) 
   return arc_fail(error, ARC_MEMORY, "out of memory for a cycle with friction");
 }
 
+const arc_halfspace_friction *arc_space_guess_at(const space_path *path, int at) {
+  return path->guess[at].pressure ? &path->guess[at] : NULL;
+}
+
+void arc_space_remember(space_path *path, int at, const arc_halfspace_friction *state, int cells) {
+  arc_halfspace_friction *guess = &path->guess[at];
+  const size_t n = (size_t)cells;
+  if (!guess->pressure) {
+    double *block = malloc(4 * n * sizeof *block);
+    if (!block) return;
+    *guess = (arc_halfspace_friction){
+        .pressure = block, .q = {block + n, block + 2 * n}, .stick = block + 3 * n};
+  }
+  memcpy(guess->pressure, state->pressure, n * sizeof *guess->pressure);
+  memcpy(guess->stick, state->stick, n * sizeof *guess->stick);
+  for (int i = 0; i < 2; i++) {
+    memcpy(guess->q[i], state->q[i], n * sizeof *guess->q[i]);
+    guess->xi[i] = state->xi[i];
+  }
+}
+
+void arc_space_forget(space_path *path) {
+  for (int at = 0; at < path->guesses; at++) arc_halfspace_friction_end(&path->guess[at]);
+}
+
 void arc_space_end_path(space_path *path) {
   free(path->position);
   free(path->of);
   free(path->slip);
   free(path->gap);
-  arc_halfspace_friction_end(&path->last);
-  for (int at = 0; at < path->guesses; at++) arc_halfspace_friction_end(&path->guess[at]);
+  arc_space_forget(path);
   free(path->guess);
   *path = (space_path){.count = 0};
 }

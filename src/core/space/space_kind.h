@@ -41,9 +41,7 @@ typedef struct space_path {
   double *slip;    /* [count][window] slip divided by the position's weight; NULL: rigid slip, 1 */
   double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
   double unsteady; /* change of the gaps in the last slip solution, relative to the largest gap */
-  arc_halfspace_friction last;   /* last slip solution, the start of the next one; zero: none */
-  arc_halfspace_friction *guess; /* [points] pressure, shear, motion and stick zone of the last
-                                    solution at each point, from which the next one starts */
+  arc_halfspace_friction *guess; /* [points] see arc_space_guess_at; NULL without friction */
   int guesses;                   /* number of points */
 } space_path;
 
@@ -141,6 +139,12 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
+/* The guess at a point of a cycle with friction: pressure, shear, motion and stick zone of the last
+ * solution there; NULL: none. arc_space_remember replaces it (without memory it stores nothing),
+ * arc_space_forget frees the guesses of all points. */
+const arc_halfspace_friction *arc_space_guess_at(const space_path *path, int at);
+void arc_space_remember(space_path *path, int at, const arc_halfspace_friction *state, int cells);
+void arc_space_forget(space_path *path);
 /* Computes the pressures [count][window] on given depths, the sums of weight times pressure by
  * site, and the peak pressure (in rate). With friction, also computes the slip of the cycle and
  * writes energy, forces and stick zone to rate. */

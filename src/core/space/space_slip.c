@@ -196,33 +196,21 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
   arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
 }
 
-/* Stores the solution at point `at` as the guess for the next one. Without memory nothing is
- * stored. */
-static void remember(const cycle *c, int at, const arc_halfspace_friction *state) {
-  arc_halfspace_friction *guess = &c->path->guess[at];
-  const size_t n = (size_t)c->cells;
-  if (!guess->pressure) {
-    double *block = malloc(4 * n * sizeof *block);
-    if (!block) return;
-    *guess = (arc_halfspace_friction){
-        .pressure = block, .q = {block + n, block + 2 * n}, .stick = block + 3 * n};
-  }
-  memcpy(guess->pressure, state->pressure, n * sizeof *guess->pressure);
-  memcpy(guess->stick, state->stick, n * sizeof *guess->stick);
-  for (int i = 0; i < 2; i++) {
-    memcpy(guess->q[i], state->q[i], n * sizeof *guess->q[i]);
-    guess->xi[i] = state->xi[i];
-  }
+/* Solves the increment to point `at` from the last solution there, and stores the new one. */
+static arc_status solve_again(const cycle *c, int at, arc_halfspace_increment *to,
+                              arc_halfspace_friction *state, arc_error *error) {
+  to->guess = arc_space_guess_at(c->path, at);
+  const arc_status status = solve(c, to, state, error);
+  if (status == ARC_OK) arc_space_remember(c->path, at, state, c->cells);
+  return status;
 }
 
 /* Advances to point `at` and adds `times` the slip of the increment. */
 static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
   arc_halfspace_increment to = conditions(c, at, 1);
-  if (c->path->guess[at].pressure) to.guess = &c->path->guess[at];
-  const arc_status status = solve(c, &to, state, error);
+  const arc_status status = solve_again(c, at, &to, state, error);
   if (status != ARC_OK) return status;
-  remember(c, at, state);
   take_slip(c, state);
   take_pressures(c, at, state);
   c->rate->shear = fmax(c->rate->shear, fabs(state->force[0]));
@@ -278,12 +266,10 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
 static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = conditions(c, 1, 1);
-  arc_halfspace_friction *last = &c->path->last;
   if (b->tangential) to.force[0] = (b->tangential[1] - b->tangential[0]) / 2;
   to.xi[0] = (b->x[1] - b->x[0]) / 2;
-  if (last->pressure) to.guess = last;
   memcpy(state->pressure, to.pressure, (size_t)c->cells * sizeof *state->pressure);
-  const arc_status status = solve(c, &to, state, error);
+  const arc_status status = solve_again(c, 1, &to, state, error);
   if (status != ARC_OK) return status;
   take_slip(c, state);
   for (int i = 0; b->tangential && i < 2; i++)
@@ -293,10 +279,9 @@ static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *err
   return ARC_OK;
 }
 
-/* Computes a cycle from its start. Evaluations must not depend on earlier ones: guesses are used
- * only from one repetition of the cycle to the next. */
+/* Computes a cycle from its start. Guesses are used only from one repetition to the next. */
 static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *error) {
-  for (int at = 0; at < c->path->guesses; at++) arc_halfspace_friction_end(&c->path->guess[at]);
+  arc_space_forget(c->path);
   arc_status status = press(c, state, error);
   if (status == ARC_OK) status = go_to(c, 0, 0, state, error);
   if (status != ARC_OK) return status;
@@ -314,16 +299,18 @@ static arc_status stick(cycle *c, arc_error *error) {
   clear(c);
   status =
       returns(c) && c->block->count == 3 ? single(c, &state, error) : several(c, &state, error);
-  arc_halfspace_friction_end(&c->path->last);
-  c->path->last = state;
+  arc_halfspace_friction_end(&state);
   return status;
 }
 
 /* --- results ---------------------------------------------------------------------------------- */
 
-/* Averages the fields of the positions over mirror images, so symmetric bodies remain symmetric
- * despite the tolerance of the solvers. The average is across the motion, and for like bodies in
- * the middle position also along the motion. */
+static void average(double *a, double *b) {
+  *a = *b = (*a + *b) / 2;
+}
+
+/* Averages the fields of the positions over mirror images across the motion, and for like bodies in
+ * the middle position also along it. Symmetric bodies then remain symmetric. */
 static void make_even(const cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
@@ -333,15 +320,9 @@ static void make_even(const cycle *c, double *value) {
   const int across = evenly && arc_space_are_even(c->h, depth, 1),
             along = evenly && middle && arc_space_are_even(c->h, depth, 0);
   for (int i = 0; i < c->path->count * nx && across; i++)
-    for (int k = 0; k < nz / 2; k++) {
-      double *a = &value[i * nz + k], *b = &value[i * nz + nz - 1 - k];
-      *a = *b = (*a + *b) / 2;
-    }
+    for (int k = 0; k < nz / 2; k++) average(&value[i * nz + k], &value[i * nz + nz - 1 - k]);
   for (int i = 0; i < nx / 2 && along; i++)
-    for (int k = 0; k < nz; k++) {
-      double *a = &value[i * nz + k], *b = &value[(nx - 1 - i) * nz + k];
-      *a = *b = (*a + *b) / 2;
-    }
+    for (int k = 0; k < nz; k++) average(&value[i * nz + k], &value[(nx - 1 - i) * nz + k]);
 }
 
 /* Returns the width of the stick zone [mm]. The shape of the zone is assumed to be similar to
