@@ -1,6 +1,5 @@
-/* Implements all access to SQLite; no other file includes SQLite. Translates SQLite's codes to
- * statuses and messages with advice. Restricts SQLite to the run file, its journal and unnamed
- * files. */
+/* The only file that calls SQLite. Translates its codes to statuses and messages with advice, and
+ * restricts it to the run file, its journal and unnamed files. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"
@@ -14,9 +13,8 @@
 
 struct database {
   sqlite3 *handle;
-  char *path, *name; /* path of the file, and its name in messages */
-  long long bytes;   /* size of the file at the start of the query [bytes] */
-  long long beside;  /* size of the attached file [bytes] */
+  char *path, *name;       /* path of the file, and its name in messages */
+  long long bytes, beside; /* sizes of the file and of the attached file, when a query starts */
   arc_lock_kind locks;
   long long work; /* remaining instructions of the query, in units of WATCH */
 };

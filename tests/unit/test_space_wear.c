@@ -108,8 +108,7 @@ static void test_order(void **state) {
   assert_true(fabs(depth[1] - depth[2]) < fabs(depth[0] - depth[1]) / 2.5);
 }
 
-/* Tests the scar if only the upper body wears: a spherical cap with V = pi R h^2 and c^2 = 2 R
- * h. */
+/* Tests the scar of a ball that wears alone, a cap with V = pi R h^2 and c^2 = 2 R h. */
 static void test_cap(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.02, 81, 1, 0, 20000);
