@@ -276,13 +276,10 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
-local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
-  ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
-
 -- Returns a text with the entries that contain most words of a phrase, or nil if there are none.
 local function explain_words(phrase)
   if #search.words(phrase) < 2 then return nil end
-  local found = search.nearly(everything(), phrase, fillers)
+  local found = search.nearly(everything(), phrase)
   if not found[1] then return nil end
   return ("no help for %q; nearest:\n\n%s"):format(phrase, show.found(found, phrase, 6))
 end

@@ -1,7 +1,5 @@
 -- Searches the help entries, topics and examples for texts that contain all words of a phrase.
 
-local synonyms = require "archard.help.synonyms"
-
 local search = {}
 
 -- Returns a text in lower case with blanks instead of hyphens and underscores: "cross-shear" then finds
@@ -15,8 +13,21 @@ function search.words(text)
   return words
 end
 
-local meanings = {} -- address lists of the synonyms, by their words
-for name, addresses in pairs(synonyms) do meanings[table.concat(search.words(name), " ")] = addresses end
+local meanings -- address lists of the synonyms, by their words; nil before the first search
+local function addresses_of(joined)
+  if not meanings then
+    meanings = {}
+    for name, addresses in pairs(require "archard.help.synonyms") do
+      meanings[table.concat(search.words(name), " ")] = addresses
+    end
+  end
+  return meanings[joined] or {}
+end
+
+-- Returns the text in which an entry's words are searched.
+local function text_of(entry)
+  return table.concat({ entry.address, entry.use or "", entry.unit or "", entry.text }, " ")
+end
 
 -- Returns true if the text from `first` to `last` is a whole word or its plural.
 local function is_whole(text, first, last)
@@ -41,7 +52,7 @@ end
 -- 7: the same as 2 to 4 for parts of words.
 local function rank(words, joined, entry)
   if search.plain(entry.name) == joined then return 1 end
-  local text = table.concat({ entry.address, entry.use or "", entry.unit or "", entry.text }, " ")
+  local text = text_of(entry)
   for _, whole in ipairs{ true, false } do
     local behind = whole and 0 or 3
     local named = contains(words, entry.address, whole)
@@ -56,7 +67,7 @@ end
 -- Returns a table from the addresses that a synonym lists to their positions in the list.
 local function by_synonym(joined)
   local positions = {}
-  for position, address in ipairs(meanings[joined] or {}) do
+  for position, address in ipairs(addresses_of(joined)) do
     positions[address] = position
   end
   return positions
@@ -87,33 +98,28 @@ local function stem(word)
   return "%f[%w]" .. short:gsub("%p", "%%%0")
 end
 
--- Returns the entries that contain at least half of the words of a phrase, the best first. Words that few
--- entries contain weigh more. fillers: set of words that do not count.
-function search.nearly(entries, text, fillers)
-  local words, texts, score = {}, {}, {}
+local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
+  ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
+
+-- Returns the entries whose words have more than half of the weight of a phrase's words, the best first. A
+-- word weighs more if fewer entries contain it.
+function search.nearly(entries, text)
+  local texts, score, all = {}, {}, 0
+  for i, entry in ipairs(entries) do texts[i], score[i] = search.plain(text_of(entry)), 0 end
   for _, word in ipairs(search.words(text)) do
-    if not fillers[word] then words[#words + 1] = { stem = stem(word), among = {} } end
-  end
-  for i, entry in ipairs(entries) do
-    texts[i] = search.plain(table.concat({ entry.address, entry.use or "", entry.text }, " "))
-  end
-  local all = 0
-  for _, word in ipairs(words) do
-    for i in ipairs(entries) do
-      if texts[i]:find(word.stem) then table.insert(word.among, i) end
+    local among, pattern = {}, stem(word)
+    for i = 1, fillers[word] and 0 or #entries do
+      if texts[i]:find(pattern) then among[#among + 1] = i end
     end
-    local weight = math.log(#entries / math.max(#word.among, 1))
-    all = all + (word.among[1] and weight or 0)
-    for _, i in ipairs(word.among) do score[i] = (score[i] or 0) + weight end
+    local weight = among[1] and math.log(#entries / #among) or 0
+    all = all + weight
+    for _, i in ipairs(among) do score[i] = score[i] + weight end
   end
   local found = {}
   for i in ipairs(entries) do
-    if score[i] and score[i] > all / 2 then found[#found + 1] = i end
+    if score[i] > all / 2 then found[#found + 1] = i end
   end
-  table.sort(found, function(a, b)
-    if score[a] ~= score[b] then return score[a] > score[b] end
-    return a < b
-  end)
+  table.sort(found, function(a, b) return score[a] > score[b] or score[a] == score[b] and a < b end)
   for k, i in ipairs(found) do found[k] = entries[i] end
   return found
 end
