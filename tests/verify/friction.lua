@@ -3,6 +3,7 @@
 -- the effect of the bodies' outer boundaries.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local slices = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/slices.lua")
 local within, about, below, note, ok = figures.within, figures.about, figures.below, figures.note, figures.ok
 
 local mu, load = 0.6, 100
@@ -231,41 +232,16 @@ end
 
 -- --- load and force together --------------------------------------------------------------------
 
--- Jaeger's exact solution for similar bodies under P(t) and Q(t). The load is divided into slices, each with
--- a ratio eta = dQ/dP of shear. Slip changes eta to +-mu from the outermost slice on. A slice at load P moves
--- the bodies by eta dP (const - ln P) / (pi E*).
-local slices = {}
-function slices.new(count, most) return { n = 0, step = most / count, eta = {}, force = 0, way = 0 } end
-
-function slices.set(s, i, eta)
-  local change = (eta - (s.eta[i] or 0)) * s.step
-  s.force = s.force + change
-  s.way = s.way - change * math.log((i - 0.5) * s.step) / (math.pi * exact.E_star)
-  s.eta[i] = eta
-end
-
-function slices.go(s, normal, force)
-  local n = math.floor(normal / s.step + 0.5)
-  local share = n > s.n and (force - s.force) / ((n - s.n) * s.step) or 0
-  for i = s.n + 1, n do slices.set(s, i, math.max(-mu, math.min(mu, share))) end
-  for i = s.n, n + 1, -1 do slices.set(s, i, 0) end
-  s.n = n
-  local i, most = n, force > s.force and mu or -mu
-  while math.abs(force - s.force) > 1e-9 * mu * load and i > 0 do
-    local needed = s.eta[i] + (force - s.force) / s.step
-    slices.set(s, i, math.max(-mu, math.min(mu, needed)))
-    if math.abs(needed) > mu and math.abs(s.eta[i] - most) > 1e-12 then error "a slice did not slip" end
-    i = i - 1
-  end
-end
+-- Jaeger: a slice at the load P moves the bodies by (const - ln P) / (pi E*).
+local function compliance(normal) return -math.log(normal) / (math.pi * exact.E_star) end
 
 -- Returns the energy dissipated in the second cycle; path(t) returns load and force.
 local function jaeger_energy(path, steps)
-  local s, energy = slices.new(5000, 200), 0
+  local s, energy = slices.new(5000, 200, mu, compliance), 0
   for k = 0, 2 * steps do
-    local force, way = s.force, s.way
-    slices.go(s, path(k / steps))
-    if k > steps then energy = energy + (s.force + force) / 2 * (s.way - way) end
+    local force, motion = s.force, s.motion
+    slices.change(s, path(k / steps))
+    if k > steps then energy = energy + (s.force + force) / 2 * (s.motion - motion) end
   end
   return energy
 end

@@ -4,6 +4,7 @@
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, mean = figures.below, figures.mean
+local slices = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/slices.lua")
 local random = math.random
 math.randomseed(200)
 local count = tonumber(os.getenv "ARCHARD_RUNS") or 12
@@ -14,40 +15,15 @@ local function half_width(load) return (3 * load * radius / (4 * E_star)) ^ (1 /
 
 -- --- slices -------------------------------------------------------------------------------------
 
--- A slice of load between P and P + dP carries the shear eta dP and moves the contact by eta dP / (2 G a(P)), which is
--- (2 - nu) / (8 G a) of either body. A slice that slips has eta = +-mu; slices slip from the outermost inwards.
-local slices = {}
-function slices.new(number)
-  local s = { n = 0, step = most / number, eta = {}, force = 0, motion = 0, compliance = {} }
-  for i = 1, number do
-    s.eta[i], s.compliance[i] = 0, 1 / (2 * G * half_width((i - 0.5) * s.step))
-  end
-  return s
-end
-
-function slices.set(s, i, eta)
-  local change = (eta - s.eta[i]) * s.step
-  s.force, s.motion, s.eta[i] = s.force + change, s.motion + change * s.compliance[i], eta
-end
-
-function slices.go(s, load, force)
-  local n = math.floor(load / s.step + 0.5)
-  local share = n > s.n and (force - s.force) / ((n - s.n) * s.step) or 0
-  for i = s.n + 1, n do slices.set(s, i, math.max(-mu, math.min(mu, share))) end
-  for i = s.n, n + 1, -1 do slices.set(s, i, 0) end
-  s.n = n
-  for i = n, 1, -1 do
-    if math.abs(force - s.force) <= 1e-9 * mu * load then break end
-    slices.set(s, i, math.max(-mu, math.min(mu, s.eta[i] + (force - s.force) / s.step)))
-  end
-end
+-- 1 / (2 G a) is (2 - nu) / (8 G a) of either body.
+local function compliance(load) return 1 / (2 * G * half_width(load)) end
 
 -- Changes load and force in equal parts. Returns the work of the force.
 local function jaeger_leg(s, load, force)
   local parts, work, load0, force0 = 200, 0, s.n * s.step, s.force
   for k = 1, parts do
     local share, q, x = k / parts, s.force, s.motion
-    slices.go(s, load0 + share * (load - load0), force0 + share * (force - force0))
+    slices.change(s, load0 + share * (load - load0), force0 + share * (force - force0))
     work = work + (s.force + q) / 2 * (s.motion - x)
   end
   return work
@@ -69,7 +45,7 @@ local pair = { geometry = "3-D", upper = body.ball{ radius = radius, material = 
   lower = body.block{ material = steel } }
 
 local function both_ways(path)
-  local s, c = slices.new(4000), contact{ model = pair, load = path[1].load, friction = mu }
+  local s, c = slices.new(4000, most, mu, compliance), contact{ model = pair, load = path[1].load, friction = mu }
   local motions, works, energies = {}, {}, {}
   local scale = mu * most / (2 * G * half_width(most)) -- motion of all slices together, without slip
   jaeger_leg(s, path[1].load, 0)
