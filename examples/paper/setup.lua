@@ -65,7 +65,7 @@ end
 
 -- --- Fig. 6b -------------------------------------------------------------------------------------
 
-local function ways(cases)
+local function positions(cases)
   local panels = { { title = "reciprocating, r = 2" }, { title = "single pass, r = 1" } }
   for _, panel in ipairs(panels) do
     panel.xlabel, panel.ylabel, panel.xrange = "t / T", "x / mm", { 0, 1 }
@@ -86,7 +86,7 @@ return {
     shows = "Elements grow from the contact to the far ends of the bodies; each mesh is its own "
       .. "mirror image. Only the three rows of elements at the contact, the wear box, change as the "
       .. "surfaces wear." },
-  { name = "fig6b", title = "Figure 6b. Position of the plate", draw = ways,
+  { name = "fig6b", title = "Figure 6b. Position of the plate", draw = positions,
     caption = "Position of the plate over one cycle of period T.",
     shows = "The strokes a, 2a and 4a go there and back; that of 2R goes over the whole plate one way "
       .. "only. A cycle then slides s instead of 2s, in Eq. (28) too." },

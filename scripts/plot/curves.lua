@@ -34,7 +34,9 @@ local function split(where, mark, own, ...)
     elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
       options = value
     else
-      check.fail(where, ("argument %d: expected an object with .%s, a string, or a table of options as the last argument, got %s%s"):format(i, mark, check.shown(value), naming.get(value, "flat") and " (use plot.map for the maps of a joint)" or ""))
+      check.fail(where, ("argument %d: expected an object with .%s, a string, or a table of options as the last "
+        .. "argument, got %s%s"):format(i, mark, check.shown(value),
+        naming.get(value, "flat") and " (use plot.map for the maps of a joint)" or ""))
     end
   end
   if #objects == 0 then

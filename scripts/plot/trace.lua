@@ -11,7 +11,8 @@ local function split(where, ...)
   if type(last) == "table" and not getmetatable(last) then options = table.remove(traces) end
   for i, p in ipairs(traces) do
     if not is_profile(p) or (p.z == nil) ~= (traces[1].z == nil) then
-      check.fail(where, ("argument %d: expected a profile of %s like the first, or a table of options as the last argument, got %s"):format(
+      check.fail(where, ("argument %d: expected a profile of %s like the first, or a table of options as the last "
+        .. "argument, got %s"):format(
         i, traces[1].z and "heights" or "depths", is_profile(p) and "one of " .. (p.z and "heights" or "depths") or check.shown(p)))
     end
   end

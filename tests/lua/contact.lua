@@ -1,4 +1,4 @@
--- Tests contact{}: solutions, pressures, stresses, and worn shapes given in three ways.
+-- Tests contact{}: solutions, pressures, stresses, and worn shapes given as functions, lists and runs.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
