@@ -14,7 +14,7 @@ is(c.stick, 1, "all of it sticks")
 is(c.energy, 0, "nothing is dissipated")
 near(c.p_center, contact{ model = m, load = 10 }.p_center, 1e-3, "like bodies press as without friction")
 near(contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[2] - contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[1],
-  0.0880442 / 28, 1e-4, "28 cells over the half width where nobody chose")
+  0.0880442 / 40, 1e-4, "40 cells over the half width where nobody chose")
 
 -- Tests a moved contact against Mindlin's closed form.
 local d = c:move{ tangential = 3, increments = 2 }
@@ -28,6 +28,25 @@ near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "the energy of a loop")
 near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, the force is the same")
 is(d:move{}.x, d.x, "an empty motion changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
+
+-- Tests loops and stick zones on the automatic grid against Mindlin's at nu = 0.
+do
+  local steel = material{ E = 200e3, nu = 0 }
+  local pair = { geometry = "3-D", upper = body.ball{ radius = 10, material = steel }, lower = body.block{ material = steel } }
+  local start, radius = contact{ model = pair, load = 10, friction = 0.5 }, (3 * 10 * 10 / (4 * 100e3)) ^ (1 / 3)
+  for _, share in ipairs{ 0.2, 0.3, 0.6, 0.95 } do
+    local there = start:move{ tangential = 5 * share }
+    local back = there:move{ tangential = -5 * share }
+    local loop = 9 * 25 / (5 * radius) * 2 / 100e3 * (1 - (1 - share) ^ (5 / 3) - 5 * share / 6 * (1 + (1 - share) ^ (2 / 3)))
+    near(2 * (back.energy - there.energy), loop, 6e-3, share .. " of full slip: energy of a loop")
+    near(there.x, 3 * 5 / (4 * 100e3 * radius) * (1 - (1 - share) ^ (2 / 3)), 1e-3, share .. " of full slip: motion")
+    local edge = (there.stick * there.area / math.pi) ^ 0.5
+    ok(math.abs(edge - radius * (1 - share) ^ (1 / 3)) < radius / 80, share .. " of full slip: stick zone within half a cell")
+  end
+end
+
+-- Tests a motion that needs too much memory.
+fails(function() c:move{ x = 1e300 } end, "cells at all positions of the stroke needs about", "a motion that needs too much memory")
 
 -- Tests motion along z, and changes of direction.
 local z = c:move{ tangential_z = 3, increments = 2 }

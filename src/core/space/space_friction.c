@@ -9,9 +9,9 @@
 #include <string.h>
 
 /* Default number of cells in the half width with friction, and without. At small forces the slip
- * annulus is only a few hundredths of the contact wide. With 28 cells Mindlin's loops are
+ * annulus is only a few hundredths of the contact wide. With 40 cells Mindlin's loops are
  * accurate to 0.4 % from a fifth of full slip on. */
-static const double cells_of_friction = 28, usual_cells = 8;
+static const double cells_of_friction = 40, usual_cells = 8;
 
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells) {
   arc_model_def fine = *def;
