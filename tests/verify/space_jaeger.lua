@@ -7,7 +7,7 @@ local below, mean = figures.below, figures.mean
 local slices = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/slices.lua")
 local random = math.random
 math.randomseed(200)
-local count = tonumber(os.getenv "ARCHARD_RUNS") or 6
+local count = tonumber(os.getenv "ARCHARD_RUNS") or 3
 
 local E, radius, mu, most = 200e3, 10, 0.5, 20
 local G, E_star = E / 2, E / 2
