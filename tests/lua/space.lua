@@ -210,6 +210,7 @@ near(thin.p_max, c.p_max, 0.02, "a coat of 1 um has cells that resolve it")
 fails(function() contact{ model = { geometry = "3-D", lower = coat, mesh = { size = 0.01 } }, load = 10 } end, "too wide for a layer of 0.001 mm", "cells wider than four layers")
 near(contact{ model = { geometry = "3-D", mesh = { size = 0.06 } }, load = 10 }.approach, c.approach, 0.2, "cells nearly as wide as the contact")
 fails(function() wear{ model = { geometry = "3-D", mesh = { size = 1e-4 } }, load = 10, stroke = 0.1 } end, "expected at most 4096 x 4096; use a mesh.size above 0.0001 mm", "windows of too many cells")
+fails(function() contact{ model = { geometry = "3-D", mesh = { size = 1e-300 } }, load = 10 } end, "expected at most 4096 x 4096; use a mesh.size above", "a number of cells above the largest integer")
 fails(function() wear{ model = { geometry = "3-D", mesh = { size = 5e-4 } }, load = 1000, stroke = 0.9 } end, "GB are free: use a mesh.size above 0.0005 mm, a shorter stroke", "windows beyond memory")
 for _, cells in ipairs{ 1, 2, 4 } do
   local of_coat = body.block{ layers = { { thickness = 0.005, E = 50e3 } } }

@@ -1,6 +1,7 @@
 /* Creates a pair of half-spaces and computes the data that follow from its definition. */
 #include "core/space/cerruti.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -308,9 +309,13 @@ double arc_halfspace_bytes(const arc_halfspace_def *d, int positions) {
 
 /* --- sizes ------------------------------------------------------------------------------------ */
 
+int arc_space_whole_cells(double number) {
+  return (int)fmin(ceil(number), INT_MAX / 4);
+}
+
 static int odd_above(double n) {
   enum { fewest = 9 };
-  const int whole = (int)fmax(ceil(n), fewest);
+  const int whole = arc_space_whole_cells(fmax(n, fewest));
   return whole + (whole % 2 == 0);
 }
 
@@ -350,5 +355,5 @@ void arc_halfspace_fit(arc_halfspace_def *d, double load, double volume, double 
   const double margin = 1.15;
   d->nx = odd_above(2 * margin * reach(hertz.half_width, rx, rz, volume) / d->size_x);
   d->nz = odd_above(2 * margin * reach(hertz.half_width_z, rz, rx, volume) / d->size_z);
-  d->track = d->nx + 2 * (int)ceil(stroke / 2 / d->size_x - 1e-9);
+  d->track = d->nx + 2 * arc_space_whole_cells(stroke / 2 / d->size_x - 1e-9);
 }

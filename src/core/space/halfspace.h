@@ -60,6 +60,11 @@ double arc_space_term(double u, double v);
 double arc_space_symbol(const arc_halfspace_def *def, double q);
 /* Returns 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
+
+/* Returns `number` rounded up to a whole number of cells. Numbers above a quarter of the largest
+ * integer become this quarter, so that sums of three do not overflow. */
+int arc_space_whole_cells(double number);
+
 /* Adds to the kernel [nx][nz] the contribution of layers and bases, which is the difference from
  * half-spaces of the topmost materials. */
 arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, arc_error *error);

@@ -1,7 +1,7 @@
 /* The contact object of half-spaces, and the reference configuration of a run. */
+#include "core/space/halfspace.h"
 #include "core/space/space_kind.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,9 +79,9 @@ static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks
 arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
   const space_shape *s = space_shape_of(c->handle.shape);
   arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
-  const double ahead = 2 * ceil(fabs(c->handle.def.x) / cells.size_x);
+  const int ahead = 2 * arc_space_whole_cells(fabs(c->handle.def.x) / cells.size_x);
   space_shape *larger;
-  if (cells.groove == 0) cells.track = (int)fmin(fmax(cells.track, cells.nx + ahead), INT_MAX / 2);
+  if (cells.groove == 0) cells.track = (int)fmax(cells.track, cells.nx + ahead);
   arc_status status =
       arc_space_widen(arc_model_definition(arc_shape_model(c->handle.shape)), 4, &cells, error);
   if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
