@@ -84,7 +84,7 @@ local function through(of_coat, of_base, changes)
   return coated
 end
 for what, case in pairs{
-  ["soft on hard"] = { 1e-7, 1e-9 }, ["hard on soft"] = { 1e-8, 1e-7, { distance = 13500 } },
+  ["soft on hard"] = { 1e-7, 1e-9 }, ["hard on soft"] = { 1e-8, 3e-8, { distance = 13500 } },
   ["a groove through a soft coat"] = { 1e-7, 1e-9, { procedure = "NSP", stroke = 1, distance = 4000 } },
 } do
   local changes = case[3] or {}

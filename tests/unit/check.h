@@ -19,6 +19,12 @@
 
 #define UNUSED __attribute__((unused))
 
+/* Returns true in a run of all tests (tests/run -a), which includes long ones. */
+UNUSED static int all_tests(void) {
+  const char *all = getenv("ARCHARD_ALL");
+  return all && *all;
+}
+
 /* --- random numbers --------------------------------------------------------------------------- */
 
 static uint64_t random_state = 1;

@@ -186,8 +186,8 @@ static int run_one(worst_case *worst) {
 
 static void test_random(void **state) {
   (void)state;
-  const char *runs = getenv("ARCHARD_RUNS"), *all = getenv("ARCHARD_ALL");
-  const int count = runs ? atoi(runs) : all && *all ? 60 : 8;
+  const char *runs = getenv("ARCHARD_RUNS");
+  const int count = runs ? atoi(runs) : all_tests() ? 60 : 8;
   worst_case worst = {0};
   while (worst.runs < count && worst.refused < 1 + count / 4) {
     const int fine = run_one(&worst);

@@ -45,8 +45,7 @@ typedef struct row {
 
 /* Checks the first two rows of a table; with tests/run -a, all rows. */
 static void check_rows(const row *rows, int count, double load, double dx, int n, double distance) {
-  const char *all = getenv("ARCHARD_ALL");
-  if (!all || !*all) count = 2;
+  if (!all_tests()) count = 2;
   for (int k = 0; k < count; k++) {
     history_def d = reciprocating(load, dx, n, rows[k].alpha, rows[k].stroke, distance);
     if (rows[k].alpha == 1) d.increments = 0;

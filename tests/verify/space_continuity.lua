@@ -3,7 +3,7 @@
 -- has the right area. Both therefore change with the input by amounts below the error of the cells.
 -- Long
 local sweeps = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/sweep.lua")
-local sweep, sweep_cells = sweeps(5e-3, 1e-6), sweeps(2.5e-2, 1e-6)
+local sweep, sweep_cells, sweep_runs = sweeps(5e-3, 1e-6), sweeps(2.5e-2, 1e-6), sweeps(2.5e-2, 1e-6, 12)
 
 local function steel(radius)
   return { geometry = "3-D", upper = body.ball{ radius = radius or 10 }, lower = body.block{} }
@@ -34,6 +34,6 @@ sweep_cells("the tangential force", 1.5, 4.5, { "stick" }, force)
 sweep("the load of a contact", 9, 11, { "energy", "x" }, moved(function(x) return { load = x } end))
 sweep("friction", 0.4, 0.8, { "energy", "x" }, moved(function(x) return { friction = x } end))
 sweep("the radius", 8, 12, { "energy", "stick", "x" }, moved(function(x) return { model = steel(x) } end))
-sweep_cells("the force of a run", 1.5, 4.5, { "V", "depth", "energy" }, worn(function(x) return { tangential = x } end))
-sweep_cells("the load of a run", 9, 11, { "V", "depth", "energy" }, worn(function(x) return { load = x } end))
-sweep("the stroke of a run", 2e-4, 2e-3, { "V", "depth", "energy" }, worn(function(x) return { stroke = x } end))
+sweep_runs("the force of a run", 2.2, 4.6, { "V", "depth", "energy" }, worn(function(x) return { tangential = x } end))
+sweep_runs("the load of a run", 9, 11, { "V", "depth", "energy" }, worn(function(x) return { load = x } end))
+sweep_runs("the stroke of a run", 4e-4, 2e-3, { "V", "depth", "energy" }, worn(function(x) return { stroke = x } end))

@@ -2,7 +2,7 @@
 -- result. A step is the part of a result's change between two points that exceeds the changes before and
 -- after. The variable ARCHARD_POINTS sets the number of points of each sweep (default 24).
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
-local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
+local wanted = tonumber(os.getenv("ARCHARD_POINTS"))
 
 -- Returns the largest step of a list, relative to its largest value.
 local function largest_step(list)
@@ -18,8 +18,10 @@ end
 figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is distinguished from a slope")
 
 -- Returns the function sweep(name, from, to, results, solve), where solve(x) returns the results by name.
--- most: largest allowed step of a result; noise: largest allowed relative change by rounding of the input.
-return function(most, noise)
+-- most: largest allowed step of a result; noise: largest allowed relative change by rounding of the input;
+-- usual: number of points without ARCHARD_POINTS.
+return function(most, noise, usual)
+  local points = wanted or usual or 24
   return function(name, from, to, results, solve)
     local found = {}
     for i = 0, points - 1 do
