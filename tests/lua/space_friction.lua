@@ -47,6 +47,7 @@ end
 
 -- Tests a motion that needs too much memory.
 fails(function() c:move{ x = 1e300 } end, "cells at all positions of the stroke needs about", "a motion that needs too much memory")
+fails(function() c:move{ load = 1e6 } end, "cells in the half width, expected at most 512", "a load whose contact needs too many cells")
 
 -- Tests motion along z, and changes of direction.
 local z = c:move{ tangential_z = 3, increments = 2 }

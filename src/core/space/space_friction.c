@@ -221,6 +221,23 @@ arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc
 
 /* --- motions ---------------------------------------------------------------------------------- */
 
+/* Fails if the contact under the load would have too many cells. */
+static arc_status check_cells(const space_contact *c, double load, arc_error *error) {
+  static const double most = 512;
+  const space_shape *s = space_shape_of(c->handle.shape);
+  const arc_model_def *model = arc_model_definition(arc_shape_model(c->handle.shape));
+  if (model->periodic) return ARC_OK;
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, load);
+  const double cells = fmax(hertz.half_width / (d->turned ? d->size_z : d->size_x),
+                            hertz.half_width_z / (d->turned ? d->size_x : d->size_z));
+  if (cells <= most) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'load': %g N gives %.3g cells in the half width, expected at most %g: "
+                  "press a contact under a load closer to this one, or use a larger mesh.size",
+                  load, cells, most);
+}
+
 static arc_status check(const space_contact *c, const arc_motion_def *motion, double load,
                         arc_error *error) {
   const double carried = c->handle.def.friction * load;
@@ -264,6 +281,7 @@ arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
   arc_halfspace_effort effort = {0};
   arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
   if (status == ARC_OK) status = check(c, motion, load, error);
+  if (status == ARC_OK) status = check_cells(c, load, error);
   if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
   c->handle.def.load = load;
   if (status == ARC_OK) status = read_state(c, &effort, callbacks, error);
