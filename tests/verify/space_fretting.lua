@@ -48,11 +48,13 @@ for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5 }, { 0.7, 4.0065e-7, 
 end
 
 -- --- nu = 0.3 --------------------------------------------------------------------------------------
-local both = { [0.5] = { 1.167e-7, 3.729e-7, 8.25e-7 }, [0.7] = { 4.364e-7, 1.497e-6, 3.337e-6 },
-  [0.9] = { 1.534e-6, 6.078e-6, 1.750e-5 } }
-for share, expected in pairs(both) do
-  follow(0.3, share, 14, expected, { 0.02, 0.03, 0.08 }, ("nu = 0.3, %g of full slip, 14 cells"):format(share))
-end
+-- At 0.9 of full slip the study, with up to 28 cells, has 1.750e-5 at T = 10, which has not converged. The
+-- volume expected there is that of 40 cells: with 14, 17, 20, 24, 28, 33 and 40 cells it is 1.875, 1.858, 1.948,
+-- 1.955, 1.926, 1.937 and 1.939e-5. Explicit updates, extrapolated to length 0, agree within 0.3 % at 20 cells.
+local partly = "nu = 0.3, %g of full slip, %d cells"
+follow(0.3, 0.5, 14, { 1.167e-7, 3.729e-7, 8.25e-7 }, { 0.02, 0.03, 0.08 }, partly:format(0.5, 14))
+follow(0.3, 0.7, 14, { 4.364e-7, 1.497e-6, 3.337e-6 }, { 0.02, 0.03, 0.08 }, partly:format(0.7, 14))
+follow(0.3, 0.9, 20, { 1.534e-6, 6.078e-6, 1.939e-5 }, { 0.01, 0.02, 0.01 }, partly:format(0.9, 20))
 
 -- --- the end ---------------------------------------------------------------------------------------
 do
