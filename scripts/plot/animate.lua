@@ -101,8 +101,8 @@ end
 
 -- --- a stroke in three dimensions ---------------------------------------------------------------
 
--- Draws the contact pressure of the present worn surfaces at `count` positions of the plate, from one end of
--- the stroke to the other.
+-- Draws the contact pressure between the worn surfaces at `count` positions of the plate, from one end of the
+-- stroke to the other.
 local function stroke_film(w, count, delay, given)
   local where = "plot.animate"
   if curves.get(w.model, "geometry") ~= "3-D" then check.refuse(where, "what", '"stroke" only with geometry = "3-D"', "stroke") end
@@ -136,8 +136,8 @@ local function updates_between(w, frames)
   return math.max(1, math.ceil((cycles - cycle) / jump / frames - 1e-9))
 end
 
--- Advances the run by `every` updates at a time, at most `frames` times and not beyond its end. Calls visit()
--- at the start and after each step.
+-- Advances the run by `every` updates at a time, at most `frames` times, and stops at the end of the run.
+-- Calls visit() at the start and after each step.
 local function each_frame(w, every, frames, visit)
   visit()
   for _ = 1, frames do

@@ -21,8 +21,8 @@ local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.text
 
--- Sorts the arguments (object, ..., word, ..., { options }) into objects, words and options. An object has
--- the method or field `mark`. The options may contain the fields of plot{} and of `own`.
+-- Sorts the arguments (object, ..., word, ..., { options }) into objects, words and options. Objects have the
+-- method or field named by `mark`. The options may contain the fields of plot{} and of `own`.
 local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
@@ -49,8 +49,8 @@ end
 
 local scaled = shapes.scaled
 
--- Returns the half range of x that shows all nonzero values and the zeros next to them with a margin; at
--- least `reach`.
+-- Returns the half range of x that contains all nonzero values and the zeros next to them, with a margin. The
+-- result is at least `reach`.
 local function reach_of(x, values, reach)
   for i = 1, #x do
     local at = math.abs(x[i])
@@ -79,8 +79,8 @@ local function scale_of(where, object)
   return hertz_of(model, load)
 end
 
--- Returns the first object's name for the body that the words or options choose, and the chosen word. Raises
--- an error if an object has no such body.
+-- Returns the name of the selected body in the first object, and the word that selects it: the last of
+-- `words`, or else options.body. Raises an error if an object has no such body.
 local function body_word(where, objects, words, options)
   local body = words[#words] or options.body
   for _, word in ipairs(words) do naming.body(where, objects[1], word) end
@@ -211,8 +211,8 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Quantities that have a common axis. Columns: pattern of the names of history columns, axis label, factor
--- from the unit of the column to the unit of the label.
+-- Quantities of the history; columns of the same quantity are drawn over one axis. Fields: pattern of the
+-- column names, axis label, factor from the unit of the column to the unit of the label.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },
   { "^depth_partition$", "wear depth partition", 1 },
@@ -280,8 +280,8 @@ local function steps_of(x, y)
   return xs, ys
 end
 
--- Returns x and y without the first row, which has no jump, and without a last jump that the end of the run
--- has shortened.
+-- Returns x and y of the column `jump` (cycles per update) without the first row, which has no update, and
+-- without a last update that was shortened by the end of the run.
 local function jumps_of(x, y)
   if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if #y > 2 and y[#y] < y[#y - 1] then

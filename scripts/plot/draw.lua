@@ -52,7 +52,7 @@ local output_fields = {
 }
 local figure_fields = merged(panel_fields, output_fields,
   { panels = check.table, layout = check.grid, letters = check.flag })
-draw.fields = figure_fields -- for functions that accept the fields of plot{} and options of their own
+draw.fields = figure_fields -- the fields of plot{}, for functions that also accept other options
 
 -- Checks the options of a picture. Allowed are the fields of plot{} and the fields in `own`.
 function draw.options(where, options, own)
@@ -62,9 +62,9 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- Properties of option tables that draw.over() made, by table. `titled`: the title is a default of the
--- drawing function. `stacked`: the panels may be drawn side by side instead. `x`, `y`: the unit of this axis
--- may be changed.
+-- Properties of the option tables returned by draw.over(), with the table as the key. `titled`: the title is
+-- a default of the drawing function. `stacked`: the panels may be drawn side by side instead. `x`, `y`: the
+-- unit of this axis may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
 -- Returns the defaults of a drawing function, overridden by the user's options of plot{}.
@@ -104,7 +104,7 @@ local function to_curve(where, given, number, panel)
   }
 end
 
--- Returns an axis as a table. The limits in `range` may be in the order in which the axis is drawn.
+-- Returns an axis as a table. On a reversed axis the limits in `range` may be in either order.
 local function to_axis(label, range, log, down, places)
   local low, high = range and range[1], range and range[2]
   if down and low and high then low, high = math.max(low, high), math.min(low, high) end
@@ -146,7 +146,7 @@ local function same_numbers(a, b)
   return true
 end
 
--- Adds measured points to a panel and removes equal points that an earlier call added.
+-- Adds measured points to a panel and removes earlier curves with the same points.
 local function put_points(where, panel, points)
   add_points(where, panel, points)
   local new = panel.curves[#panel.curves]
@@ -246,8 +246,8 @@ end
 -- than 30.
 local fewest, few = 4, 30
 
--- Returns the number of points of a curve within the range of the axis, without runs of zeros. Returns nil if
--- x does not increase.
+-- Returns the number of points of a curve within the range of the axis. Of consecutive zeros only the first
+-- is counted. Returns nil if x does not increase.
 local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
@@ -272,8 +272,8 @@ local function marked_of(figure)
   return function(panel, curve) return counts[curve] >= fewest and most[panel.x.label or ""] <= few end
 end
 
--- Appends the label of the values to the title. A picture made of characters has no colour scale that could
--- show the label.
+-- Appends the label of the field's values to the title of a picture made of characters, which has no colour
+-- scale that could show the label.
 local function with_label(title, label)
   if not label or not title or title:find(label, 1, true) then return title or label end
   return label:sub(1, #title) == title and label or title .. ", " .. label

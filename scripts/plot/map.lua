@@ -44,9 +44,9 @@ end
 
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Returns quadrilaterals around the points of the map between rows j and j + 1, from the last row to the
--- first. position(i, j) returns x and y of a point in the picture. covers(x, z) returns true if the
--- quadrilateral with this middle is drawn; without `covers` all are drawn.
+-- Returns the map as a field of quadrilaterals with map points as corners, from the last row to the first.
+-- position(i, j) returns x and y of a point in the picture. covers(x, z) returns true if the quadrilateral
+-- with this centre is drawn; without `covers` all are drawn.
 local function field_of(t, position, covers)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
@@ -74,8 +74,8 @@ local map_words = check.one_of{ "depth", "height", "pressure" }
 local function is_joint_run(object) return strict.is(object, "joint_wear") end
 local function is_of_joint(object) return is_joint_run(object) or strict.is(object, "joint_contact") end
 
--- Returns a function(x, z) -> true if this position of a joint's map is drawn: it must be on the half sphere
--- about the load and, except on maps of the head, on the cup.
+-- Returns a function(x, z) -> true if this position of a joint's map is drawn: it must be on the hemisphere
+-- around the load direction and, except on maps of the head, on the cup.
 local function cover_of(joint, of_head)
   local covers = of_head and function() return true end or flat.cover(joint.cup)
   return function(x, z)
@@ -162,7 +162,7 @@ end
 
 local columns, rows, lean = 150, 50, 1 -- points along x and z; offset of each row to the right, in columns
 local rise = 0.5                       -- vertical length in the picture of a unit length along z
-local share = 0.2                      -- approximate range of the heights, as a share of the longer side
+local share = 0.2                      -- approximate range of the heights, as a fraction of the longer side
 
 -- Returns the largest number <= value that is 1, 2 or 5 times a power of ten.
 local function rounded(value)
@@ -185,7 +185,7 @@ local function seen(t)
   return { x = x, z = z, y = y, unit = t.unit }, low, high
 end
 
--- Returns every fifth row as a line, without the parts that rows in front of it hide.
+-- Returns every fifth row as a line, without the parts hidden by rows in front of it.
 local function visible_rows(position)
   local curve, horizon = { x = {}, y = {}, colour = "black", width = 0.4, on = "pixels" }, {}
   for j = 1, rows do

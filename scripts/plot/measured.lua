@@ -23,9 +23,9 @@ local function thinned(p, from, to)
 end
 
 -- Returns the points of a trace in µm for the option `points` of plot{}, and the half range of x widened to
--- show the scar. Only points with |x| <= reach are used; for reach 0 all are. If the scar is entirely on one
--- side of x = 0, the trace has another origin: its points are shifted to put the middle of the scar at 0, and
--- the title states the shift.
+-- show the scar. Only points with |x| <= reach are used; if `reach` is 0, all points are used. If the scar is
+-- entirely on one side of x = 0, the trace has another origin: its points are shifted to put the middle of
+-- the scar at 0, and the title states the shift.
 function measured.points(p, reach)
   local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then

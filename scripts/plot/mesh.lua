@@ -201,9 +201,9 @@ local function displaced(body, factor)
   return x, y
 end
 
--- Returns the distance [mm] by which the upper body is drawn lower, which is the approach of the bodies: worn
--- bodies then touch in the picture. Returns 0 if the option `deformed` is given, if surfaces are unrolled, or
--- if the load is not along y.
+-- Returns the approach of the bodies [mm], by which the upper body is drawn lower so that worn bodies touch
+-- in the picture. Returns 0 if the option `deformed` is given, if surfaces are unrolled, or if the load is
+-- not along y.
 local function lowered(contact, options)
   if options.deformed or options.unrolled or not contact or naming.get(contact, "load_angle") ~= 0 then return 0 end
   return naming.get(contact, "approach") or 0
@@ -232,8 +232,8 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- Returns the box to show: the user's box, or three half widths around the contact. Returns nil to show
--- everything, also if both bodies are smaller.
+-- Returns the box to show: the user's box, or three half widths around the contact. Returns nil, which shows
+-- everything, for zoom = "all", without a contact, and if both bodies are smaller than this box.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -245,8 +245,8 @@ local function stress_view(contact, zoom, bodies)
   end
 end
 
--- Returns the stresses and the contact they belong to, if it is known. The object is a contact, a run (its
--- worn state is used), or a table returned by stress().
+-- Returns the stresses and, if known, the contact of these stresses. The object is a contact, a run (its worn
+-- state is used), or a table returned by stress().
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end

@@ -13,8 +13,8 @@ function naming.get(object, name)
 end
 local get = naming.get
 
--- Types of the fields that a drawable object has. naming.part() returns nil if the object has no field of
--- this name and type.
+-- Types of the fields of drawable objects. naming.part() returns nil if the object has no field of this name
+-- and type.
 local kinds = { pressure = "function", profile = "function", stress = "function", history = "table", mesh = "table" }
 
 function naming.part(object, name)
@@ -64,8 +64,8 @@ end
 
 -- --- one setting of an object --------------------------------------------------------------------
 
--- Settings for titles. Columns: name of the setting, format of numbers or words, symbol for a function or
--- table, axis label. `follows` is true if the setting depends on other settings.
+-- Settings for titles. Fields: name of the setting, format of the value, symbol used if the value is a
+-- function or table. `axis` is the axis label. `follows` is true if the setting depends on other settings.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },

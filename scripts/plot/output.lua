@@ -121,8 +121,8 @@ end
 
 -- --- choice of the output ------------------------------------------------------------------------
 
--- Returns true if the picture has greys only. The call or plot.default decides; for files without such a
--- choice, the style.
+-- Returns true if the picture has greys only. The colours are chosen in the call or in plot.default or, for
+-- files without such a choice, by the style.
 local function is_grey(given)
   local colour = colours_of(given)
   if colour == nil and given.file then colour = style.colour() end

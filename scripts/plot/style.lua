@@ -39,7 +39,7 @@ local fields = {
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
-local as_column = { single = "column", double = "page" } -- names of the widths in instructions of journals
+local as_column = { single = "column", double = "page" } -- the names that journals use for these widths
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 

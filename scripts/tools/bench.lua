@@ -231,7 +231,7 @@ end
 
 -- Measures the paper's pair of bodies, defined by model{}, by body.cylinder{} and body.block{}, and by a Gmsh
 -- file of its mesh. The mesh from the file has no wear box: its unknowns are eliminated in another order, and
--- mirror images save no half strokes.
+-- no half stroke is computed as a mirror image.
 local function general_paths()
   local text = export.msh(model{ radius = 10 })
   model{ radius = 9 } -- replaces the last model, which is cached
@@ -242,7 +242,7 @@ local function general_paths()
     end },
     { name = "the same mesh from Gmsh", make = function() return model{ radius = 10, mesh = text } end },
   }
-  -- Best of several alternating runs, which reduces the effect of other load on the machine.
+  -- Calls f seven times for each path. The best times are used, because other load slows some calls.
   local function best(f)
     for _ = 1, 7 do
       for _, path in ipairs(paths) do f(path) end

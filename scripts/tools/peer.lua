@@ -1,8 +1,8 @@
 -- make peer: solves exported decks in CalculiX and compares the results with archard's results. Both programs
 -- use the same linear elements on the same nodes. CalculiX enforces contact by a penalty, archard exactly.
 -- Times are CPU seconds of one thread; an increment of archard is an increment of a wear run, including its
--- share of wear and new geometry. ball.lua adds a ball on a flat in three dimensions, with bricks of 20
--- nodes.
+-- part of the time for wear and geometry updates. ball.lua adds a ball on a flat in three dimensions, with
+-- bricks of 20 nodes.
 
 local here = arg[0]:match("^.*/")
 local ccx = dofile(here .. "ccx.lua")

@@ -225,8 +225,8 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* Returns the exit status after the finalizers. They run after the script, but under the
- * script's limits. */
+/* Returns the exit status after the finalizers, which run after the script under the same limits. A
+ * finalizer that exceeds a limit makes the status a failure. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());

@@ -139,8 +139,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls the function `name` of the script that ends sessions with the value on top of the stack
- * and replaces this value by the result. On failure the result is nil. */
+/* Calls the function `name` of scripts/session/leave.lua with the value on top of the stack as its
+ * argument, and replaces this value by the result. On failure the result is nil. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
@@ -277,7 +277,7 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    const int is_note = number == 1 && line[0] == '#'; /* first line with #, as in scripts */
+    const int is_note = number == 1 && line[0] == '#'; /* skip a first line with #, as in scripts */
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
     if (pending_add(&chunk, line, size)) {

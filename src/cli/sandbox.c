@@ -21,8 +21,8 @@
 
 static const double mebi = 1048576;
 
-/* One file may be as large as the memory limit. All files together may have this many times the
- * size of the memory limit, and at most half of the free disk space. */
+/* One file may be as large as the memory limit. All files together may be this many times as large,
+ * but may fill at most half of the free disk space. */
 enum { FILES_AT_ONCE = 4 };
 
 sandbox sandbox_usual(void) {
@@ -127,7 +127,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* not needed: the worker pool is small */
+  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* optional: the worker pool is small */
   report_missing(missing);
   if (missing && self->strict) return 0;
   fprintf(stderr, "archard: cannot restart inside the sandbox: %s\n",

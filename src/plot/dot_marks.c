@@ -18,7 +18,7 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   if (curve->style != ARC_PLOT_LINES && curve->style != ARC_PLOT_STEPS) return 0;
   for (size_t i = 0; i < curve->count; i++)
     if (!isfinite(curve->x[i]) || !isfinite(curve->y[i]))
-      return 0; /* the curve is interrupted, such as edges of a mesh or rows of a surface */
+      return 0; /* an interrupted curve, such as the edges of a mesh */
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 
@@ -37,8 +37,8 @@ static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
                  place(&panel->y, box->y0, box->y1, curve->y[i])};
 }
 
-/* Returns the distance between two points as a fraction of the frame, or 0 if the second point
- * is outside. */
+/* Returns the distance between two points in fractions of the frame, or 0 if one of them is outside
+ * the range of x. */
 static double length(point a, point b) {
   int seen = a.u >= -1e-9 && a.u <= 1 + 1e-9 && b.u >= -1e-9 && b.u <= 1 + 1e-9;
   double all = hypot(b.u - a.u, b.v - a.v);

@@ -151,9 +151,9 @@ void arc_look_series(arc_writer *w);
 /* Writes the style of the curve at index `position` of its panel into a plot command. */
 void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position);
 
-/* The first function returns true if a curve has too many points for gnuplot's error bars,
- * which have a gap around each point. For such a curve, the second writes the style of
- * separate bars that are drawn before the points. */
+/* arc_look_bars_apart returns true if a curve has too many points for gnuplot's error bars, which
+ * have a gap around each point. For such a curve, arc_look_bars writes the style of separate bars
+ * that are drawn before the points. */
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve);
 void arc_look_bars(arc_writer *w, const arc_plot_panel *panel, size_t position);
 

@@ -93,7 +93,7 @@ int arc_title_lines(const char *words, double columns) {
   return lines;
 }
 
-/* --- scale of colours ------------------------------------------------------------------------- */
+/* --- colour scale ----------------------------------------------------------------------------- */
 
 static int is_scaled(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->scaled && !w->canvas->text;

@@ -257,8 +257,8 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
  * signs, with white at zero. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
   static const char *const palettes[][2] = {
-      /* in this order: fields of one sign, fields of both signs, and curves (without light
-       * colours, which would be hardly visible) */
+      /* for fields of one sign, fields of both signs, and curves (without light colours, which
+       * would be hardly visible); each in colours and in greys */
       {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
        "0 '#f7f7f7', 1 '#303030'"},
       {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",

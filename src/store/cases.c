@@ -205,7 +205,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* Memory of the value that is read from a row. The caller frees the memory. */
+/* Buffers for the array or the text of a value that is read from a row. The caller frees them. */
 typedef struct buffers {
   double *array;
   char *text;

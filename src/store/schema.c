@@ -128,8 +128,8 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* In format 5, "auto" was a separate value, and a case without a setting of steps used 100
-     * cycles. */
+    /* In format 5, "auto" was a separate value, and a case in two dimensions without jump,
+     * tolerance and scheme had 100 cycles per update. */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
