@@ -1,5 +1,5 @@
--- Computes the effect of friction on the paper's cases, which are without friction. Friction is 0.3 in gross
--- sliding. Changes are in percent of the run without friction.
+-- Computes the effect of friction on the paper's cases, which have no friction. The coefficient of friction
+-- is 0.3, in gross sliding. Changes are in percent of the run without friction.
 --
 --   archard scripts/tools/rubbing.lua
 

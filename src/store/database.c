@@ -14,8 +14,7 @@
 struct database {
   sqlite3 *handle;
   char *path, *name;       /* path of the file, and its name in messages */
-  long long bytes, beside; /* sizes of the file and of the attached file [bytes], at the start of a
-                              query */
+  long long bytes, beside; /* sizes [bytes] of the file and the attached file at a query's start */
   arc_lock_kind locks;
   long long work; /* remaining instructions of the query, in units of WATCH */
 };

@@ -48,7 +48,7 @@ static int use_own_signals(void) {
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
-  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* older kernels: fails and closes nothing */
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* no effect on older kernels */
   return 0;
 }
 

@@ -10,7 +10,7 @@ typedef struct arc_child_def {
   char *const *arguments;   /* name of the program and its arguments, terminated by NULL */
   char *const *environment; /* terminated by NULL; NULL: environment of this process */
   int ends[3];              /* descriptors of the child's standard input, output and error */
-  double part;              /* fraction of the remaining memory if it is limited (memory_limit.h) */
+  double part;              /* fraction of the remaining memory, if limited (memory_limit.h) */
 } arc_child_def;
 
 /* Memory [bytes] that a program needs at its start, in addition to its fraction of the remaining
@@ -31,9 +31,9 @@ void arc_child_confine(void);
  * failure, with an errno. */
 int arc_child_again(char *const argv[]);
 
-/* Creates two connected descriptors, both closed on exec: a pipe from [1] to [0], or
- * (`is_socket`) a socket for both directions, which causes no SIGPIPE. Returns 0 or an errno. In
- * both cases the caller closes the descriptors that are open. */
+/* Creates two connected descriptors, both closed on exec: a pipe from [1] to [0], or (`is_socket`)
+ * a socket for both directions, which causes no SIGPIPE. Returns 0 or an errno. On success and on
+ * failure the caller closes the open descriptors. */
 int arc_child_channel(int ends[2], int is_socket);
 
 /* Releases the resources of a child. Must be called for each child that the caller has reaped by

@@ -70,7 +70,7 @@ static rules begin_rules(void) {
   const int version =
       (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
   rules r = {.set = -1, .failed = 1};
-  if (version < 3) return r; /* any file could be truncated */
+  if (version < 3) return r; /* files could be truncated anywhere */
   r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
   const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
   const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
@@ -306,7 +306,8 @@ static void refuse(filter *f, const unsigned *calls, size_t count, int why) {
   }
 }
 
-/* Refuses a call if `test` of `value` and the lower half of an argument has the result `when`. */
+/* Refuses a call if `test` (BPF_JEQ or BPF_JSET) of the lower half of an argument against `value`
+ * is true (`when` 1) or false (`when` 0). */
 static void refuse_where(filter *f, unsigned call, int argument, unsigned short test,
                          uint32_t value, int when) {
   load(f, offsetof(struct seccomp_data, nr));
@@ -334,11 +335,11 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* needed to connect children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* AF_UNIX connects children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* text injected into the terminal */
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* injects text into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
-  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of other processes */
+  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* only for this process */
 }
 
 static int install(filter *f) {
