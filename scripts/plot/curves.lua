@@ -74,7 +74,7 @@ local function scale_of(where, object)
   if known then return known end
   local model, load = get(object, "model"), get(object, "load")
   if not (model and load) then
-    check.fail(where, "scaled needs objects with .hertz, or with .model and .load")
+    check.fail(where, "scaled=true: expected objects with .hertz, or with .model and .load")
   end
   return hertz_of(model, load)
 end
@@ -221,13 +221,13 @@ local quantities = {
   { "^half_width$", "half width / mm", 1 },
   { "^k$", "k / (mm²/N)", 1 },
   { "^alpha$", "α", 1 },
-  { "^jump$", "cycles of an update", 1 },
+  { "^jump$", "cycles per update", 1 },
 }
 for _, column in ipairs(known.columns) do
   local unit = column.unit ~= "" and " / " .. column.unit or ""
   quantities[#quantities + 1] = { "^" .. column.name .. "$", column.name .. unit, 1 }
 end
-local short_titles = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
+local short_titles = { p_center = "centre", p_max = "largest", p_peak = "largest of a cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
 -- Returns the axis label of a history column and the factor to the unit of the label. Returns nil for an

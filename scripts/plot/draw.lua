@@ -37,7 +37,7 @@ local places = check.kind("{ at = { numbers }, words = { strings } } of equal le
   return type(v) == "table" and type(v.at) == "table" and type(v.words) == "table"
     and #v.at == #v.words and #v.at > 0
 end)
-local title = check.kind("a string, or false for none", function(v) return type(v) == "string" or v == false end)
+local title = check.kind("a string, or false for no title", function(v) return type(v) == "string" or v == false end)
 local panel_fields = {
   title = title, xlabel = check.text, ylabel = check.text, xrange = check.range,
   yrange = check.range, logx = check.flag, logy = check.flag, xdown = check.flag,

@@ -302,7 +302,7 @@ function mesh.stress(object, options)
   end
   local stress, contact = field_of(where, object)
   options = draw.options(where, options, stress_options)
-  if options.section then check.refuse(where, "section", 'none but with geometry = "3-D"', options.section) end
+  if options.section then check.refuse(where, "section", 'no section without geometry = "3-D"', options.section) end
   local shown, names = {}, (shown_bodies(where, stress, options))
   for i, name in ipairs(names) do shown[i] = stress[name] end
   local component, box = options.component or "mises", stress_view(contact, options.zoom, shown)

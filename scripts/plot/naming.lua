@@ -69,7 +69,7 @@ end
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
-  { "x", "x = %g mm", axis = "x / mm" }, { "jump", "jump %s", "jump", axis = "cycles of an update" },
+  { "x", "x = %g mm", axis = "x / mm" }, { "jump", "jump %s", "jump", axis = "cycles per update" },
   { "procedure", "procedure %s", follows = true }, { "scheme", "scheme %s" },
   { "tolerance", "tolerance %g", axis = "tolerance" },
   { "increments", "%s increments", axis = "increments" }, { "law", "law %s" },

@@ -54,7 +54,7 @@ function shear.shear(contact, options)
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
     check.fail(where, "expected a contact, got " .. check.shown(contact))
   end
-  if contact.friction == 0 then check.fail(where, "expected a contact with friction, got friction 0") end
+  if contact.friction == 0 then check.fail(where, "expected a contact with friction, got one with friction 0") end
   if type(contact.stick) == "number" then return draw_map(where, contact, contact.shear, options) end
   options = draw.options(where, options, { body = check.text, axis = axes })
   refuse_axis(where, options)

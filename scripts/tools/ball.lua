@@ -44,7 +44,7 @@ local function case(ccx, folder, title, c, ball, flat, seconds)
     { c.load, 4 * r.force }, seconds = { seconds, r.seconds / r.increments }, nodes = all }
 end
 
-local rows = { "stress across the surface on the axis, half the half width deep [MPa]", "approach [mm]", "largest von Mises stress, flat [MPa]", "load [N]" }
+local rows = { "stress normal to the surface on the axis, at a depth of half the half width [MPa]", "approach [mm]", "largest von Mises stress, flat [MPa]", "load [N]" }
 
 return function(ccx, folder)
   local m = model{ geometry = "3-D", upper = body.ball{ radius = radius, E = E, nu = nu }, lower = body.block{ E = E, nu = nu } }
@@ -62,8 +62,8 @@ return function(ccx, folder)
     for _, c in ipairs(cases) do io.write((" %.4g / %.4g (%+.1f %%) |"):format(c[i][1], c[i][2], 100 * (c[i][2] / c[i][1] - 1))) end
     io.write("\n")
   end
-  io.write("| CPU seconds an increment |")
+  io.write("| CPU seconds per increment |")
   for _, c in ipairs(cases) do io.write((" %.1g / %.0f |"):format(c.seconds[1], c.seconds[2])) end
-  io.write(("\n\nA quarter of the bodies, each %g mm high, by bricks of 20 nodes, %d nodes; archard: half-spaces, 8 cells over the half "
+  io.write(("\n\nCalculiX: a quarter of both bodies, each %g mm high, bricks of 20 nodes, %d nodes; archard: half-spaces, 8 cells over the half "
     .. "width.\n"):format(far, cases[1].nodes))
 end

@@ -101,13 +101,13 @@ local function measure(size, finer, goals)
   io.write(string.format("\nelements of %g x %g um at the contact (%d in all), N-bar of Table 1%s\n", 1e3 * size,
     1.25e3 * size, m.mesh.cylinder.elements_count + m.mesh.plate.elements_count, finer > 1 and " / " .. finer or ""))
   line("building the model", string.format("%.3f", building), "s", goals.building)
-  line("a contact solution, warm", string.format("%.1f", solution_cost(m, finer)), "us", goals.solution)
+  line("a contact solution in a long run", string.format("%.1f", solution_cost(m, finer)), "us", goals.solution)
   friction_costs(m)
   local seconds = timed(function() wear{ model = m, jump = 100 / finer }:run{ progress = false } end)
-  line("the reference case, moving", string.format("%.3f", seconds), "s")
+  line("the reference case, moving geometry", string.format("%.3f", seconds), "s")
   for _, geometry in ipairs{ "moving", "frozen" } do
     local took, solutions = twenty_cases(m, geometry, finer)
-    line(string.format("20 cases, %s, %d contact solutions", geometry, solutions), string.format("%.2f", took), "s",
+    line(string.format("20 cases, %s geometry, %d contact solutions", geometry, solutions), string.format("%.2f", took), "s",
       goals[geometry])
   end
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
@@ -136,7 +136,7 @@ end
 
 local function sizes()
   local rows, curves = {}, {}
-  io.write("\nthe reference case (N-bar = 100 at 20 um, in proportion elsewhere)\n\n",
+  io.write("\nthe reference case (N-bar = 100 at 20 um, proportional to the size)\n\n",
     "   size  plate's   elements   building  a solution    frozen    moving  updates   memory\n",
     "     um    nodes                     s          us         s         s                MB\n")
   for i, size in ipairs{ 0.04, 0.02, 0.01, 0.005, 0.0025 } do
@@ -146,7 +146,7 @@ local function sizes()
       r.solution, r.frozen, r.moving, r.updates, r.memory))
     io.flush()
   end
-  io.write("grows with the nodes as\n", string.format("%37s%.1f %11.1f %9.1f %9.1f\n\n", "nodes^",
+  io.write("growth with the number of nodes\n", string.format("%37s%.1f %11.1f %9.1f %9.1f\n\n", "nodes^",
     growth(rows, "building"), growth(rows, "solution"), growth(rows, "frozen"), growth(rows, "moving")))
   for i, what in ipairs{ "building", "frozen", "moving" } do
     local x, y = {}, {}
@@ -173,7 +173,7 @@ local function studies()
   s:close()
   os.remove(file)
   io.write("\nstudies of many cases, results stored\n")
-  line(string.format("300 cases at 40 um, %d worker%s, by the clock", workers, workers > 1 and "s" or ""),
+  line(string.format("300 cases at 40 um, %d worker%s, elapsed time", workers, workers > 1 and "s" or ""),
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
@@ -190,9 +190,9 @@ local function samples(count, geometry)
   local asked = timed(function() return s:uncertainty{ of = "depth_cylinder" } end)
   s:close()
   os.remove(file)
-  line(string.format("%d samples, %s geometry, %d worker%s, by the clock", count, geometry, workers,
+  line(string.format("%d samples, %s geometry, %d worker%s, elapsed time", count, geometry, workers,
     workers > 1 and "s" or ""), string.format("%.0f", count / minutes), "a minute", "10000")
-  line("bands and quantiles from them", string.format("%.2f", asked), "s")
+  line("bands and quantiles of these samples", string.format("%.2f", asked), "s")
 end
 
 -- Measures sensitivities, which are computed from one run and its repetitions with small changes.
@@ -259,22 +259,22 @@ local function general_paths()
     local seconds = timed(function() w:run{ progress = false } end)
     path.running, path.run = math.min(path.running or math.huge, seconds), w
   end)
-  io.write("\nthe paper's pair by the general path, geometry frozen\n")
+  io.write("\nthe paper's pair of bodies from three definitions, frozen geometry\n")
   local function total(path) return path.building + path.running end
   local first = paths[1]
   for _, path in ipairs(paths) do
     local off = path.run.depth_cylinder / first.run.depth_cylinder - 1
     local same = off == 0 and path.run.p_center == first.run.p_center
     line(("%s: building %.3f, run %.3f"):format(path.name, path.building, path.running), ("%.3f"):format(total(path)), "s")
-    line("  relative to the first", ("%.2f"):format(total(path) / total(first)), "")
-    line("  depth differs by", same and "no bit" or ("%.1g"):format(math.abs(off)), "")
+    line("  time relative to the first definition", ("%.2f"):format(total(path) / total(first)), "")
+    line("  relative difference of the depth", same and "none" or ("%.1g"):format(math.abs(off)), "")
   end
 end
 
 -- Measures a million cycles of walking with 400 contacts: wear of both bodies of a metal joint, and wear of a
 -- liner.
 local function joints()
-  io.write("\nballs in sockets, 1e6 cycles of walking\n")
+  io.write("\nball joints, 1e6 cycles of walking\n")
   local function walk(what, goal, definition, k, alpha)
     local j
     local building = timed(function() j = joint(definition) end)
@@ -287,7 +287,7 @@ local function joints()
     cup = { clearance = 0.1, layers = { { thickness = 8, material = material{ E = 1000, nu = 0.4 } } } } }
   walk("polyethylene liner at 4 degrees", "1.5", liner, 1e-9, 0)
   liner.foundation = "winkler"
-  walk("the same on springs", "0.1", liner, 1e-9, 0)
+  walk("the liner with a Winkler foundation", "0.1", liner, 1e-9, 0)
 end
 
 -- Measures half-spaces in three dimensions: contacts that fill most of N x N cells, the wear history, and its
@@ -299,7 +299,7 @@ local function half_spaces(quick)
     local m = model{ geometry = "3-D", mesh = { size = 2.3 * half / cells } }
     local best = math.huge
     for _ = 1, 3 do best = math.min(best, (timed(function() contact{ model = m, load = 10 } end))) end
-    line(("contact on %d x %d cells, with its kernel"):format(cells, cells), string.format("%.0f", 1e3 * best), "ms")
+    line(("contact on %d x %d cells, including its kernel"):format(cells, cells), string.format("%.0f", 1e3 * best), "ms")
   end
   for _, row in ipairs{ { 64, "10" }, { 128, "50" } } do
     local cells, goal = table.unpack(row)
@@ -321,11 +321,11 @@ local function half_spaces(quick)
       return w, seconds, own_seconds() - began
     end
     local w, seconds = run(1)
-    line(("R 5, 20 N, stroke 2a, 6000 mm at a/%d, %d updates"):format(8 * fineness, w.update), string.format("%.2f", seconds),
+    line(("R 5 mm, 20 N, stroke 2a, 6000 mm, cells a/%d, %d updates"):format(8 * fineness, w.update), string.format("%.2f", seconds),
       "s", fineness == 1 and "2.5" or "30")
     local shared, _, mine = run(2)
     assert(shared.depth.ball == w.depth.ball and shared.depth.block == w.depth.block, "two threads: results differ")
-    line("  with two threads, times less of the busier one's", ("%.2f"):format(seconds / mine), "", "1.7")
+    line("  speed-up with two threads (calling thread)", ("%.2f"):format(seconds / mine), "", "1.7")
     line("  peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB")
   end
 end
@@ -338,7 +338,7 @@ local function starting()
     os.execute("'" .. arg[-1]:gsub("'", "'\\''") .. "' -e ''")
     best = math.min(best, 1e3 * (term.clock() - start))
   end
-  line("starting and ending the program, by the clock", ("%.1f"):format(best), "ms", "50")
+  line("start and end of the program, elapsed time", ("%.1f"):format(best), "ms", "50")
 end
 
 local mode = arg and arg[1]

@@ -30,47 +30,47 @@ local page = [[
 .Nm archard-file
 .Nd run files of archard
 .Sh DESCRIPTION
-Studies and saved runs are kept in SQLite databases, which
+Studies and saved runs are stored in SQLite databases, which
 .Xr sqlite3 1
-can read as well.
+can read.
 Their application id is 1634886504, the letters
 .Dq arch ;
 user_version is the number of the format, now @FORMAT.
 The program and the library of this release read the formats 1 to @FORMAT.
-A file of another program, of a newer format or with damage is refused and left
-as it is.
-One of an older format becomes one of today's when it is written to; what only
-reads it leaves it as it is.
-Each case is written in one transaction, synchronously: a program that is killed
-loses what it was computing and nothing that it stored.
-Several processes may use a file at once.
+A file of another program, a file of a newer format and a damaged file are
+rejected and not changed.
+A file of an older format is converted when it is opened for writing; a program
+that only reads the file does not change it.
+Each case is written in one synchronous transaction: a program that is killed
+loses the case that it was computing, but no stored case.
+Several processes may use a file at the same time.
 .Pp
-A run goes into a file with
+A run is saved by
 .Li w:save(path)
-and out of it with
+and opened by
 .Li wear.open(path) ,
-a study with
+a study is saved by
 .Li s:run{ file=path }
-and
+and opened by
 .Li study.open(path) ,
-a session with
+a session is saved by
 .Li session.save(path)
-and
+and opened by
 .Li session.open(path) ;
 see
 .Xr archard-lua 7 .
 .Sh VIEWS
-What to look at:
+The views are intended for users:
 .Bl -tag -width "case_results" -compact
 .It Li case_results
-A row for each case: case_id, label, status, message, warning, created, finished,
-seconds, its settings
+One row for each case: case_id, label, status, message, warning, created,
+finished, seconds, its settings
 .Pq Li load_N , stroke_mm No and so on
 and the last row of its history
 .Pq Li p_center_MPa , depth_plate_mm , volume_total_mm3 No and so on .
-A setting without a value is the default
-.Pq of a case that has not run ,
-or varies on the way.
+A setting without a value has its default
+.Pq in a case that has not been computed
+or varies during the run.
 .It Li history_of
 case_id, label, step and a column for each column of
 .Li w.history .
@@ -79,59 +79,63 @@ case_id, updates, distance_mm, body, node, x_mm (unworn position), h_mm (wear
 depth), y_mm (present height), p_MPa (pressure with the plate at x = 0).
 The last update is the final state.
 .It Li units
-name, unit and text of these columns.
+name, unit and text (description) of these columns.
 .El
 .Pp
-Names end in the unit.
-The number of updates is called updates, since update is a word of SQL.
-Times are UTC.
+The names end in the unit.
+The number of updates is called updates, because update is a keyword of SQL.
+Times are in UTC.
 .Ss Columns of the history
 .Bl -tag -width "volume_cylinder_mm3" -compact
 @COLUMNS
 .El
 .Sh TABLES
-What the views rest on:
+The views read these tables:
 .Bl -tag -width "definition" -compact
 .It Li info
-Notes on the whole, by name: kind
+Properties of the file, by name: kind
 .Pq Li study No or Li wear ,
-name, looks, task, program.
+name, looks
+.Pq number of snapshots ,
+task, program.
 .It Li cases
 id, label, status
 .Pq Li waiting , running , done No or Li failed ,
 message, seconds, created, finished, checksum
 .Pq FNV-1a, 64 bit
-of all that a finished case holds: one that does not match is refused.
-A case left running by a killed program waits again at the next start.
+of all data of a finished case.
+A case that does not match its checksum is rejected.
+If the program is killed, a running case becomes waiting at the next start.
 .It Li settings
 case_id, name, value: the fields of
 .Li wear{}
-as given.
-Fields within fields are joined by points,
+as given by the user.
+The names of nested fields are joined by points, as in
 .Li model.mesh.size .
 .It Li definition
-Likewise all fields of the run and its model, as the engine had them.
+The same columns: all fields of the run and its model, as used by the engine.
 .It Li results
-Likewise what another task than a run has found.
+The same columns: the results of a task other than a run.
 .It Li history
 case_id, step and the columns of history_of.
 .It Li arrays
-case_id, part, updates, distance_mm, body, name, rows, columns, numbers: rows times
-columns numbers, row by row, in a BLOB.
-Part is surface: the arrays x, h, y and p that the view surfaces shows, or state:
-what a run needs to go on to the same bits.
+case_id, part, updates, distance_mm, body, name, rows, columns, numbers.
+The BLOB numbers contains rows times columns numbers, row by row.
+If part is surface, the arrays are x, h, y and p of the view surfaces.
+If part is state, the arrays are the data from which a run continues with
+identical results.
 .It Li texts
-name, text: long texts, each once; values have the name, which is the checksum of
-what it says.
-Meshes from outside are Gmsh files here:
+name, text: long texts, each stored once.
+Values refer to a text by its name, which is the checksum of the text.
+Imported meshes are stored here as Gmsh files:
 .Li model.mesh
-of settings,
+in settings,
 .Li model.msh
-of definitions.
+in definitions.
 .El
 .Pp
 Values are numbers (REAL), texts, flags (INTEGER 0 or 1) or lists of numbers
-(BLOB: doubles of this machine).
+(BLOB: doubles in the byte order of the machine).
 A NaN is stored as NULL.
 .Sh EXAMPLES
 .Bd -literal -offset indent
@@ -141,7 +145,7 @@ $ sqlite3 -csv study.archard "select x_mm, h_mm from surfaces
     where case_id = 9 and body = 'plate' and updates = 60"
 .Ed
 .Pp
-In Python an array is
+In Python, the numbers of an array are read by
 .Li numpy.frombuffer(numbers).reshape(rows, columns) .
 .Sh SEE ALSO
 .Xr archard 1 ,

@@ -108,7 +108,7 @@ local function put_object(entry)
   local called = members_of(entry.address, "called")
   put_list("Functions:", called, function(member) return member.use or member.address end)
   for _, member in ipairs(called) do
-    put_list(("In the table of %s:"):format(member.name), options_of(member.address), option_name)
+    put_list(("Fields of the argument of %s:"):format(member.name), options_of(member.address), option_name)
   end
 end
 
@@ -121,15 +121,15 @@ local head = [[
 .Nm archard-lua
 .Nd objects and functions of archard
 .Sh DESCRIPTION
-What
+The objects and functions that
 .Xr archard 1
-gives to Lua, at its prompt and in scripts, with fields, units and defaults.
-These are globals, and fields of
+provides in Lua, at its prompt and in scripts, with fields, units and defaults.
+They are globals, and fields of
 .Li require \(dqarchard\(dq .
-A constructor takes one table of named fields; all have defaults, those of the
-reference case.
+A constructor has one argument, a table of named fields.
+All fields have defaults, which are the values of the reference case.
 An unknown name, a wrong type or a value out of range is an error.
-Equation numbers are those of the article under
+Equation numbers refer to the article under
 .Sx SEE ALSO .
 .Sh OBJECTS]]
 

@@ -53,7 +53,7 @@ local function case(folder, title, c, seconds)
 end
 
 local rows = { { "p_center", "centre pressure [MPa]" }, { "p_max", "largest pressure [MPa] (*)" },
-  { "cylinder", "largest von Mises stress, cylinder [MPa]" }, { "plate", "the same, plate [MPa]" },
+  { "cylinder", "largest von Mises stress, cylinder [MPa]" }, { "plate", "largest von Mises stress, plate [MPa]" },
   { "force", "force on the cylinder [N]" } }
 
 local function show(cases)
@@ -70,10 +70,10 @@ local function show(cases)
     end
     io.write("\n")
   end
-  io.write("| CPU seconds an increment (+) |")
+  io.write("| CPU seconds per increment (+) |")
   for _, c in ipairs(cases) do io.write((" %.1g / %.1f |"):format(c.ours.seconds, c.theirs.seconds)) end
-  io.write("\n\n(*) CalculiX extrapolates pressures to nodes from points within the elements: too much at the edge of a scar.\n",
-    "(+) archard: mean of a whole run, with wear and new geometry; CalculiX: mean of two increments, with reading and writing of files.\n")
+  io.write("\n\n(*) CalculiX extrapolates pressures from points within the elements to the nodes: too high at the edge of a scar.\n",
+    "(+) archard: mean of a whole run, including wear and geometry updates; CalculiX: mean of two increments, including reading and writing of files.\n")
 end
 
 local function run_of(definition)

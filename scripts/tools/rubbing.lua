@@ -16,7 +16,7 @@ local function change(with, without)
   return ("%+.2f"):format(100 * (with / without - 1))
 end
 
-io.write("| s / mm | alpha | volume | depth of the cylinder | of the plate | p centre | half width |\n|---|---|---|---|---|---|---|\n")
+io.write("| s / mm | alpha | volume | depth of the cylinder | depth of the plate | p centre | half width |\n|---|---|---|---|---|---|---|\n")
 for _, case in ipairs(paper.cases()) do
   local without, with = finished(case, 0), finished(case, 0.3)
   io.write(("| %g | %g | %s | %s | %s | %s | %s |\n"):format(case.stroke, case.alpha,

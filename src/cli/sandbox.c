@@ -87,7 +87,7 @@ static void report_missing(int missing) {
   static const char *const what[] = {
       "that no other files are opened and no other programs run (it has no Landlock of version 3)",
       "that no connections are made (it has no filter for system calls)",
-      "how many processes there are (it does not count those of root)"};
+      "how many processes there are (it does not count processes of root)"};
   for (int i = 0; i < 3; i++)
     if (missing & 1 << i)
       fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);

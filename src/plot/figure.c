@@ -142,8 +142,8 @@ static arc_status check_curve(const arc_plot_panel *panel, size_t number, size_t
                     number, which + 1, title, curve->value);
   if ((int)curve->style < 0 || curve->style >= ARC_PLOT_STYLE_COUNT || curve->series < 0 ||
       curve->dash < 0 || !(curve->width >= 0) || isinf(curve->width))
-    return arc_fail(error, ARC_ARGUMENT, "panel %zu: curve %zu%s has an impossible line style",
-                    number, which + 1, title);
+    return arc_fail(error, ARC_ARGUMENT, "panel %zu: curve %zu%s has an invalid line style", number,
+                    which + 1, title);
   return ARC_OK;
 }
 
@@ -167,10 +167,11 @@ static arc_status check_field(const arc_plot_panel *panel, size_t number, arc_er
   if (field && (field->count == 0 || finite < corners))
     return arc_fail(error, ARC_ARGUMENT,
                     "panel %zu: every corner of the field must have finite x, y and value; %zu of "
-                    "%zu have",
+                    "%zu corners do",
                     number, finite, corners);
   if (field && (panel->x.log || panel->y.log))
-    return arc_fail(error, ARC_ARGUMENT, "panel %zu: a field has no logarithmic axes", number);
+    return arc_fail(error, ARC_ARGUMENT, "panel %zu: a field cannot be drawn on logarithmic axes",
+                    number);
   return ARC_OK;
 }
 

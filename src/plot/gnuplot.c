@@ -92,7 +92,7 @@ static void how_it_ended(int how, char text[64]) {
   else if (how != -1 && WIFEXITED(how))
     snprintf(text, 64, "exit status %d", WEXITSTATUS(how));
   else
-    snprintf(text, 64, "how is unknown");
+    snprintf(text, 64, "unknown exit status");
 }
 
 static arc_status missing(const arc_gnuplot *session, arc_error *error) {
@@ -123,14 +123,13 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
     return arc_fail(error, ARC_IO, "gnuplot ('%s') answered with more than %d MB and was ended",
                     session->program, ARC_EXCHANGE_MOST >> 20);
   case ARC_EXCHANGE_MEMORY:
-    return arc_fail(error, ARC_MEMORY, "no memory for what gnuplot answers");
+    return arc_fail(error, ARC_MEMORY, "no memory for the answer of gnuplot");
   default:
-    return arc_fail(
-        error, ARC_IO,
-        "gnuplot ('%s') ended in the middle of a plot (%s%s%.200s); the next plot starts "
-        "it anew",
-        session->program, ending, x->errors.length ? "; it said: " : "",
-        x->errors.length ? last_words(&x->errors) : "");
+    return arc_fail(error, ARC_IO,
+                    "gnuplot ('%s') ended during a plot (%s%s%.200s); the next plot starts "
+                    "it anew",
+                    session->program, ending, x->errors.length ? "; it said: " : "",
+                    x->errors.length ? last_words(&x->errors) : "");
   }
 }
 

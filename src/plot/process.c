@@ -39,7 +39,8 @@ arc_status arc_process_start(arc_process *process, char *const argv[], arc_error
   }
   arc_child_close(&talk[0]);
   arc_child_close(&errors[0]);
-  if (opened) return arc_fail(error, ARC_IO, "no channel to '%s': %s", argv[0], strerror(opened));
+  if (opened)
+    return arc_fail(error, ARC_IO, "cannot connect to '%s': %s", argv[0], strerror(opened));
   return arc_fail(error, failed == ENOENT ? ARC_MISSING : ARC_IO, "cannot start '%s': %s", argv[0],
                   strerror(failed));
 }

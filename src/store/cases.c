@@ -24,7 +24,7 @@ arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error 
   query *q = NULL;
   arc_status status = find(store, id, &found, error);
   if (status == ARC_OK && found)
-    status = arc_fail(error, ARC_ARGUMENT, "%s: there is a case %d already", store->path, id);
+    status = arc_fail(error, ARC_ARGUMENT, "%s: case %d already exists", store->path, id);
   if (status == ARC_OK)
     status = arc_store_query(
         store, "INSERT INTO cases (id, label, created) VALUES (?1, ?2, " ARC_STORE_NOW ")", id, &q,
@@ -66,7 +66,7 @@ static arc_status add_case(arc_store *store, query *q, arc_case **cases, size_t 
   *cases = grown;
   const arc_status status = read_case(store, q, &(*cases)[*count], error);
   if (status == ARC_OK && *count > 0 && (*cases)[*count].id <= (*cases)[*count - 1].id)
-    return arc_store_damaged(store, error, (*cases)[*count].id, "is there twice");
+    return arc_store_damaged(store, error, (*cases)[*count].id, "is listed twice");
   ++*count;
   return status;
 }
@@ -96,7 +96,7 @@ static arc_status find_done(arc_store *store, int id, arc_error *error) {
   int found = 0;
   const arc_status status = find(store, id, &found, error);
   if (status != ARC_OK || found) return status;
-  return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
+  return arc_fail(error, ARC_ARGUMENT, "%s: case %d does not exist", store->path, id);
 }
 
 static arc_status write_mark(arc_store *store, int id, arc_case_status mark, const char *message,

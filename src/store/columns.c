@@ -20,11 +20,11 @@ static const column history[] = {
 /* Columns outside the history: results of a case and values at the nodes. */
 static const column others[] = {
     {"volume_total", "mm3", "wear volume of both bodies"},
-    {"seconds", "s", "time that a finished case took; its column has no unit in the name"},
+    {"seconds", "s", "computing time of a finished case; its column has no unit in the name"},
     {"x", "mm", "unworn position of a node"},
     {"h", "mm", "wear depth of a node"},
     {"y", "mm", "present height of a node"},
-    {"p", "MPa", "pressure of a node, plate at x = 0"},
+    {"p", "MPa", "pressure at a node, with the plate at x = 0"},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

@@ -22,7 +22,7 @@ arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
   case ARC_ARGUMENT:
   case ARC_GEOMETRY:
   case ARC_NUMERIC:
-    return arc_store_damaged(store, error, id, "has data that no run has: %s", why->message);
+    return arc_store_damaged(store, error, id, "has invalid data: %s", why->message);
   default:
     return arc_fail(error, why->status, "%s", why->message);
   }

@@ -69,9 +69,9 @@ static const char *read_only(int code) {
   }
 }
 
-static const char lock_remedy[] =
-    ": the disk has no locks, so a file with .lock after the name marks it as in use; if no "
-    "program on any machine uses it, remove that file";
+static const char lock_remedy[] = ": the disk does not support locks, so a file NAME.lock marks "
+                                  "the run file NAME as in use; if no "
+                                  "program on any machine uses it, remove NAME.lock";
 
 static arc_status fail(const database *db, int code, arc_error *error) {
   const char *why = db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code);
@@ -79,7 +79,7 @@ static arc_status fail(const database *db, int code, arc_error *error) {
   switch (code & 0xff) {
   case SQLITE_FULL:
     why = "the disk is full";
-    remedy = "; what was stored before is still there";
+    remedy = "; data stored before is intact";
     break;
   case SQLITE_CANTOPEN:
   case SQLITE_IOERR:
@@ -97,10 +97,10 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     what = "the file is damaged: ";
     break;
   case SQLITE_TOOBIG:
-    why = "the file is damaged: a value is larger than any of a run";
+    why = "the file is damaged: a value is larger than any value of a run";
     break;
   case SQLITE_INTERRUPT:
-    why = "the file is damaged: its size does not explain the work to read it";
+    why = "the file is damaged: reading it needs too much work for its size";
     break;
   case SQLITE_CONSTRAINT:
     why = "a value occurs twice, or belongs to a case that is missing";

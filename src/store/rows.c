@@ -18,8 +18,8 @@ arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error) {
   const long long whole = arc_query_whole(q, 0);
   if (whole < 1 || whole > INT_MAX)
     return arc_fail(error, ARC_FORMAT,
-                    "%s: the file is damaged: expected numbers of cases from 1, got %lld",
-                    store->path, whole);
+                    "%s: the file is damaged: expected case numbers from 1, got %lld", store->path,
+                    whole);
   *id = (int)whole;
   return ARC_OK;
 }

@@ -31,7 +31,7 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
   static const char magic[] = "SQLite format 3";
   if (size < 100 || memcmp(header, magic, sizeof magic) != 0)
     return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (its first bytes are %s)",
-                    path, size == 0 ? "missing: it is empty" : "those of something else");
+                    path, size == 0 ? "missing: it is empty" : "those of another format");
   long long application = big_endian(header + 68), format = big_endian(header + 60);
   if (application != ARC_STORE_APPLICATION)
     return arc_fail(error, ARC_FORMAT,
@@ -40,7 +40,7 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
                     path, application, ARC_STORE_APPLICATION);
   arc_status status = arc_schema_check(path, format, error);
   if (status == ARC_OK && is_cut_off(store->file, header))
-    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: it has been cut off", path);
+    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: it is truncated", path);
   return status;
 }
 

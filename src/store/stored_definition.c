@@ -397,7 +397,8 @@ static arc_status read_meshes(const reading *r) {
   if (arc_mesh_parse_msh("the mesh", r->msh, strlen(r->msh), r->run->given, &why) == ARC_OK)
     return ARC_OK;
   if (why.status == ARC_FORMAT)
-    return arc_store_damaged(r->store, r->error, r->id, "has no mesh: %s", why.message);
+    return arc_store_damaged(r->store, r->error, r->id, "has no mesh that can be read: %s",
+                             why.message);
   return arc_store_refused(r->store, r->error, r->id, &why);
 }
 
