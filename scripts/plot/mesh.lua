@@ -37,7 +37,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- Returns the elements, except the elements that the unrolling of a round body cuts open.
+-- Returns the elements, except the elements that are cut when a round body is unrolled.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do

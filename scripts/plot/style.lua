@@ -94,7 +94,7 @@ local function height_of(width, rows, columns, size)
 end
 
 -- Returns the numbers of rows and columns of panels in a file. Two stacked panels would be flat and are drawn
--- side by side; three are too if the style has a page width.
+-- side by side; so are three panels if the style has a page width.
 function style.grid(rows, columns)
   local most = current.page and 3 or 2
   if columns == 1 and rows <= most and current.width ~= "column" then return 1, rows end
@@ -120,7 +120,7 @@ end
 
 -- Returns true if the style sets the size of pictures in mm.
 function style.in_mm() return current.column ~= nil end
--- Returns false if the style omits default titles. A title that the call gives is always drawn.
+-- Returns false if the style omits default titles. A title given in the call is always drawn.
 function style.titled() return current.title ~= false end
 
 -- Returns the colours of the style: true, false or "grey"; nil if the style does not set them.

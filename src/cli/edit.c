@@ -114,8 +114,7 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* This variable is set first, because readline reads the inputrc of the user later, which may
-   * change it. */
+  /* The variable is set before readline reads the user's inputrc, which may change the variable. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();

@@ -54,7 +54,7 @@ typedef struct arc_ticks {
   int digits;       /* significant digits of a label */
   size_t longest;   /* length of the longest label [characters] */
   int powers;       /* true: labels have the form 7e-4 */
-  int decimals;     /* decimals of the mantissa (7 in 7e-4) */
+  int decimals;     /* decimals of the mantissa, which is 7 in 7e-4 */
   int decades;      /* decades between labels of a logarithmic axis; 0: chosen by gnuplot */
   int first, last;  /* range of a logarithmic axis: 10^first to 10^last */
   int parts;        /* labels between powers of ten: 0 none, 1 at all multiples, 3 at 2 and 5 */

@@ -18,7 +18,7 @@ static const char *const area_greys[SERIES] = {"#404040", "#b0b0b0", "#000000", 
 static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
                                                  "green", "yellow", "blue", "red"};
 
-/* Dash patterns, which can be distinguished without colours. The first pattern is a full line. */
+/* Dash patterns, which can be distinguished without colours. The first pattern is a solid line. */
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
                                            "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
@@ -176,7 +176,7 @@ double arc_panel_columns(const arc_writer *w) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
   return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns /
-         columns; /* width of a title above the frame */
+         columns; /* line width of a panel's title */
 }
 
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
@@ -383,7 +383,7 @@ void arc_look_draw_key(arc_writer *w) {
     const arc_plot_curve *curve = first_of(w, i, &position);
     arc_text_word(w->out, i ? ", NaN" : " NaN");
     arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
-    sample.error = NULL; /* the sample in the key is at NaN and has no error bars */
+    sample.error = NULL; /* the key shows a sample without error bars */
     if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
     if (curve && arc_dot_marked(w, NULL, curve)) sample.style = ARC_PLOT_LINESPOINTS;
     look(w, NULL, &sample, position);

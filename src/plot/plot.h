@@ -99,7 +99,7 @@ typedef struct arc_plot_curve {
   arc_plot_style style;
   const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: from `series` */
   int series;          /* number of the colour and mark, 1 to 8; 0: next number in the panel */
-  int dash;            /* 1 full line, 2 to 5 dashed; 0: full line */
+  int dash;            /* 1 solid line, 2 to 5 dashed; 0: solid line */
   double width;        /* line width relative to the default; 0: default */
   const double *error; /* [count] half lengths of error bars in y; NULL: no bars */
   int scaled;          /* true: coloured by `value` on the panel's colour scale; not in the key */
@@ -116,7 +116,7 @@ typedef struct arc_plot_field {
 
 typedef struct arc_plot_axis {
   const char *label;        /* NULL: no label */
-  const double *places;     /* [place_count] positions of words on the axis; NULL: numbers */
+  const double *places;     /* [place_count] positions of `words` on the axis; NULL: numbers */
   const char *const *words; /* [place_count] */
   size_t place_count;
   double min, max; /* NaN: from the data; min > max: a reversed axis */
@@ -161,7 +161,7 @@ typedef struct arc_plot_figure {
   int one_key;       /* true: one key below all panels; equal titles have equal colours */
 } arc_plot_figure;
 
-/* Return default values: an automatic axis without a label, an empty panel, and an empty figure. */
+/* Return default values: an axis with automatic range and no label, and an empty panel. */
 arc_plot_axis arc_plot_axis_default(void);
 arc_plot_panel arc_plot_panel_default(void);
 
@@ -195,8 +195,9 @@ typedef struct arc_plot_output {
   const char *family; /* font family; NULL: default */
 } arc_plot_output;
 
-/* Command that adds gnuplot's error number to a sum. It is written before commands that clear
- * the error number, such as `reset`, so that arc_gnuplot_run still detects the error. */
+/* Command that adds gnuplot's error number to the variable archard_failed. It is written before
+ * commands that clear the error number, such as `reset`, so that arc_gnuplot_run still detects the
+ * error. */
 #define ARC_GNUPLOT_NOTE_FAILURE "archard_failed = archard_failed + GPVAL_ERRNO\n"
 
 /* File endings supported by arc_plot_draw, separated by blanks. */

@@ -51,8 +51,8 @@ arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends the transaction if arc_store_enter opened it (`own`): commits if `status` is ARC_OK,
  * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* These functions begin and end a transaction that only reads. It reads one snapshot of the file.
- * The transaction must be short, because programs that write wait for its end. */
+/* These functions begin and end a transaction that only reads, from one snapshot of the file. The
+ * transaction must be short, because programs that write wait for its end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
@@ -113,7 +113,7 @@ arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 #define ARC_STORE_CHECKSUM 14695981039346656037u
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
-/* --- texts.c: long texts, once in a file ------------------------------------------------------ */
+/* --- texts.c: long texts, each stored once ---------------------------------------------------- */
 
 enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, with its final zero */
 
