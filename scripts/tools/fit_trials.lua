@@ -13,7 +13,7 @@ for _, kind in ipairs{ "pair", "curve", "width" } do
     longest, total = math.max(longest, seconds), total + seconds
   end
   for _, name in ipairs(require "archard.lib.keys"(hits)) do
-    print(("%-6s %-17s inside in %d of %d"):format(kind, name, hits[name], count))
+    print(("%-6s %-17s inside the range in %d of %d fits"):format(kind, name, hits[name], count))
   end
   print(("%-6s a fit takes %.2f s on average, %.2f s at most (processor time)"):format(kind,
     total / count, longest))

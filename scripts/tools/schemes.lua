@@ -65,8 +65,8 @@ local function range(of) return of[1] == of[2] and of[1] or ("%d to %d"):format(
 
 local sizes = { ... }
 if #sizes == 0 then sizes = { 20, 10, 5 } end
-print("| element | stroke | updates | worst depth error | worst pressure error | depth at the end | pressure at the end |"
-  .. " steps | solutions | CPU of five |")
+print("| element | stroke | scheme | worst depth error | worst pressure error | depth at the end | pressure at the end |"
+  .. " updates | solutions | CPU time of five cases |")
 print("|---|---|---|---|---|---|---|---|---|---|")
 for _, um in ipairs(sizes) do
   local size = tonumber(um) / 1e3

@@ -39,6 +39,6 @@ for _, engine in ipairs{ "slurm", "local" } do
   s:close()
 end
 local same = texts.slurm == texts["local"] and #texts.slurm > 0
-print(same and "the merged file and the file of the local run have the same bits" or "THE RESULTS DIFFER")
+print(same and "the merged file and the file of the local run have identical contents" or "THE RESULTS DIFFER")
 os.execute("rm -rf '" .. folder .. "'")
 os.exit(same, true)

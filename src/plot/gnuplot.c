@@ -115,7 +115,7 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
   case ARC_EXCHANGE_SILENT:
     return arc_fail(error, ARC_IO,
                     "gnuplot ('%s') gave no answer for %g s and was ended; the next plot starts it "
-                    "anew",
+                    "again",
                     session->program, x->patience);
   case ARC_EXCHANGE_STOPPED:
     return arc_fail(error, ARC_STOPPED, "the plot was stopped");
@@ -127,7 +127,7 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
   default:
     return arc_fail(error, ARC_IO,
                     "gnuplot ('%s') ended during a plot (%s%s%.200s); the next plot starts "
-                    "it anew",
+                    "it again",
                     session->program, ending, x->errors.length ? "; it said: " : "",
                     x->errors.length ? last_words(&x->errors) : "");
   }

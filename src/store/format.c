@@ -6,7 +6,7 @@ arc_status arc_schema_check(const char *path, long long format, arc_error *error
   return arc_fail(error, ARC_FORMAT,
                   "%s: format %lld is %s this program, which reads formats up "
                   "to %d",
-                  path, format, format < 1 ? "none of" : "newer than", ARC_STORE_FORMAT);
+                  path, format, format < 1 ? "unknown to" : "newer than", ARC_STORE_FORMAT);
 }
 
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error) {
