@@ -139,8 +139,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls the function `name` of scripts/session/leave.lua with the value on top of the stack as its
- * argument, and replaces this value by the result. On failure the result is nil. */
+/* Calls the function `name` of the script that ends sessions. The argument is the value on top of
+ * the stack, which is replaced by the result, or by nil on failure. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
