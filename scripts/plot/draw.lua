@@ -160,8 +160,8 @@ end
 
 local most_in_key = 8
 
--- Labels the curves at their ends if there are too many titles for a key. Curves with a colour scale do not
--- count.
+-- Labels the curves at their ends if there are too many titles for a key. Curves on a colour scale are not
+-- counted.
 local function name_at_ends(panel)
   local titled = 0
   for _, curve in ipairs(panel.curves) do
@@ -279,8 +279,8 @@ local function with_label(title, label)
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- Returns the figure for a surface ("pixels" or "characters"): in suitable units and without the curves for
--- the other surface. On pixels, lines of few points get marks.
+-- Returns the figure for `surface`, which is "pixels" or "characters": in suitable units and without the
+-- curves for the other kind of output. In pixels, lines of few points get marks.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do

@@ -1,4 +1,4 @@
--- plot.fit: draws a fit with its data (error bars, the model with its band, residuals below), or the expected
+-- plot.fit: draws a fit with its data (error bars, the model with its band, residuals), or the expected
 -- errors of a test design.
 
 local check = require "archard.lib.check"

@@ -15,7 +15,8 @@ typedef struct kind {
   int text, vector;
 } kind;
 
-/* All kinds. If two terminals produce the same file format, the better terminal is first. */
+/* All kinds of canvas. If two terminals produce the same file format, the better terminal is
+ * first. */
 static const kind kinds[] = {
     {"png", "pngcairo", "enhanced background '#ffffff'", "sans", 11, 1.042, 0, 0},
     {"png", "png", "enhanced truecolor", "sans", 9, 1, 0, 0},

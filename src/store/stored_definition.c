@@ -196,7 +196,7 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 
 /* --- values in the file ----------------------------------------------------------------------- */
 
-/* A value that was read from a case, and its memory. */
+/* A value that was read from a case, and the memory of its name and content. */
 typedef struct kept {
   arc_value value;
   void *memory; /* memory that the value points to */

@@ -10,7 +10,7 @@ typedef struct arc_child_def {
   char *const *arguments;   /* name of the program and its arguments, terminated by NULL */
   char *const *environment; /* terminated by NULL; NULL: environment of this process */
   int ends[3];              /* descriptors of the child's standard input, output and error */
-  double part;              /* fraction of the remaining memory, if limited (memory_limit.h) */
+  double part;              /* fraction of the remaining memory for the child (memory_limit.h) */
 } arc_child_def;
 
 /* Memory [bytes] that a program needs at its start, in addition to its fraction of the remaining

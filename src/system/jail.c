@@ -46,9 +46,9 @@ enum {
   MAKE_REG = 1 << 8,
   MAKE_SYM = 1 << 12,
   VERSION_1 = (1 << 13) - 1,
-  REFER = 1 << 13,     /* from Landlock version 2 */
-  TRUNCATE = 1 << 14,  /* from Landlock version 3 */
-  IOCTL_DEV = 1 << 15, /* from Landlock version 5 */
+  REFER = 1 << 13,     /* since Landlock version 2 */
+  TRUNCATE = 1 << 14,  /* since Landlock version 3 */
+  IOCTL_DEV = 1 << 15, /* since Landlock version 5 */
   LOOK = READ_FILE | READ_DIR,
   CHANGE =
       WRITE_FILE | REMOVE_DIR | REMOVE_FILE | MAKE_DIR | MAKE_REG | MAKE_SYM | REFER | TRUNCATE,
@@ -60,8 +60,8 @@ typedef struct rules {
   uint64_t handled;
 } rules;
 
-/* The rights that Landlock restricts: access to files, connections (from version 4), and signals
- * and abstract sockets of other processes (from version 6). */
+/* The rights that Landlock restricts: access to files, connections (since version 4), and signals
+ * and abstract sockets of other processes (since version 6). */
 typedef struct ruleset {
   uint64_t files, net, scoped;
 } ruleset;
@@ -70,7 +70,7 @@ static rules begin_rules(void) {
   const int version =
       (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
   rules r = {.set = -1, .failed = 1};
-  if (version < 3) return r; /* files could be truncated anywhere */
+  if (version < 3) return r; /* before version 3 any file can be truncated */
   r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
   const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
   const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
@@ -335,11 +335,11 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* AF_UNIX connects children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* AF_UNIX sockets connect children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* injects text into the terminal */
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
-  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* only for this process */
+  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* 0: this process */
 }
 
 static int install(filter *f) {
