@@ -1,7 +1,7 @@
--- Help entries of the objects that compute: material, hertz, model, contact, wear. help/init.lua explains
--- addresses. An entry is { address, kind=, type=, unit=, default=, values=, class=, use=, text= }. Equation
--- numbers refer to Mattei and Di Puccio, "Influence of the wear partition factor on wear evolution
--- modelling of sliding surfaces".
+-- Help entries of the objects material, hertz, model, body, mesh, contact, stress, wear and state. An entry is
+-- { address, kind=, type=, unit=, default=, values=, class=, use=, text= }; help/init.lua explains addresses and
+-- fields. Equation numbers refer to Mattei and Di Puccio, "Influence of the wear partition factor on wear
+-- evolution modelling of sliding surfaces".
 
 local of_all = '. Further fields, see help "body": E, nu, k or material, layers, name.'
 

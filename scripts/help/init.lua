@@ -17,7 +17,7 @@ local help = {}
 
 local entries     -- entries by address
 local ordered     -- entries in the order of the files
-local topics = {}  -- topics by name, and in the order of the overview
+local topics = {}  -- topics by name in lower case, and as a list in the order of the overview
 
 -- Splits an address into its owner, the name within the owner, and a flag: true if the name is in the
 -- definition table of the owner.

@@ -48,8 +48,8 @@ local function contains(words, text, whole)
 end
 
 -- Returns the rank of an entry, or nil if the entry does not contain the words. 1: its name is the phrase;
--- 2: it is a topic or an example; 3: its address contains the words; 4: its text contains the words; 5 to
--- 7: the same as 2 to 4 for parts of words.
+-- 2: it is a topic or an example that contains the words; 3: its address contains them; 4: its text contains
+-- them; 5 to 7: as 2 to 4, but with parts of words.
 local function rank(words, joined, entry)
   if search.plain(entry.name) == joined then return 1 end
   local text = text_of(entry)
@@ -64,7 +64,7 @@ local function rank(words, joined, entry)
   end
 end
 
--- Returns a table from the addresses that a synonym lists to their positions in the list.
+-- Returns a table with the position of each address in the list of a synonym.
 local function by_synonym(joined)
   local positions = {}
   for position, address in ipairs(addresses_of(joined)) do
@@ -91,7 +91,7 @@ function search.find(entries, text)
   return found, sure
 end
 
--- Returns the beginning of a word without its usual endings, as a pattern that finds it at the start of a word.
+-- Removes the usual endings of a word. Returns a pattern that finds the remaining letters at the start of a word.
 local function stem(word)
   local short = word:gsub("ing$", ""):gsub("ed$", ""):gsub("es?$", "")
   if #short < 4 then short = word end
@@ -101,8 +101,8 @@ end
 local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
   ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
 
--- Returns the entries whose words have more than half of the weight of a phrase's words, the best first. A
--- word weighs more if fewer entries contain it.
+-- Returns the entries that contain more than half of a phrase, measured by the weights of its words, the best
+-- first. A word has a larger weight if fewer entries contain it.
 function search.nearly(entries, text)
   local texts, score, all = {}, {}, 0
   for i, entry in ipairs(entries) do texts[i], score[i] = search.plain(text_of(entry)), 0 end

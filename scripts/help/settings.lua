@@ -1,5 +1,5 @@
--- Makes help entries from the engine's lists of settings and history columns (archard.settings), and joins
--- them with the written entries. A new setting or column therefore needs no change in this file.
+-- Generates help entries from the engine's lists of settings and history columns (archard.settings), and joins
+-- them with the entries written in help/engine.lua. A new setting or column therefore needs no change here.
 
 local settings = require "archard.settings"
 
@@ -36,8 +36,8 @@ local function options_of(class)
   return list
 end
 
--- Returns entries for settings that can be read back from an object. Bodies and methods have no such
--- settings.
+-- Returns entries for the settings that are also fields of the object, such as wear.alpha. Bodies and methods
+-- have no such fields.
 local function fields_of(class)
   local list = {}
   if class == "body" or class:find(".", 1, true) then return list end
@@ -107,8 +107,8 @@ local function behind(class, written)
   return list
 end
 
--- Returns the written entries together with the entries made here. A written entry replaces a made entry
--- with the same address.
+-- Returns the written entries together with the generated entries. A written entry replaces a generated
+-- entry with the same address.
 return function(written)
   local known, joined, placed = {}, {}, {}
   for _, entry in ipairs(written) do known[entry[1]] = true end

@@ -1,5 +1,5 @@
--- Words that users search for but that are no names in archard, with the addresses of the topics, entries
--- and examples that explain them, the best first. An example has an address such as examples "coating".
+-- Words that users search for, with the addresses of the topics, entries and examples that explain them, the
+-- best first. An example has an address such as examples "coating".
 
 return {
   ["3-d"] = { "3-D", "model{geometry}", "body.ball" },
