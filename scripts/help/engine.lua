@@ -3,14 +3,14 @@
 -- fields. Equation numbers refer to Mattei and Di Puccio, "Influence of the wear partition factor on wear
 -- evolution modelling of sliding surfaces".
 
-local of_all = '. Further fields, see help "body": E, nu, k or material, layers, name.'
+local of_all = '. Fields of every body: E, nu, k or material, layers, name; see help "body".'
 
 return {
   -- --- material -------------------------------------------------------------------------------
   { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
-    text = 'A linear elastic material, for example material{ E=114e3, nu=0.34, name="Ti-6Al-4V" }; archard '
-      .. "has no library of materials. Use a material as model{ cylinder=material{...} }, in bodies and in "
-      .. "layers. Defaults: the steel of the reference case." },
+    text = "A linear elastic material and its wear coefficient k, for example material{ E=114e3, nu=0.34, "
+      .. 'name="Ti-6Al-4V" }. Use it as model{ cylinder=material{...} }, in bodies and in layers. The defaults are '
+      .. "the steel of the reference case; archard has no library of materials." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
 
@@ -19,17 +19,19 @@ return {
     text = "Hertz' closed-form solution for the line contact of a cylinder on a half-space, or for a ball with "
       .. 'geometry = "axisymmetric". Use it to check the pressure and half width of an unworn contact.' },
   { "hertz.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact: a = sqrt(4 R L_N / (pi t E*)) of a cylinder, cbrt(3 R L_N / (4 E*)) of a "
-      .. "ball." },
+    text = "Half width of the contact: a = sqrt(4 R L_N / (pi t E*)) for a cylinder, a = cbrt(3 R L_N / (4 E*)) "
+      .. "for a ball, with the radius R, load L_N, thickness t and contact modulus E*." },
   { "hertz.half_width_z", kind = "field", unit = "mm",
     text = 'Half width of the contact across the motion (along z), with geometry = "3-D"; NaN for a cylinder.' },
   { "hertz.p_max", kind = "field", unit = "MPa",
-    text = "Pressure at the centre: p_H = 2 L_N / (pi a t) of a cylinder, 3 L_N / (2 pi a^2) of a ball." },
+    text = "Pressure at the centre: p_H = 2 L_N / (pi a t) for a cylinder, p_H = 3 L_N / (2 pi a^2) for a ball, "
+      .. "with the load L_N, half width a and thickness t." },
   { "hertz.E_star", kind = "field", unit = "MPa",
-    text = "Contact modulus 1 / (1/E*_c + 1/E*_p), where E*_b = E / (1 - nu^2), or E in plane stress." },
+    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the cylinder (c) and the plate (p). Of each body E*_b = E / "
+      .. "(1 - nu^2), or E in plane stress." },
   { "hertz.approach", kind = "field", unit = "mm",
-    text = "Rigid approach of a ball and its plate, a^2 / R; NaN for a cylinder, whose approach is not "
-      .. "defined on a half-space." },
+    text = "Distance by which a ball and its plate approach each other: a^2 / R, with the half width a and the "
+      .. "radius R. NaN for a cylinder: its approach is not defined on a half-space." },
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
@@ -39,23 +41,23 @@ return {
       .. 'mesh = "pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials: model{ '
       .. "cylinder={ E=200e3, nu=0.3 }, plate={ E=114e3, nu=0.34 } }. In runs and contacts with friction the "
       .. "coupling of pressure and shear between different materials (Dundurs' beta) is included." },
-  { "model.upper", kind = "field", text = "The upper body of the definition; nil for the default, a cylinder." },
-  { "model.lower", kind = "field", text = "The lower body of the definition; nil for the default, a block." },
+  { "model.upper", kind = "field", text = "Definition of the upper body; nil for the default cylinder." },
+  { "model.lower", kind = "field", text = "Definition of the lower body; nil for the default block." },
   { "model.bodies", kind = "field",
     text = 'Names of the bodies: m.bodies.upper, m.bodies.lower. Each is the name given in body.disc{ name="pin" }, '
       .. 'else the kind of body ("ring"), else "upper" or "lower"; the default pair is "cylinder" and "plate". All '
       .. 'these names work in results: w.depth.pin, w.depth.upper, w:profile("pin"), m.mesh.pin, state.depth.pin, '
       .. 'plot.history(w, "depth_pin").' },
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
-    text = "Bodies with layers (coatings) for model{ upper=, lower= }. The upper body carries the load, the lower one "
-      .. "moves. Each accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from the surface "
-      .. "inwards; the k of a layer applies down to its depth. On a mesh from Gmsh use materials = { NAME = } instead "
+    text = "Bodies with layers (coatings) for model{ upper=, lower= }. The upper body carries the load, the lower "
+      .. "one moves. Each accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from the "
+      .. "surface inwards; each layer wears with its own k. On a mesh from Gmsh use materials = { NAME = } instead "
       .. "of layers." },
   { "body{layers}", type = "list of tables { thickness=, material= }",
-    text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. A "
-      .. "material with k gives the layer its own wear coefficient, down to its depth: layers={{ "
-      .. "thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} is a coating of 5 um; w:run{ "
-      .. "depth={ plate=0.005 } } stops when it is worn through." },
+    text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. If its "
+      .. "material has k, a layer wears with this coefficient: layers={{ thickness=0.005, material=material{ "
+      .. "E=300e3, nu=0.2, k=1e-10 } }} is a coating of 5 um; w:run{ depth={ plate=0.005 } } stops when it is worn "
+      .. "through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
       .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
@@ -81,7 +83,8 @@ return {
       .. "they are interpolated by cubics. The contact must stay within the map, which is centred at x = z "
       .. "= 0. Fields: x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
-    text = "A whole disc, fixed at a hub of 0.15 radius in its middle. Fields: radius" .. of_all },
+    text = "A full disc, fixed at a hub in its centre; the radius of the hub is 0.15 times the radius of the disc. "
+      .. "Fields: radius" .. of_all },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
     text = 'A ring. With fixed="outer" its hole is in contact with a disc, cylinder or inner ring; the '
       .. "contact is then solved along the surface of the hole: x is the arc length, and friction is not "
@@ -91,7 +94,7 @@ return {
     text = "Properties of a body whose mesh is read from the Gmsh file of model{ mesh = }. materials "
       .. 'assigns a material to each physical group by its name, see help "gmsh".' },
   { "model.seconds", kind = "field", unit = "s", text = "Computing time for building the model." },
-  { "model.bytes", kind = "field", unit = "bytes", text = "Memory of the model." },
+  { "model.bytes", kind = "field", unit = "bytes", text = "Memory that the model uses." },
   { "model.close", kind = "method", use = "m:close()",
     text = "Frees the model now instead of at the next garbage collection. Runs and contacts that use it "
       .. "stay valid." },
@@ -117,9 +120,10 @@ return {
   { "mesh.body", kind = "field", text = 'Body of the mesh, "cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
-    text = "Quality of the worst elements, a table with smallest_angle, largest_angle (degrees), aspect "
-      .. "(longest edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
-      .. "smallest_jacobian (mm2, positive). Its field box is such a table for the wear box alone." },
+    text = "Quality of the worst elements, a table with smallest_angle, largest_angle (degrees), aspect (longest "
+      .. "edge over shortest), jacobian_ratio (smallest Jacobian over the largest, at the corners of a "
+      .. "quadrilateral), smallest_jacobian (mm2, positive). Its field box is the same table for the wear box "
+      .. "alone." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
     text = "Writes the mesh to a file. The ending chooses the format: .vtk, .vtu, .inp (Abaqus, CalculiX), .msh "
       .. "(Gmsh) or .csv (nodes)." },
@@ -153,16 +157,16 @@ return {
     text = "Wear depth of the plate against x. A function is evaluated at the nodes; points are "
       .. "interpolated by splines, which are smooth inside a scar and preserve its area." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact. Its error is 0.03 of an element for unworn surfaces and 0.07 for "
-      .. "worn ones that are smooth; at edges of scars the error is 0.2 on average and at most 0.6." },
+    text = "Half width of the contact. Its error is 0.03 element widths for unworn surfaces and 0.07 for smooth "
+      .. "worn surfaces; at edges of scars it is 0.2 element widths on average and at most 0.6." },
   { "contact.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, in 3-D; 0 in 2-D." },
   { "contact.area", kind = "field", unit = "mm2", text = "Contact area in 3-D; 0 in 2-D." },
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh is refined; use p_average there." },
   { "contact.p_average", kind = "field", unit = "MPa",
-    text = "Largest pressure averaged over the length `average`. Unlike p_max it converges with the mesh at edges of "
-      .. "scars." },
+    text = "Largest pressure averaged over a length, contact{ average= }. Unlike p_max it converges with the mesh "
+      .. "at edges of scars." },
   { "contact.p_center", kind = "field", unit = "MPa",
     text = "Pressure at x = 0 of the upper body, the lowest point of a cylinder. The largest pressure of a profile "
       .. "may lie elsewhere: see p_max." },
@@ -171,7 +175,8 @@ return {
       .. "different directions, it is up to 4/pi times the load." },
   { "contact.approach", kind = "field", unit = "mm",
     text = "Distance by which the fixed parts of both bodies approach each other." },
-  { "contact.iterations", kind = "field", text = "Number of iterations of the active set." },
+  { "contact.iterations", kind = "field", text = "Number of iterations of the active-set method, which solves the "
+    .. "contact." },
   { "contact.edges", kind = "field", unit = "mm",
     text = "Positions of both edges of the contact, { left=, right= }, measured from the cylinder's axis." },
   { "contact.model", kind = "field", class = "model", text = "The model of the contact." },
@@ -181,28 +186,30 @@ return {
       .. "axis." },
   { "contact.move", kind = "method", class = "contact",
     use = "c:move{ x= | tangential=, z= | tangential_z=, load=, increments= }",
-    text = "Returns the contact after a motion: the plate's base moves to x, or a tangential force drives "
-      .. "it, and the load changes, all linearly. c itself is not changed. Coulomb friction depends on the "
-      .. "history, so each node keeps its slip. If neither x nor tangential is given, the base keeps its "
-      .. "position. x may exceed the contact width; the bodies then slide. In 3-D z and tangential_z are "
-      .. "available too, and the increments are chosen automatically: c.energy_error estimates their error. "
-      .. "If you set the number of increments in 3-D, the error is of first order where the direction of "
-      .. "slip turns: a force that rotates once in 64 increments loses 8 % of its work." },
+    text = "Returns the contact after a motion. The plate's base moves to x, or a tangential force moves it; the "
+      .. "load changes at the same time, and all of them change linearly. c itself is not changed. Coulomb "
+      .. "friction depends on the history, so the motion starts from the slip of each node in c. If neither x nor "
+      .. "tangential is given, the base keeps its position. x may exceed the contact width; the bodies then slide. "
+      .. "In 3-D z and tangential_z are available too, and the increments are chosen automatically: c.energy_error "
+      .. "estimates their error. If you set the number of increments in 3-D, the error is of first order in their "
+      .. "length where the direction of slip rotates: if a force rotates once in 64 increments, its work is 8 % "
+      .. "too small." },
   { "contact.z", kind = "field", unit = "mm",
     text = "Position of the lower body along z, in 3-D with friction; 0 in 2-D." },
   { "contact.tangential_z", kind = "field", unit = "N",
     text = "Tangential force on the lower body along z, in 3-D with friction; 0 in 2-D." },
   { "contact.tangential", kind = "field", unit = "N",
-    text = "Tangential force on the plate along x. Without friction, the part that inclined surfaces carry." },
+    text = "Tangential force on the plate along x. Without friction it is the x component of the pressure forces "
+      .. "on inclined surfaces." },
   { "contact.energy", kind = "field", unit = "N mm",
-    text = "Energy dissipated by friction since the bodies came together: shear traction times slip, "
-      .. "integrated over the contact. On the automatic mesh of a contact with friction, 27 elements in the "
-      .. "half width, the energy of a cycle has an error of 0.5 % for similar bodies; for others it is 1.5 % "
-      .. "if the force is at least 0.3 of that of full slip, and 6 % at 0.2. Coarser meshes, similar bodies "
-      .. "(Dundurs' beta up to 0.01, such as steels), partial slip under constant load: 1.6 % if one element "
-      .. "slips at each edge, 0.3 % if three do. The same with beta up to 0.1: 12 % and 1.5 %. Larger beta, "
-      .. "changing loads or edges of scars: 45, 15 and 6 % if one, one and a half and two elements slip. For "
-      .. "the energy of wear runs see wear.energy and wear.cycle_energy." },
+    text = "Energy dissipated by friction since first contact: shear traction times slip, integrated over the "
+      .. "contact. On the automatic mesh of a contact with friction (27 elements in the half width), the energy of "
+      .. "a cycle has an error of 0.5 % for similar bodies (Dundurs' beta up to 0.01, such as steels). For other "
+      .. "bodies the error is 1.5 % if the force is at least 0.3 times the force of full slip, and 6 % at 0.2 "
+      .. "times. On coarser meshes the error depends on the number of elements that slip at each edge. Partial "
+      .. "slip under constant load: 1.6 % with one element and 0.3 % with three for similar bodies, 12 % and 1.5 % "
+      .. "for beta up to 0.1. Larger beta, changing loads or edges of scars: 45 % with one element, 15 % with one "
+      .. "and a half, 6 % with two. For the energy of wear runs see wear.energy and wear.cycle_energy." },
   { "contact.energy_error", kind = "field", unit = "N mm",
     text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the "
       .. "difference from the energy with half as many increments, which is close to the true error where "
@@ -210,55 +217,56 @@ return {
       .. "increments you set are not included." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; empty in gross slip. The "
-      .. "error of an edge is 0.15 of an element, or 0.3 if fewer than six elements stick. In 3-D: the share "
-      .. "of the contact area that sticks. The stick radius under a ball is half_width times the square root "
-      .. "of this share." },
+      .. "position of an edge has an error of 0.15 element widths, or 0.3 if fewer than six elements stick. In "
+      .. "3-D: the fraction of the contact area that sticks. The stick radius under a ball is half_width times the "
+      .. "square root of this fraction." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
     text = "Shear traction at the surface nodes of a body, { x=, q= } in mm and MPa: on the cylinder along +x, on "
       .. "the plate along -x; |q| is at most friction times p. In 3-D c:shear() is the map of |q| on the upper body, "
       .. 'c:shear("x") and c:shear("z") are maps of its components, c:shear{ z=0 } is a section { x=, q=, qz= }.' },
   { "contact.slip", kind = "method", use = "c:slip()",
-    text = "Slip since the bodies came together, { x=, s= } in mm: displacement of the plate's surface "
-      .. "along +x relative to the cylinder's nodes. Nodes out of contact are included. In 3-D a map of its "
-      .. 'magnitude; c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { '
-      .. "x=, s=, sz= }." },
+    text = "Slip since first contact, { x=, s= } in mm: displacement of the plate's surface along +x relative to "
+      .. "the cylinder's nodes. Nodes out of contact are included. In 3-D a map of its magnitude; "
+      .. 'c:slip("x") and c:slip("z") are maps of its components, c:slip{ z=0 } is a section { x=, s=, sz= }.' },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D "
-      .. "a plane below the surface, c:stress{ y=-0.05 }, or a section down to three half widths, c:stress{ "
-      .. 'z=0 } or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, szz, sxy, syz, sxz '
-      .. "and mises in MPa for plot.map; the second axis of a section is y. The largest von Mises stress of "
-      .. "a 2-D contact and its depth: local m, depth = 0; for i, s in ipairs(f.plate.mises) do if s > m "
-      .. "then m, depth = s, -f.plate.y[i] end end." },
+    text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D: "
+      .. "stresses in a plane below the surface, c:stress{ y=-0.05 }, or in a section down to a depth of three "
+      .. 'half widths, c:stress{ z=0 } or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, '
+      .. "szz, sxy, syz, sxz and mises in MPa for plot.map; the second axis of a section is y. The largest von "
+      .. "Mises stress m of f = c:stress() in 2-D and its depth: local m, depth = 0; for i, s in "
+      .. "ipairs(f.plate.mises) do if s > m then m, depth = s, -f.plate.y[i] end end." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Frees the contact now instead of at the next garbage collection." },
   { "stress", kind = "object", use = "f = c:stress()",
-    text = "Fields of both bodies, f.cylinder and f.plate: lists x, y (nodes, mm), ux, uy (displacements, "
-      .. "mm), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four node numbers "
-      .. "each). The error is of second order in the element size. At smooth edges of the contact the "
-      .. "pressure follows the square-root law (error 2 % of the largest pressure at elements of 20 um, 9 % "
-      .. "with friction 0.6); at kinks of scars nodal values are used." },
-  { "stress.cylinder", kind = "field", text = "Values in the cylinder, lists by name." },
-  { "stress.plate", kind = "field", text = "Values in the plate, lists by name." },
-  { "stress.contact", kind = "field", class = "contact", text = "The contact of these stresses." },
+    text = "Fields of both bodies, f.cylinder and f.plate: lists x, y (nodes, mm), ux, uy (displacements, mm), "
+      .. "mises, principal (the largest tension), shear (the largest in the plane), sxx, syy, szz, sxy (MPa), "
+      .. "elements (four node numbers each). The error is of second order in the element size. At smooth edges of "
+      .. "the contact the pressure follows the square-root law (error 2 % of the largest pressure at elements of "
+      .. "20 um, 9 % with friction 0.6); at kinks of scars nodal values are used." },
+  { "stress.cylinder", kind = "field", text = "Fields of the cylinder, lists by name." },
+  { "stress.plate", kind = "field", text = "Fields of the plate, lists by name." },
+  { "stress.contact", kind = "field", class = "contact", text = "The contact from which the stresses were "
+    .. "computed." },
 
   -- --- wear -----------------------------------------------------------------------------------
   { "wear", kind = "constructor", use = "w = wear{ alpha=0.5, stroke=0.11, distance=1320 }",
     text = "A wear run: two sliding surfaces lose material by Archard's local law, h = k_b times the integral of p "
-      .. "ds at every point of both bodies (Eq. 13), with k_c = alpha k of the cylinder and k_p = (1 - alpha) k of "
-      .. "the plate (Eq. 20).\n\nThe defaults are the reference case: a steel cylinder of radius 10 mm under 100 N, "
-      .. "stroke 0.11 mm, alpha 0.5. w:step() and w:run() start the computation." },
+      .. "ds at every point of both bodies (Eq. 13): h is the wear depth, p the pressure, s the slip. k_b is k_c = "
+      .. "alpha k for the cylinder and k_p = (1 - alpha) k for the plate (Eq. 20).\n\nThe defaults are the "
+      .. "reference case: a steel cylinder of radius 10 mm under 100 N, stroke 0.11 mm, alpha 0.5. w:step() and "
+      .. "w:run() start the computation." },
   { "wear{loading.x}", type = "function(t) or list", unit = "mm",
-    text = "Position of the plate during the cycle." },
+    text = "Position of the plate during the cycle: a function of the time t from 0 to 1, or a list of values." },
   { "wear{loading.load}", type = "function(t), list or number", unit = "N",
     default = "load of the run", text = "Normal load during the cycle; 0: no contact, no wear." },
   { "wear{loading.t}", type = "list",
     text = "Increasing times of the values in the lists, in any unit; the first is the start of the cycle "
       .. "(t = 0), the last its end (t = 1). Default: equal intervals." },
   { "wear{loading.increments}", type = "whole number >= 1", default = 100,
-    text = "Number of equal increments of the cycle, at which functions are evaluated and lists "
-      .. "interpolated. If it is omitted, lists are used point by point, and functions beside them at the "
-      .. 'times of the lists; increments = "auto" of the run may merge them.' },
+    text = "Number of equal increments of the cycle, at which functions are evaluated and lists interpolated. If "
+      .. "it is omitted, each interval of a list is an increment, and functions are evaluated at the times of the "
+      .. 'list; wear{ increments="auto" } may merge increments.' },
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
     text = "Number of repetitions of the cycle. Omit it in the last block, which continues to the end of the run." },
   { "wear{loading.periodic}", type = "boolean", default = true,
@@ -274,13 +282,12 @@ return {
     text = "Initial wear depth of the plate against x, as in contact{worn.plate}." },
 
   { "wear.step", kind = "method", use = "w:step(n)",
-    text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the "
-      .. "distance of the run ends. Returns the record of the last update. If a step fails, the run is "
-      .. "unchanged." },
+    text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the run reaches "
+      .. "its distance. Returns the record of the last update. If a step fails, the run is unchanged." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",
-    text = "Runs to a distance (default: that of the definition), or stops exactly at a depth, volume, "
-      .. "pressure or width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the running "
-      .. "step; another w:run() continues with the same results." },
+    text = "Runs to a distance (default: that of the definition), or stops exactly at a depth, volume, pressure or "
+      .. "width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the current step; another "
+      .. "w:run() continues with the same results." },
   { "wear.run{distance}", type = "number > 0", unit = "mm",
     text = "Travelled distance, counted from the start of the run, at which the run stops; default: the "
       .. "distance of the definition." },
@@ -314,10 +321,11 @@ return {
   { "wear.run{stop_when}", type = "function(w)",
     text = "Called with the run after every step; the run stops if it returns true." },
   { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
-    text = "Changes fields of the definition between two steps: any field of wear{} except model, geometry and worn, "
-      .. "and mesh={ ... }, to which the worn shapes are transferred. Other fields, the worn shapes and the history "
-      .. "are kept. A new loading begins at its start; loading=false or stroke= return to the plain stroke. distance "
-      .. "and cycles count from the start of the run. Returns the run." },
+    text = "Changes fields of the definition between two steps: any field of wear{} except model, geometry and "
+      .. "worn, and mesh={ ... }, to which the worn shapes are transferred. Other fields, the worn shapes and the "
+      .. "history are kept. A new loading starts with its first block; loading=false or stroke= restores a "
+      .. "constant stroke without loading. distance and cycles are counted from the start of the run. Returns the "
+      .. "run." },
   { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
     text = "New meshes of both bodies, with fields of model{ mesh= }; omitted fields keep their values. "
       .. "With a new size and without rows, the depth of the wear box is kept." },
@@ -326,17 +334,17 @@ return {
   { "wear.close", kind = "method", use = "w:close()",
     text = "Frees the run now instead of at the next garbage collection." },
   { "wear.contact", kind = "method", class = "contact", use = "w:contact()",
-    text = "The contact of the present surfaces under the field load, with the plate in its middle position "
-      .. "(x = 0), without friction. contact{ model=w.model, worn=w, friction=w.friction } solves it with "
-      .. "friction." },
+    text = "The contact of the present surfaces without friction, under the load of the definition and with the "
+      .. "plate in its middle position (x = 0). contact{ model=w.model, worn=w, friction=w.friction } solves it "
+      .. "with friction." },
   { "wear.save", kind = "method", use = "w:save(path)",
-    text = "Writes the run to a run file; wear.open continues it. A run already saved in the file is replaced; other "
-      .. "files are refused. A run that is killed is lost if it was not saved: w:run{ progress = function(w) if "
-      .. "w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
+    text = "Writes the run to a run file; wear.open continues it. A run already saved in the file is replaced; "
+      .. "other files are refused. If the program is killed, a run that was not saved is lost: w:run{ progress = "
+      .. "function(w) if w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
-      .. "continues it with the same results. Functions of the definition are not stored and must be given "
-      .. "again: wear.open(path, { k = f }). A run that was killed continues from its last w:save." },
+      .. "continues it with the same results. Functions of the definition are not stored and must be given again: "
+      .. "wear.open(path, { k = f }). If the program was killed, the run continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "
@@ -348,29 +356,30 @@ return {
   { "wear.combined", kind = "method", use = "w:combined()",
     text = "Sum of both profiles h_c + h_p (Eq. 31), { x=, h= } in mm." },
   { "wear.local_partition", kind = "method", use = "w:local_partition()",
-    text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30)." },
+    text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30), { x=, value= }." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
     text = "Amplitude of the sawtooth part of a profile over its depth [-], root mean square over the "
       .. "middle of the contact: 1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. "
       .. "Larger values are a sign of too large a jump." },
   { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
-    text = "A map of a body over x and z, of a run in 3-D: wear depth [mm] (default), worn height [mm], or pressure "
-      .. "[MPa] under the load at x = 0. w:profile(body, { z = 0 }) and { x = 0 } are sections." },
+    text = "In 3-D: a map of a body over x and z: wear depth [mm] (default), worn height [mm], or pressure [MPa] "
+      .. "under the nominal load with the plate at x = 0. For sections see w:profile(body, { z = 0 }) or { x = 0 "
+      .. "}." },
   { "wear.stability", kind = "method", use = "w:stability()",
-    text = "Returns { eigenvalue=, jump_limit= }: the largest growth rate of ripples [1/cycle], linearised "
-      .. "at the present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with "
-      .. "a larger jump make the surfaces rough." },
+    text = "Returns { eigenvalue=, jump_limit= }: the largest growth rate of ripples [1/cycle], linearised at the "
+      .. "present state, and the largest stable jump, 2 / eigenvalue [cycles]. Explicit updates with a larger jump "
+      .. "cause ripples on the surfaces." },
   { "wear.loop", kind = "method", use = "w:loop()",
-    text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { cycle=, "
-      .. "x=, tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the run so far, "
-      .. "x the list of positions of the plate's base [mm], tangential the list of tangential forces [N], "
-      .. "energy that of the cycle [N mm], stick_width the width that never slips [mm], and gross is true in "
-      .. "gross slip. The energy is more accurate than the loop's area, which omits slip between nodes in "
-      .. "partial slip, and in gross slip contains the surface strain under pressure (0.12 % at 591 MPa on "
-      .. "steel). The dissipated energy of a measured loop is its area: sum over its points of (q[i] + "
-      .. "q[i-1]) / 2 * (x[i] - x[i-1]). plot.loop(w) draws the loop; study.fretting_map computes the "
-      .. "transition to gross slip." },
+    text = "For runs with friction: the fretting loop of a periodic cycle on the present surfaces, { cycle=, x=, "
+      .. "tangential=, energy=, stick_width=, gross= }. cycle is the number of cycles of the run so far, x the "
+      .. "list of positions of the plate's base [mm], tangential the list of tangential forces [N], energy the "
+      .. "energy dissipated in the cycle [N mm], stick_width the width of the contact that never slips [mm], and "
+      .. "gross is true in gross slip. The energy is more accurate than the loop's area, which omits slip between "
+      .. "nodes in partial slip, and in gross slip contains the surface strain under pressure (0.12 % at 591 MPa "
+      .. "on steel). The dissipated energy of a measured loop is its area: sum over its points of (q[i] + q[i-1]) "
+      .. "/ 2 * (x[i] - x[i-1]). plot.loop(w) draws the loop; study.fretting_map computes the transition to gross "
+      .. "slip." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction since the start of the run." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by a periodic cycle on the present surfaces; 0 before the first update." },
@@ -383,15 +392,15 @@ return {
     text = "1 if the whole contact slips at some time of a periodic cycle; else 0, also without friction." },
   { "wear.model", kind = "field", class = "model", text = "The model of the run." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
-    text = "The worn meshes of cylinder and plate, for w.mesh.plate:quality(), plot.mesh(w) and export. "
-      .. "Even wear of the plate does not move its nodes; with moving geometry, layers are shifted toward "
-      .. "the surface." },
+    text = "The worn meshes of cylinder and plate, for w.mesh.plate:quality(), plot.mesh(w) and export. Uniform "
+      .. "wear of the plate does not move its nodes; with moving geometry its layers are shifted toward the "
+      .. "surface instead." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
-  { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
-  { "wear.update", kind = "field", text = "Geometry updates so far." },
+  { "wear.cycle", kind = "field", unit = "cycles", text = "Number of loading cycles so far." },
+  { "wear.update", kind = "field", text = "Number of geometry updates so far." },
   { "wear.solutions", kind = "field",
     text = "Number of contact problems solved; mirrored halves of symmetric strokes are included." },
-  { "wear.done", kind = "field", text = "True once the run has reached the end of its distance." },
+  { "wear.done", kind = "field", text = "True if the run has reached its distance." },
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, with the plate at x = 0 under the nominal load." },
   { "wear.p_max", kind = "field", unit = "MPa",
@@ -401,21 +410,21 @@ return {
     text = "Largest pressure averaged over the default length of contact{ average= }, with the plate at x = 0 under "
       .. "the nominal load. It converges with the mesh." },
   { "wear.p_peak", kind = "field", unit = "MPa",
-    text = "Largest pressure at any time of the last update's cycle. It may be far above p_max, as the edge of a "
-      .. "scar presses on the other body near the ends of the stroke, and does not converge with the mesh. NaN in "
-      .. "runs of files older than format 3, until they continue." },
+    text = "Largest pressure at any time of the last update's cycle. It may be far above p_max because the edge of "
+      .. "a scar presses on the other body near the ends of the stroke; it does not converge with the mesh. NaN in "
+      .. "a run from a file older than format 3, until the run continues." },
   { "wear.travel", kind = "field", unit = "mm",
-    text = "Distance between the extreme positions of the plate in the last update's cycle; in a single "
-      .. "history (periodic = false), in its last increment. NaN in runs of files older than format 4, "
-      .. "until they continue." },
+    text = "Distance between the extreme positions of the plate in the last update's cycle; in a single history "
+      .. "(periodic = false), in its last increment. NaN in a run from a file older than format 4, until the run "
+      .. "continues." },
   { "wear.load_distance", kind = "field", unit = "N mm",
-    text = "Integral of the load over the sliding distance, F d of Archard's law. With rigid slip, the wear "
-      .. "volume of a body is its k times this integral (Eq. 15); wear laws, local factors and elastic slip "
-      .. "cause differences. NaN in runs of files older than format 4." },
+    text = "Integral of the load over the sliding distance, the product of load and distance in Archard's law. "
+      .. "With rigid slip, the wear volume of a body is its k times this integral (Eq. 15); wear laws, local "
+      .. "factors and elastic slip cause differences. NaN in a run from a file older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is 0.03 of "
-      .. "an element for unworn surfaces and 0.07 for smooth worn surfaces; at edges of scars the error is "
-      .. "0.2 on average and at most 0.6." },
+    text = "Half width of the contact, with the plate at x = 0 under the nominal load. Its error is 0.03 element "
+      .. "widths for unworn surfaces and 0.07 for smooth worn surfaces; at edges of scars it is 0.2 element widths "
+      .. "on average and at most 0.6." },
   { "wear.half_width_z", kind = "field", unit = "mm",
     text = "Half width of the contact across the motion, with the plate at x = 0, in 3-D; 0 in 2-D." },
   { "wear.area", kind = "field", unit = "mm2", text = "Area of the contact, with the plate at x = 0, in "
@@ -427,12 +436,13 @@ return {
   { "wear.vector_depth", kind = "field", unit = "mm",
     text = "Largest length of the vector sum of the wear (Eq. 8) of each body; depth is the scalar sum (Eq. 6)." },
   { "wear.volume", kind = "field", unit = "mm3",
-    text = "Wear volumes of this run, of the whole bodies: in 2-D over the field thickness of the model (1 "
-      .. "mm by default), in 3-D and for bodies of revolution of the whole scar. The volume of initial "
-      .. "scars (worn=) is not included; depths include them." },
+    text = "Volumes worn from the bodies in this run: in 2-D over the thickness of the model (1 mm by default), in "
+      .. "3-D and for bodies of revolution from the whole scar. Initial scars (worn=) are not included in volumes; "
+      .. "they are included in depths." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },
   { "wear.volume.plate", kind = "field", unit = "mm3", text = "Wear volume of the plate." },
-  { "wear.volume.total", kind = "field", unit = "mm3", text = "Wear volume of both bodies, k L_N d." },
+  { "wear.volume.total", kind = "field", unit = "mm3", text = "Wear volume of both bodies together; k L_N d for "
+    .. "constant k and load L_N over the distance d." },
   { "wear.depth_partition", kind = "field",
     text = "Wear depth partition factor alpha-tilde: the cylinder's share of the sum of both largest depths (Eq. "
       .. "29)." },
@@ -448,12 +458,13 @@ return {
   { "wear.k_plate", kind = "field", unit = "mm2/N",
     text = "Wear coefficient of the plate, (1 - alpha) k, in the last update." },
   { "wear.cycles", kind = "field", unit = "cycles", text = "Number of cycles in the whole distance (Eq. 21)." },
-  { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },
-  { "wear.procedure", kind = "field", text = 'The procedure in use, "SP" or "NSP".' },
+  { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance at which the run ends." },
+  { "wear.procedure", kind = "field", text = 'The procedure in use, "SP" or "NSP": see wear{procedure}.' },
   { "wear.update_at", kind = "field", text = 'When the geometry is updated, "cycle" or "increment": see '
     .. "wear{update}." },
   { "wear.loading", kind = "field",
-    text = "The blocks of loading as sampled, each { x=, load=, cycles=, periodic= }; false for the plain stroke." },
+    text = "The blocks of loading as sampled, each { x=, load=, cycles=, periodic= }; false for a constant stroke "
+      .. "without loading." },
   { "wear.local_factor", kind = "field", text = "The function local_factor of the definition, or false." },
   { "wear.functions", kind = "field",
     text = 'Names of the fields that are functions, such as "k" or "local_factor". Functions are not stored '
@@ -461,10 +472,10 @@ return {
 
   -- --- state ----------------------------------------------------------------------------------
   { "state", kind = "object", use = "wear{ k = function(state) ... end }",
-    text = "The state of the run, the argument of functions of the user. It can be read only during the "
-      .. "call. Functions k, alpha and friction are called several times in an update, with predicted "
-      .. "distance, cycle, depths and volumes; for jump and local_factor the state is the last record of "
-      .. "the history." },
+    text = "The state of the run. It is the argument of functions in the definition, which can read it only during "
+      .. "the call. Functions k, alpha and friction are called several times in an update, with predicted "
+      .. "distance, cycle, depths and volumes; for jump and local_factor the state is the last record of the "
+      .. "history." },
   { "state.depth", kind = "field", unit = "mm", text = "Largest wear depths, { cylinder=, plate= }." },
   { "state.volume", kind = "field", unit = "mm3", text = "Wear volumes, { cylinder=, plate=, total= }." },
 }

@@ -21,16 +21,15 @@ return {
       .. "pressure; the error is 4 % for polyethylene with nu up to 0.4; do not use them for metal on metal. "
       .. '"column": springs with the stiffness of a confined column.' },
   { "joint{order}", type = "number", values = { 1, 2 }, default = "1",
-    text = "2: gaps to second order in the head's displacement over the radius. This adds 0.6 % to the pressure of a "
-      .. "polyethylene liner with a clearance of 0.1 mm." },
+    text = "Order of the gap in the ratio of the head's displacement to its radius. 2 adds 0.6 % to the pressure "
+      .. "of a polyethylene liner with a clearance of 0.1 mm." },
   { "joint{mesh}", type = "table { size= }", unit = "degree", default = "{ size=2 }",
     text = "Size of the cells in longitude and latitude: 2 degrees for metal, 4 degrees for polyethylene." },
   { "joint.contact", kind = "method", use = "j:contact{ load=3000, direction={ 0, 0, 1 } }", result = "contact of a joint",
-    text = "One contact of the unworn joint: p_max, p_center, area, half_angle (of a spherical cap of this "
-      .. "area), approach { x, y, z }, normal_force (the integral of p, larger than the load), rim_margin "
-      .. "in degrees, pressure as { theta=, phi=, values= }; c:flat() and plot.map(c) are its map. "
-      .. "direction is the direction of the load in the cup's frame: x medial-lateral, y anterior, z into "
-      .. "the cup." },
+    text = "One contact of the unworn joint: p_max, p_center, area, half_angle (of a spherical cap of this area), "
+      .. "approach { x, y, z }, normal_force (the integral of p, larger than the load), rim_margin in degrees, "
+      .. "pressure as { theta=, phi=, values= }; c:flat() returns it as a map{}, plot.map(c) draws it. direction "
+      .. "is the direction of the load in the cup's frame: x medial-lateral, y anterior, z into the cup." },
   { "joint.wear", kind = "method", use = 'j:wear{ loading=gait "iso", k=3e-11, alpha=0.5, cycles=1e6 }',
     text = "A wear run of a joint. w:run{ cycles= } computes it; results are w.depth.head, w.volume.cup, "
       .. 'w.depth_partition, w.p_peak, w.history, w.cycle and w.distance. Maps over theta and phi: w:map "cup", '
@@ -43,10 +42,9 @@ return {
   { "joint.wear{loading}", type = "gait, its fields, or blocks {{ gait=, cycles= }, ...}", default = 'gait "iso"',
     text = "Rotations and load of a cycle: a gait, or a list of blocks of which the last continues to the end." },
   { "joint.wear{k}", type = "number >= 0, or function", unit = "mm2/N", default = "3e-11",
-    text = "Wear coefficient of the couple, or a function of { cross_shear=, p_mean=, cycle= } of a cell of "
-      .. "the cup: k=function(s) return 1e-9 * (0.2 + s.cross_shear) end. cross_shear is the share of the "
-      .. "friction work across the main direction of sliding, 0 to 0.5; p_mean is the mean pressure of the "
-      .. "cycle [MPa]." },
+    text = "Wear coefficient of the couple, or a function of { cross_shear=, p_mean=, cycle= } of a cell of the "
+      .. "cup: k=function(s) return 1e-9 * (0.2 + s.cross_shear) end. cross_shear is the fraction of the friction "
+      .. "work across the main direction of sliding, 0 to 0.5; p_mean is the mean pressure of the cycle [MPa]." },
   { "joint.wear{alpha}", type = "number in [0, 1], or function", default = "0.5",
     text = "The head's share of the wear, or a function of { cycle= }." },
   { "joint.wear{cycles}", type = "number > 0", unit = "cycles", default = "1e6", text = "Number of cycles." },
@@ -57,7 +55,8 @@ return {
     text = "Accepted difference between the results of one step and of two half steps, relative to the "
       .. "present depth. Errors of depths are a tenth of it or less." },
   { "joint.wear{updates}", type = "whole number",
-    text = "Number of updates, instead of the tolerance; their lengths increase as N^1.5." },
+    text = "Number of updates n, instead of the tolerance. Their lengths increase: update i ends at cycles * "
+      .. "(i/n)^1.5." },
   { "joint.wear{jump}", type = "number > 0, or function", unit = "cycles",
     text = "Number of cycles of an update, or a function of { cycle=, distance=, update= } that computes "
       .. "it; instead of tolerance and updates." },
@@ -65,7 +64,7 @@ return {
     text = "Sliding distance at the point of the load, instead of cycles." },
   { "joint.wear{scheme}", values = { "sweep", "explicit" }, default = '"sweep"',
     text = '"sweep" includes the wear of each instant in its contact and is stable for any step; "explicit" limits '
-      .. "the steps to the stability limit in print(w)." },
+      .. "the steps to the stability limit that print(w) shows." },
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
     text = "Initial wear depths, a function of theta and phi in degrees or a w:map of a run." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
@@ -75,12 +74,12 @@ return {
     text = 'Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "iso", '
       .. 'cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate curves in '
       .. 'between; "prosim" is a simplified walking cycle of simulators. To define a cycle give flexion, '
-      .. "adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, "
-      .. "1], a number, or a list over t (period=100: t in percent); increments without load do not wear. "
-      .. 'Order of the rotations ("xyz"), increments (20); increments= also applies to named gaits: '
-      .. 'gait("iso", { increments=40 }). A gait must be closed. .track [mm] and .work [N mm] are those of '
-      .. "one cycle with a head of 28 mm; .instants has fifteen numbers for each increment: rotation by "
-      .. "rows, rotation vector, load." },
+      .. "adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, 1], a "
+      .. "number, or a list over t (period=100: t in percent); increments without load do not wear. Order of the "
+      .. 'rotations ("xyz"), increments (20); increments= also applies to named gaits: gait("iso", { increments=40 '
+      .. "}). A gait must be closed. .track [mm] and .work [N mm] are the sliding path and the frictionless work "
+      .. "(load times path) of the load point in one cycle with a head of 28 mm; .instants has fifteen numbers for "
+      .. "each increment: rotation by rows, rotation vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },
   { "gait.flexion", kind = "function", use = "gait.flexion{ angle=21.5, load=2000 }", result = "gait",

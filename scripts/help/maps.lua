@@ -7,7 +7,7 @@ return {
       .. "is a flat list: the value at x[i], z[j] is y[(i - 1)*#z + j]. Methods return new maps. t1 - t2 and t1 + t2 "
       .. "interpolate the second at the points of the first; t - number subtracts it." },
   { "map{x}", type = "list of numbers", unit = "mm",
-    text = "Points along the motion, increasing, with a constant step (within a twentieth of it)." },
+    text = "Points along the motion, increasing, with a constant step (to within 5 %)." },
   { "map{z}", type = "list of numbers", unit = "mm", text = "Points across the motion, increasing, with a "
     .. "constant step." },
   { "map{y}", type = "list or function (x, z)", text = "#x times #z values, or a function that computes them." },
@@ -23,12 +23,13 @@ return {
     text = "Unit of a file without units: mm, um, nm, cm, m or in; in a table x is the unit of both positions, y of "
       .. "heights. Units in the file have priority. Required for .grd, and for .xyz without units after names." },
   { "map.read{step}", type = "number > 0 or table { along x, along z }", unit = "mm",
-    text = "Step of a text matrix, whose rows run along x, the first at the smallest z." },
+    text = "Distance between the points of a text matrix. Its rows are along x; the first row has the smallest "
+      .. "z." },
   { "map.read{crop}", type = "table { x={ from, to }, z={ from, to } }", unit = "mm",
     text = "Ranges of the points to keep, see t:crop." },
   { "map.read{outliers}", type = "number > 0",
-    text = "Replaces points that differ from the median of their eight neighbours by more than this factor times the "
-      .. "scatter (1.48 times the median deviation). 20 removes spikes." },
+    text = "Replaces points that differ from the median of their eight neighbours by more than this factor times "
+      .. "the scatter (1.48 times the median deviation). A value of 20 removes spikes." },
   { "map.read{fill}", type = "true or number in mm",
     text = "Height of missing points: true for the mean of their neighbours, or a number. By default "
       .. "missing points are refused." },
@@ -54,18 +55,19 @@ return {
   { "map.profile{z}", type = "number", unit = "mm", text = "Position z of a section along the motion." },
   { "map.level", kind = "method", class = "map", use = 't:level()  t:level("sphere", { -0.3, 0.3, -0.2, 0.2 })',
     text = "Subtracts the best plane or sphere, by least squares of vertical distances; points in { x0, x1, z0, z1 "
-      .. "}, such as a scar, are excluded. radius is that of the sphere." },
+      .. "}, such as a scar, are excluded. The field radius of the result is the radius of the sphere." },
   { "map.crop", kind = "method", class = "map", use = "t:crop{ x={ -0.5, 0.5 }, z={ 0 } }",
-    text = "The points within ranges." },
+    text = "The part of the map within ranges of x and z." },
   { "map.crop{x}", type = "table { from, to }", unit = "mm", text = "Range along the motion; an end may be omitted." },
   { "map.crop{z}", type = "table { from, to }", unit = "mm", text = "Range across the motion." },
   { "map.center", kind = "method", class = "map", use = "t:center()",
-    text = "The same points with x = z = 0, where bodies touch, at their middle: body.map{ y=map.read(path):center() "
-      .. "}." },
+    text = "The map shifted so that its centre is at x = z = 0, where bodies touch: body.map{ "
+      .. "y=map.read(path):center() }." },
   { "map.resample", kind = "method", class = "map", use = "t:resample(0.01)",
     text = "A map with another step [mm] and the same centre. For a smaller step values are interpolated "
       .. "linearly; for a larger one they are means over cells." },
   { "map.volume", kind = "method", use = "t:volume()  t:volume(-1e-4)",
-    text = "Volumes above and below a level (default 0), and net, their difference, in mm3 (of pressures: N); area "
-      .. "above it in mm2. Each point represents a cell of one step by one step." },
+    text = "Returns { above=, below=, net=, area= }: the volumes above and below a level (default 0) and their "
+      .. "difference, in mm3 (in N for a map of pressures), and the area above the level in mm2. Each point "
+      .. "represents a cell of one step by one step." },
 }

@@ -20,7 +20,7 @@ local function series_of(class, setting)
   local address = ("%s{%s."):format(class, setting.path)
   return {
     { address .. "distance}", type = "list", unit = "mm",
-      text = ("Increasing distances of a table of %s, which is linear between them."):format(setting.name) },
+      text = ("Increasing distances of a table; %s is linear between them."):format(setting.name) },
     { address .. "value}", type = "list", unit = setting.unit, text = "Values at these distances." },
   }
 end
