@@ -5,16 +5,17 @@ return {
   -- --- study ----------------------------------------------------------------------------------
   { "study", kind = "constructor",
     use = "s = study{ base={...}, vary={ alpha={0, 0.5, 1}, stroke={0.11, 0.22} } }",
-    text = "Many wear runs: all combinations of the varied fields, with the fields of base in common. Results are "
-      .. "stored after each case; an interrupted study continues. Without vary and cases, base is the only case." },
+    text = "Many wear runs: a case for each combination of the varied fields, all with the fields of base. Results "
+      .. "are stored after each case; an interrupted study continues. Without vary and cases, base is the only "
+      .. "case." },
   { "study{base}", type = "table", takes = "wear",
-    text = "Fields of wear{} in common to all cases; no functions, as they cannot be stored. Fields of a case "
-      .. "override them: tables of fields are merged, lists and numbers replaced." },
+    text = "Fields of wear{} that all cases have in common. Functions are refused because they cannot be stored. "
+      .. "Fields of a case override them: tables of fields are merged, lists and numbers are replaced." },
   { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} with a list of values each; the cases are all combinations, and the alphabetically "
-      .. 'last name changes fastest. Write fields within fields nested or as ["model.mesh.size"]. Short names: '
-      .. '["lower.E"] or ["pin.radius"] of a body by its role, name or kind, ["lower.layer1.thickness"] of a layer, '
-      .. "E and nu of both bodies. Cases, samples, fits and sensitivities use the same names." },
+      .. 'last name changes fastest. Write a field of an inner table nested or as ["model.mesh.size"]. Short '
+      .. 'names: ["lower.E"] or ["pin.radius"] of a body by its role, name or kind, ["lower.layer1.thickness"] of '
+      .. "a layer, E and nu of both bodies. Cases, samples, fits and sensitivities use the same names." },
   { "study{cases}", type = "list of tables", takes = "wear",
     text = "A list of cases instead of vary, each with its fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',
@@ -28,38 +29,40 @@ return {
   { "study.name", kind = "field", text = "Name of the study." },
   { "study.file", kind = "field", text = "The run file; nil before the first run." },
   { "study.paper", kind = "function", class = "study", use = "study.paper(base)",
-    text = "The 20 cases of the paper: alpha 0, 0.25, 0.5, 0.75, 1 and strokes a, 2a, 4a, 2R, with the jump and the "
-      .. "increments of Table 1; base has further fields of wear{} for all of them. On elements smaller than the "
-      .. "paper's 20 um the jump is reduced in proportion, as ripples of the element length grow first." },
+    text = "The 20 cases of the paper: alpha 0, 0.25, 0.5, 0.75, 1 and strokes a, 2a, 4a, 2R (a: unworn half "
+      .. "width, R: radius), with the jump and the increments of Table 1; base has further fields of wear{} for "
+      .. "all of them. On elements smaller than the paper's 20 um the jump is reduced in proportion, because "
+      .. "shorter ripples become unstable at a smaller jump." },
   { "study.trials", kind = "function", class = "study", use = "study.trials(base)",
-    text = "The runs of the convergence example (Fig. 8): stroke a, alpha 0.5, 1000 cycles, with several jumps and "
-      .. "increments, by Eq. (4) and by Eq. (5)." },
+    text = "The runs of the paper's convergence example (Fig. 8): stroke a (the unworn half width), alpha 0.5, "
+      .. "1000 cycles, with several jumps and increments, by Eq. (4) and by Eq. (5)." },
   { "study.meshes", kind = "function", class = "study", use = "study.meshes(base)",
-    text = "Mesh study: stroke a, alpha 0.25 to 1, on elements of 20, 10 and 5 um." },
+    text = "Mesh study: stroke a (the unworn half width), alpha 0.25 to 1, on elements of 20, 10 and 5 um." },
   { "study.open", kind = "function", class = "study", use = "s = study.open(file)",
     text = "Opens the study stored in a run file, to evaluate or continue it." },
   { "study.merge", kind = "function", class = "study",
     use = "study.merge(file, ..., { file = \"study.archard\" })",
-    text = "Merges the run files of the shards of a study. Missing and duplicate cases are refused." },
+    text = "Merges the run files of the parts (shards) of a study, see study.run{shard}. Missing and duplicate "
+      .. "cases are refused." },
   { "study.merge{file}", type = "string", default = '"study.archard"',
     text = "The file for all cases." },
   { "study.fretting_map", kind = "function", class = "fretting_map",
     use = "f = study.fretting_map{ load={ 50, 100 }, motion={ 1e-3, 3e-3, 1e-2 } }",
-    text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, "
-      .. "partial slip or gross slip), and at each load the amplitudes of the transitions, from periodic "
-      .. "cycles between two forces. Partial slip begins when slip covers a share `annulus` of the width, "
-      .. "as any force causes some slip at the edges of a smooth contact; for 0.1 this is 19 % of the "
-      .. "sliding force (Cattaneo, Mindlin). The transition to partial slip has an error of 0.5 % for a "
-      .. "cylinder (unlike bodies 3 %; 8 % at a fineness of 0.2) and 1.5 % for a ball; the transition to "
-      .. "gross slip has 0.5 % and 0.2 %. In 3-D the rim's width is a share of the radius; partial slip "
-      .. "then begins at 27 % of the sliding force for 0.1. Accepts the fields of contact{} too (worn=, "
-      .. "friction=, model=)." },
+    text = "Running condition fretting map: for each load and amplitude of motion the regime (stick, partial slip "
+      .. "or gross slip), and at each load the amplitudes of the transitions, from periodic cycles between two "
+      .. "forces. Any force causes some slip at the edges of a smooth contact; the regime is therefore called "
+      .. "stick until slip covers the fraction `annulus` of the width. For 0.1 this is at 19 % of the sliding "
+      .. "force (Cattaneo, Mindlin). The transition to partial slip has an error of 0.5 % for a cylinder (3 % for "
+      .. "different materials, 8 % at a fineness of 0.2) and 1.5 % for a ball; the transition to gross slip has an "
+      .. "error of 0.5 % and 0.2 %. In 3-D `annulus` is the width of the slip annulus as a fraction of the radius; "
+      .. "for 0.1 partial slip then begins at 27 % of the sliding force. Accepts the fields of contact{} too "
+      .. "(worn=, friction=, model=)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
     text = "Amplitudes of the plate's motion, half its strokes, increasing." },
   { "study.fretting_map{friction}", type = "number > 0", default = 0.6, text = "Coefficient of friction." },
   { "study.fretting_map{annulus}", type = "number in (0, 1)", default = 0.1,
-    text = "Share of the contact's width that slips, on both sides together, at the transition to partial slip." },
+    text = "Fraction of the contact width that slips, at both edges together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Mesh and step convergence study: searches for the element size, the jump and the increments at "
@@ -69,7 +72,8 @@ return {
       .. "give the same profiles. Accepts the fields of study{} and those below, or a study and a table of "
       .. "them; cases are distributed to workers. For study.paper() it prints the paper's Table 1 next to "
       .. "the computed values." },
-  { "study.converge{base}", type = "table", text = "Fields of wear{} in common to all cases, see study{base}." },
+  { "study.converge{base}", type = "table", text = "Fields of wear{} that all cases have in common, see "
+    .. "study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
   { "study.converge{cases}", type = "list of tables", text = "A list of cases instead of vary, see study{cases}." },
   { "study.converge{name}", type = "string", text = "Name of the search in titles and in the run file." },
@@ -78,19 +82,19 @@ return {
   { "study.converge{pressure}", type = "number", default = 0.01,
     text = "For the mesh: accepted relative error of the largest unworn pressure against Hertz." },
   { "study.converge{smooth}", type = "number", default = 0.005,
-    text = "For the jump: accepted sawtooth in the pressure over the middle of the contact, root mean square "
-      .. "relative to the pressure at the centre, beyond the sawtooth of a run in small steps (kinks and "
-      .. "coarse meshes also cause a sawtooth). At least a quarter of the sawtooth of that run is accepted; "
-      .. "the result notes this case." },
+    text = "For the jump: accepted sawtooth of the pressure in the middle of the contact, root mean square "
+      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth, so that of a "
+      .. "reference run in small steps is subtracted. At least a quarter of the sawtooth of the reference run is "
+      .. "accepted; the result then has a note." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
     text = "For the increments: accepted difference of a profile from that with 400 increments, relative to "
       .. "its depth." },
   { "study.converge{updates}", type = "whole number from 4 to 1000", default = 100,
-    text = "Largest number of updates that a trial makes." },
+    text = "Largest number of updates of a trial run." },
   { "study.converge{first_depth}", type = "number", unit = "mm", default = 1e-4,
-    text = "The run in small steps used for comparison begins with an update of half this depth, Eq. (28)." },
+    text = "The reference run in small steps starts with an update that wears half this depth, Eq. (28)." },
   { "study.converge{file}", type = "string", default = '"converge.archard"',
     text = "Run file of the search, used if there are several cases." },
   { "study.converge{workers}", type = "whole number",
@@ -110,20 +114,20 @@ return {
       .. "of the script, or study.archard, with a number if a file of that name has other contents." },
   { "study.run{keep}", type = "number > 0 s", default = 60,
     text = "Interval at which the state of a running case is stored. After an interruption the case continues from "
-      .. "it with the same bits." },
+      .. "this state with exactly the same results." },
   { "study.run{shard}", type = 'string "i/n"',
-    text = "Computes share i of n: cases i, i + n, and so on. Use a file for each share, and merge them with "
-      .. "study.merge." },
+    text = "Computes part i of n of the study: cases i, i + n, i + 2n, and so on. Use a separate file for each "
+      .. "part, and merge them with study.merge." },
   { "study.run{progress}", type = 'function, false or "lines"',
     text = 'A function called after each case with { case=, failure=, done=, total= }; "lines": a line per case; '
       .. "false: no output. Default: a display on a terminal." },
   { "study.submit", kind = "method", use = 's:submit{ engine="slurm", shares=8 }',
-    text = "Computes the cases as a job array and returns the study. Each share is a process with its own run file; "
-      .. "at the end they are merged, and interrupted cases are started again. Ctrl-C and the end of this program do "
-      .. "not stop the job: submit the study again to follow or merge it. The folder FILE.shares beside the run file "
-      .. "must be visible to all machines, and so must this program, under the same names. A share should take "
-      .. "minutes, as Slurm starts about one per second. Failed cases are in s.failed; the next submit tries them "
-      .. "again." },
+    text = "Computes the cases as a job array and returns the study. The cases are divided into shares, each "
+      .. "computed by a process with its own run file. At the end the files are merged, and interrupted cases are "
+      .. "started again. Ctrl-C and the end of this program do not stop the job: submit the study again to follow "
+      .. "or merge it. The folder FILE.shares beside the run file must be visible to all machines, and so must "
+      .. "this program, under the same names. A share should take minutes, as Slurm starts about one per second. "
+      .. "Failed cases are in s.failed; the next submit tries them again." },
   { "study.submit{engine}", values = { "slurm", "parallel", "local" }, default = '"local"',
     text = "slurm: a job array of Slurm. parallel: processes of GNU parallel on this machine or, with --sshlogin, on "
       .. "others. local: as s:run with this number of workers." },
@@ -176,36 +180,35 @@ return {
   { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm", text = "The amplitudes." },
   { "fretting_map.friction", kind = "field", text = "Coefficient of friction." },
   { "fretting_map.annulus", kind = "field",
-    text = "Share of the width that slips at the transition to partial slip." },
+    text = "Fraction of the width that slips at the transition to partial slip." },
 
   -- --- convergence ----------------------------------------------------------------------------
   { "convergence", kind = "object", use = "c = study.converge{...}",
     text = "Result of study.converge; print shows it." },
   { "convergence.mesh", kind = "field",
-    text = "Result of study.converge{}: the element size that was found, and a list of the trials." },
+    text = "The search for the element size: { size=, steps= }, the size [mm] and a list of the trials." },
   { "convergence.cases", kind = "field",
-    text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged "
-      .. "(number of updates), increments, roughness, asymmetry, smooth (if the tolerance was increased), "
-      .. "change, first_depth, and the lists jumps and roughnesses of the trials; capped is true if no "
-      .. 'larger jump was tried; bound then is the reason, "stability", or "cycles" for a tenth of all '
-      .. "cycles." },
+    text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged (number of "
+      .. "updates of the trial), increments, roughness and asymmetry (at this jump), smooth (the accepted "
+      .. "roughness, if it was increased), change (of the profiles with these increments), first_depth [mm], and "
+      .. "the lists jumps and roughnesses of the trials; capped is true if no larger jump was tried; bound is then "
+      .. 'the reason, "stability", or "cycles" for a tenth of all cycles.' },
   { "convergence.notes", kind = "method", use = "c:notes()",
-    text = "A list of texts on the limits at which the search ended." },
+    text = "A list of texts about the cases whose search ended at a limit." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
     text = "The paper's Table 1 beside the values found, as rows of texts." },
 
   -- --- calibrate ------------------------------------------------------------------------------
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
-    text = "Wear coefficients (specific wear rates) from measured wear. Mass loss divided by the density is a "
-      .. "volume; 0 for a body that does not wear or was not measured. Volumes give k, k_cylinder, k_plate "
-      .. "and alpha (Eq. 12), with the scatter of repeated tests and confidence intervals of the means. "
-      .. "Volumes at several distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, "
-      .. "load=100 }, give tables over the distance, with which wear{ k=c.k, alpha=c.alpha } reproduces the "
-      .. "volumes. Depths give k and alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 "
-      .. "}, load=100, distance=1320, stroke=0.44 }, with further fields of wear{}. If k is given, only "
-      .. "alpha is identified; it is an error if the simulated sum of both depths then differs by more than "
-      .. "5 % from the measured sum." },
+    text = "Wear coefficients (specific wear rates) from measured wear. Divide a mass loss by the density. Use 0 "
+      .. "for a body that does not wear or was not measured. Volumes give k, k_cylinder, k_plate and alpha (Eq. "
+      .. "12), with the scatter of repeated tests and confidence intervals of the means. Volumes at several "
+      .. "distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, give tables "
+      .. "over the distance, with which wear{ k=c.k, alpha=c.alpha } reproduces the volumes. Depths give k and "
+      .. "alpha by simulation: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, load=100, distance=1320, "
+      .. "stroke=0.44 }, with further fields of wear{}. If k is given, only alpha is identified; it is an error if "
+      .. "the simulated sum of both depths then differs by more than 5 % from the measured sum." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
     text = "Worn volumes of both bodies: numbers, or lists with an item per test, in the same order for both bodies. "
       .. "0: too small to measure. With a list of distances: the total volume at each distance, a list, or a list of "
@@ -239,7 +242,7 @@ return {
   { "calibration.mean", kind = "field",
     text = "For a list of distances: mean coefficients over the whole distance, with spread, low and high." },
   { "calibration.points", kind = "field", text = "Number of distances." },
-  { "calibration.depth_partition", kind = "field", text = "Measured alpha-tilde." },
+  { "calibration.depth_partition", kind = "field", text = "Measured depth partition factor alpha-tilde." },
   { "calibration.simulated_depth", kind = "field", unit = "mm",
     text = "Sum of both simulated depths." },
   { "calibration.measured_depth", kind = "field", unit = "mm", text = "Sum of both measured depths." },
@@ -268,14 +271,15 @@ return {
   { "case.history", kind = "field", text = "Columns of the history by name, see wear.history." },
   { "case.last", kind = "field", text = "The last record of the history: a table with the names of the columns as keys." },
   { "case.surfaces", kind = "field",
-    text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }." },
+    text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }, lengths in mm, the pressure p in "
+      .. "MPa." },
   { "case.model", kind = "field", text = "Definition of the model." },
   { "case.hertz", kind = "field", class = "hertz", text = "Hertz' solution of the unworn contact." },
   { "case.depth", kind = "field", unit = "mm", text = "Final depths: { cylinder=, plate= }." },
   { "case.volume", kind = "field", unit = "mm3",
     text = "Final volumes: { cylinder=, plate=, total= }." },
-  { "case.update", kind = "field", text = "Geometry updates done." },
-  { "case.cycle", kind = "field", text = "Cycles done." },
+  { "case.update", kind = "field", text = "Number of geometry updates done." },
+  { "case.cycle", kind = "field", text = "Number of cycles done." },
   { "case.distance", kind = "field", unit = "mm", text = "Distance travelled." },
   { "case.p_center", kind = "field", unit = "MPa", text = "Final pressure at the centre." },
   { "case.p_max", kind = "field", unit = "MPa", text = "Final largest pressure." },
@@ -285,13 +289,15 @@ return {
   { "case.depth_partition", kind = "field", text = "Final depth partition factor alpha-tilde." },
   { "case.solutions", kind = "field", text = "Number of contact problems solved." },
   { "case.profile", kind = "method", use = 'case:profile("cylinder" | "plate", distance)',
-    text = "Wear profile { x=, h=, y= } of the last stored surface up to that distance [mm]; default: the final one." },
+    text = "Wear profile { x=, h=, y= } in mm of the last surface stored up to this distance [mm]; default: the "
+      .. "final one." },
   { "case.pressure", kind = "method", use = 'case:pressure("cylinder" | "plate", distance)',
-    text = "Pressure { x=, p= } of the last stored surface up to that distance [mm], with the plate at x = 0." },
+    text = "Pressure { x=, p= } in mm and MPa of the last surface stored up to this distance [mm], with the plate "
+      .. "at x = 0." },
   { "case.combined", kind = "method", use = "case:combined(distance)",
-    text = "Sum of both profiles { x=, h= }, Eq. (31)." },
+    text = "Sum of both wear profiles { x=, h= } in mm, Eq. (31)." },
   { "case.local_partition", kind = "method", use = "case:local_partition(distance)",
-    text = "The cylinder's share of the sum of both profiles { x=, value= }, Eq. (30)." },
+    text = "Wear depth of the cylinder divided by the sum of both depths, { x=, value= }, Eq. (30)." },
   { "case.distances", kind = "method", use = "case:distances()",
     text = "The distances [mm] at which surfaces are stored." },
   { "case.wear", kind = "method", class = "wear", use = "case:wear()",

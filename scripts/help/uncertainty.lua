@@ -7,12 +7,13 @@ return {
   -- --- samples of a study -----------------------------------------------------------------------
   { "study{sample}", type = "table of distributions", takes = "wear",
     text = "Uncertain fields of wear{} instead of vary: sample={ k=lognormal{ mean=1e-8, variation=0.4 }, "
-      .. "alpha=uniform{ 0.3, 0.7 }, load=normal{ 100, 5 } }, with the names of vary; each field is one "
-      .. 'number. correlated={ {"k", "alpha", -0.5}, ... } sets correlations of the normal scores; the '
-      .. "distributions do not change. The smallest and largest value of every field are tried first; a "
-      .. "field that cannot run or has no effect is refused." },
+      .. "alpha=uniform{ 0.3, 0.7 }, load=normal{ 100, 5 } }, with the names of vary; each field is one number. "
+      .. 'correlated={ {"k", "alpha", -0.5}, ... } sets correlations of the normal scores; the distributions do '
+      .. "not change. The smallest and largest value of every field are tried first; a field is refused if the run "
+      .. "fails with them or does not depend on it." },
   { "study{n}", type = "whole number >= 2", default = 1024,
-    text = "Number of samples; with indices there are n (fields + 2) cases. Use a power of 2 for Sobol's sequence." },
+    text = "Number of samples n; with indices=true the study has n times (number of fields + 2) cases. Use a power "
+      .. "of 2 for Sobol's sequence." },
   { "study{design}", values = { "sobol", "latin", "random" }, default = '"sobol"',
     text = "Design of the samples: Sobol's sequence with random digital shift (at most 40 fields, 20 with indices), "
       .. "Latin hypercube, or random." },
@@ -20,7 +21,8 @@ return {
     text = "Seed of the random numbers. The same seed gives the same cases, bit by bit, for any number of workers "
       .. "and shares." },
   { "study{indices}", type = "boolean", default = false,
-    text = "Adds the cases for Sobol's indices (Saltelli's design). Not for correlated fields." },
+    text = "Adds the cases from which Sobol's indices, shares of the variance, are computed (Saltelli's design). "
+      .. "Not for correlated fields." },
 
   -- --- distributions ----------------------------------------------------------------------------
   { "uniform", kind = "function", class = "distribution", use = "uniform{ low=0.3, high=0.7 }",
@@ -75,7 +77,7 @@ return {
   { "study.failure{confidence}", type = "number in (0, 1)", default = 0.95,
     text = "Confidence level of the interval." },
   { "failure", kind = "object", use = "s:failure{...}", text = "A probability of failure; print shows it." },
-  { "failure.probability", kind = "field", text = "Share of the samples that exceeded the limit." },
+  { "failure.probability", kind = "field", text = "Fraction of the samples that exceeded the limit." },
   { "failure.low", kind = "field", text = "Lower end of the confidence interval." },
   { "failure.high", kind = "field", text = "Upper end of the confidence interval." },
   { "failure.count", kind = "field", text = "Number of samples that exceeded the limit." },
@@ -84,12 +86,12 @@ return {
   { "failure.course", kind = "field",
     text = "A list of { n=, probability= } for half of the samples and for all, to check convergence." },
   { "uncertainty", kind = "object", use = "u = s:uncertainty{...}",
-    text = "Statistics of a sampled study, s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 } }, "
-      .. "n=256 }:run(), by the name of the result: u.depth_cylinder.mean[i] at the distance u.distance[i]. "
-      .. "Each has mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, high= }), rank "
-      .. "(Spearman's correlation with every field at the last distance), convergence (the same for "
-      .. "increasing numbers n of samples) and, with indices, first and total: by field { value=, error= }, "
-      .. "the share of the variance caused by the field alone, and with its interactions. print shows it." },
+    text = "Statistics of a sampled study, s = study{ sample={ k=lognormal{ mean=1e-8, variation=0.4 } }, n=256 "
+      .. "}:run(), by the name of the result: u.depth_cylinder.mean[i] at the distance u.distance[i]. Each has "
+      .. "mean, mean_error, deviation, quantiles (a list of { share=, value=, low=, high= }), rank (Spearman's "
+      .. "correlation with every field at the last distance), convergence (these statistics for increasing numbers "
+      .. "n of samples) and, with indices, first and total: by field { value=, error= }, the share of the variance "
+      .. "caused by the field alone, and with its interactions. print shows it." },
   { "uncertainty.distance", kind = "field", unit = "mm", text = "Sliding distances at which the statistics are given." },
   { "uncertainty.of", kind = "field", text = "The results, by name." },
   { "uncertainty.fields", kind = "field", text = "The uncertain fields, by name." },
@@ -98,31 +100,31 @@ return {
   { "uncertainty.confidence", kind = "field", text = "Confidence level of the intervals." },
   { "uncertainty.design", kind = "field", text = "Design of the samples." },
   { "uncertainty.seed", kind = "field", text = "Seed of the random numbers." },
-  { "uncertainty.indices", kind = "field", text = "True with Sobol's indices." },
+  { "uncertainty.indices", kind = "field", text = "True if Sobol's indices were computed." },
 
   -- --- sensitivities ----------------------------------------------------------------------------
   { "wear.sensitivity", kind = "method", class = "sensitivity",
     use = 'w:sensitivity{ of="depth_cylinder", to={"k", "alpha", "E"} }',
     text = "Derivatives and elasticities (percent per percent) of results with respect to numbers of the "
-      .. "definition, over the whole history, each with its error. The run is repeated 16 times per number, "
-      .. "with changes from 3 % to 4e-7, and the difference best confirmed by its neighbours is used. For "
-      .. "results that jump between nodes, such as half widths and pressures, a slope by least squares of 17 "
-      .. 'runs over a wider range is used. Automatic steps (jump = "auto", tolerance) are frozen, then '
-      .. "divided into 4 and 8 parts: the results are from 8 parts; the errors include the difference "
-      .. "between 4 and 8 parts. With a given jump, results hold for these steps, and errors are those of "
-      .. "the difference alone." },
+      .. "definition, over the whole history, each with its error. The run is repeated 16 times per number, with "
+      .. "relative changes from 3 % to 4e-7, and the difference quotient that agrees best with those of the next "
+      .. "changes is used. For results that jump from node to node, such as half widths and pressures, the slope "
+      .. 'of a least-squares line through 17 runs over a wider range is used. Automatic steps (jump = "auto", '
+      .. "tolerance) are frozen, then divided into 4 and 8 parts: the results are from 8 parts; the errors include "
+      .. "the difference between 4 and 8 parts. With a given jump, the results apply to these steps, and the "
+      .. "errors are those of the difference quotient alone." },
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',
     text = 'Numbers of wear{} or model{} whose effect is computed, with the names of study{ vary= }: "cylinder.E", '
       .. '"lower.layer1.k"; "E" and "nu" change both bodies. If bodies have their own coefficients, these replace k and alpha by default.' },
   { "wear.sensitivity{over}", type = "a share of the number from 0 to 0.5", default = "0.24",
-    text = "For results that jump: half the range of the slope as a share of the number (smaller near the "
+    text = "For results that jump: half the range of the slope as a fraction of the number (smaller near the "
       .. "limits of the number). 0: local derivatives, also for results that jump." },
   { "sensitivity", kind = "object", use = "s = w:sensitivity{...}",
-    text = "s.depth_cylinder.k has derivative, error (in the units of both), elasticity, elasticity_error, and over "
-      .. "(half the range of a slope as a share of the number; 0: a local derivative), each a list over s.distance. "
-      .. "print shows the values at the end." },
+    text = "s.depth_cylinder.k has derivative and error (in the unit of the result over that of the number), "
+      .. "elasticity, elasticity_error, and over (half the range of a slope as a fraction of the number; 0: a "
+      .. "local derivative), each a list over s.distance. print shows the values at the end." },
   { "sensitivity.distance", kind = "field", unit = "mm", text = "Distances at the ends of the steps." },
   { "sensitivity.of", kind = "field", text = "The results, by name." },
   { "sensitivity.to", kind = "field", text = "The numbers, by name." },
@@ -139,5 +141,6 @@ return {
       .. "correlations if there are no indices, elasticities of a sensitivity. Accepts the options of plot{}." },
   { "plot.tornado{of}", type = "string", values = columns, text = "The result; default: the first one." },
   { "plot.tornado{at}", type = "number > 0", unit = "mm",
-    text = "Distance, rounded to the nearest available one; default: the last. Rank correlations are of the last." },
+    text = "Distance, rounded to the nearest available one; default: the last. Rank correlations are those at the "
+      .. "last distance." },
 }
