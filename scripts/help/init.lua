@@ -312,7 +312,7 @@ function help.text(...)
   if type(value) == "string" then return explain_name(value) end
   local address = help.address_of(value)
   if address and entries[address] then return show.entry(help, entries[address]) end
-  if value == nil then return "no help for nil: is the name spelt as you meant it?" end
+  if value == nil then return "no help for nil: no value has this name; check its spelling" end
   return ("no help for this %s; help() lists all names"):format(type(value))
 end
 

@@ -78,7 +78,7 @@ return {
       .. "number, or a list over t (period=100: t in percent); increments without load do not wear. Order of the "
       .. 'rotations ("xyz"), increments (20); increments= also applies to named gaits: gait("iso", { increments=40 '
       .. "}). A gait must be closed. For one cycle with a head of 28 mm, .track [mm] is the length of the load's "
-      .. "track on the cup and .work [N mm] the friction work divided by the coefficient of friction; .instants "
+      .. "track over the head and .work [N mm] the friction work divided by the coefficient of friction; .instants "
       .. "has fifteen numbers for each increment: rotation by rows, rotation vector, load." },
   { "gait.rocking", kind = "function", use = "gait.rocking{ angle=23, load=2000 }", result = "gait",
     text = "Biaxial rocking: the head's axis describes a cone under a constant load." },

@@ -3,7 +3,8 @@
 
 return {
   { "help.search", kind = "function", use = 'help.search "units"',
-    text = "Lists the topics and entries that contain all words of the text, names first." },
+    text = "Lists the topics and entries that contain all words of the text. Entries with the words in their names "
+      .. "are first." },
   { "session", kind = "object", use = 'session.save "s.archard"',
     text = "Saves and restores all objects that have a global name: runs, models, contacts, studies, fits "
       .. "and other results, profiles, maps, materials, numbers, texts and tables of these." },
@@ -13,17 +14,18 @@ return {
       .. "longer exist; a study with results remains in its own file. Returns a text that lists what was saved and "
       .. "what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
-    text = "Restores all objects of the file as globals; runs continue with the same results. Functions are "
-      .. "not stored: give those of a run again under its name, as k of the run w above. If an object "
-      .. "cannot be restored, nothing changes. An unsaved run with the name of a stored object is not "
-      .. "overwritten. Returns a text that lists the objects." },
+    text = "Restores all objects of the file as globals; runs continue with the same results. Functions are not "
+      .. "stored: give those of a run again under its name, as for k of the run w above. If an object cannot be "
+      .. "restored, nothing changes. An unsaved run with the name of a stored object is not overwritten. Returns a "
+      .. "text that lists the objects." },
   { "wear.saved", kind = "field",
-    text = "True if a file has the present state of the run (w:save, session.save, wear.open)." },
+    text = "True if a file contains the present state of the run, written by w:save or session.save or read by "
+      .. "wear.open." },
   { "who", kind = "function", use = "who()",
     text = "Lists the objects of the session: name, class, and a short description." },
   { "examples", kind = "function", use = 'examples "wear"',
-    text = 'examples() lists the examples, a numbered course. examples "wear" or examples(3) shows one by '
-      .. "its name or number." },
+    text = 'examples() lists the examples, which are numbered as a course. examples "wear" or examples(3) shows '
+      .. "one by its name or number." },
   { "examples.names", kind = "function", use = "examples.names()",
     text = "Names of the examples in the order of the course." },
   { "examples.run", kind = "function", use = 'examples.run "wear"',

@@ -159,11 +159,11 @@ Describe     material{}  hertz{}  model{}
 Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
   friction   contact{ friction=0.6 }:move{ tangential=30 }  plot.shear(c)
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
-  look       w  w.history  w:profile("plate")  w:pressure("cylinder")
-  until      w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
+  results    w  w.history  w:profile("plate")  w:pressure("cylinder")
+  stop at    w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
   change     w:set{ load=200, alpha=0.3 }
-  in time    wear{ k=function(state) ... end }  wear{ loading={ x=f, load=g } }
-  keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
+  varying    wear{ k=function(state) ... end }  wear{ loading={ x=f, load=g } }
+  save       w:clone()  w:save("run.archard")  wear.open("run.archard")
 Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}

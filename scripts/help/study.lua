@@ -129,8 +129,8 @@ return {
       .. "this program, under the same names. A share should take minutes, as Slurm starts about one per second. "
       .. "Failed cases are in s.failed; the next submit tries them again." },
   { "study.submit{engine}", values = { "slurm", "parallel", "local" }, default = '"local"',
-    text = "slurm: a job array of Slurm. parallel: processes of GNU parallel on this machine or, with --sshlogin, on "
-      .. "others. local: as s:run with this number of workers." },
+    text = "slurm: a job array of Slurm. parallel: processes of GNU parallel on this machine or, with --sshlogin, "
+      .. "on others. local: s:run on this machine, with `shares` workers." },
   { "study.submit{shares}", type = "whole number from 1 to 1000",
     text = "Number of shares; default: the number of processors of this machine." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,

@@ -10,23 +10,23 @@ return {
     text = "csv.read reads tables of numbers from text files: measured loadings, profiles, coefficients. To "
       .. 'write a table use export.csv, for example export.csv(w:profile("plate"), "plate.csv").' },
   { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
-    text = "Reads (imports) columns under a line of names, separated by commas, semicolons or tabs; numbers "
-      .. "may have decimal commas if semicolons or tabs separate the columns. Empty lines and lines that "
-      .. "begin with # are skipped; other lines above the names must be deleted or marked with #. Returns "
-      .. "the columns as lists by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) "
-      .. "} work with the columns t, x, load and x, h. Units after names, as in h [um] or h (um), are "
-      .. "removed and values converted to mm, N, MPa and s; columns with other units keep the whole name. "
-      .. "The second argument selects and renames columns, by name or number. A column is text if its first "
-      .. "cell is. Without a second argument the units by name and the list of names are returned too." },
+    text = "Reads (imports) columns under a line of names, separated by commas, semicolons or tabs; numbers may "
+      .. "have decimal commas if semicolons or tabs separate the columns. Empty lines and lines that begin with # "
+      .. "are skipped; other lines above the names must be deleted or marked with #. Returns the columns as lists "
+      .. "by name, so that loading = csv.read(path) and worn = { plate = csv.read(path) } work with the columns t, "
+      .. "x, load and x, h. Units after names, as in h [um] or h (um), are removed and values converted to mm, N, "
+      .. "MPa and s; columns with other units keep the whole name. The second argument selects and renames "
+      .. "columns, by name or number. A column whose first cell is no number is read as text. Without a second "
+      .. "argument, two more results are the units by name and the list of names." },
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface (w:profile is the computed profile), as of a stylus: p = "
-      .. 'profile.read(path, { level="line" }), then p:depth(), p:volume() with its error, plot.profile(w, '
-      .. '"plate", { measured=p }). Positions x and heights z (out of the body) or depths h, in mm, with the '
-      .. "standard deviation of its noise. Use it as the initial surface, worn = { plate = p }, for "
-      .. 'comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods return new '
-      .. "profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
+    text = "A measured trace across a surface, such as that of a stylus (w:profile is the computed profile). Read "
+      .. 'it by p = profile.read(path, { level="line" }), then use p:depth(), p:volume() with its error, '
+      .. 'plot.profile(w, "plate", { measured=p }). A profile has positions x and heights z (positive out of the '
+      .. "body) or depths h, in mm, and the standard deviation of its noise. Use it as the initial surface, worn = "
+      .. '{ plate = p }, for comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods '
+      .. "return new profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights, instead of h." },
   { "profile{y}", type = "list", unit = "mm", text = "Heights. Sections of maps have this field too." },
@@ -55,9 +55,9 @@ return {
   { "profile.x", kind = "field", type = "list", unit = "mm", text = "Positions." },
   { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
-    text = "Depths, negative above the reference; nil in a profile of heights. With worn = { plate = p } "
-      .. "negative depths within 5 standard deviations count as 0, larger ones are refused; heights are "
-      .. "measured from the highest point." },
+    text = "Depths, negative above the reference; nil in a profile of heights. With worn = { plate = p } negative "
+      .. "depths of up to 5 standard deviations of the noise count as 0, larger ones are refused; heights are "
+      .. "converted to depths below the highest point." },
   { "profile.error", kind = "field", type = "number", unit = "mm",
     text = "Standard deviation of the noise of a point. It is set by the user or estimated from the "
       .. "deviation of each point from the line between its neighbours (which includes roughness at the "
@@ -98,10 +98,11 @@ return {
   { "profile.depth{scar}", type = "table { from, to } in mm", values = { "auto" }, default = '"auto"',
     text = "Range of the worn part." },
   { "profile.volume", kind = "method", use = "p:volume()  p:volume{ length = 2 * math.pi * 5 }",
-    text = "Evaluates the scar: area [mm2] of its section with its standard deviation error, from scatter (noise and "
-      .. "roughness) and level (of the subtracted line or circle); volume and volume_error [mm3]; from, to, width; "
-      .. "depth (largest mean over 1/50 of the width), mean_depth; piled [mm2], the area above the reference within "
-      .. "20 % of the width on both sides. Heights are first converted by p:depth()." },
+    text = "Evaluates the scar. Returns area [mm2] of its section and the standard deviation error of this area, "
+      .. "with its two parts scatter (noise and roughness) and level (the subtracted line or circle); volume and "
+      .. "volume_error [mm3]; from, to and width [mm]; depth (the largest mean over 1/50 of the width) and "
+      .. "mean_depth [mm]; piled [mm2], the area above the reference within 20 % of the width on both sides. "
+      .. "Heights are first converted by p:depth()." },
   { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "Range of the "
     .. "worn part." },
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
@@ -116,32 +117,33 @@ return {
     text = "Cut-off of long waves. false: no cut-off; the results are then Pa, Pq, ... about a straight line." },
   { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Cut-off of short waves; default: none." },
   { "profile.roughness{sections}", type = "whole number >= 1",
-    text = "Number of sections; default: 5, or as many as the trace has (1 for a P-profile)." },
+    text = "Number of sections; default: 5, or as many as fit into the trace (1 for a P-profile)." },
 
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
-    text = "Draws curves with gnuplot: in the terminal, a window or a file. The list part has the curves; NaN and "
-      .. "infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and p_H and mm^2 have a "
-      .. "subscript and a superscript (in files and windows). More than eight curves are labelled at their ends." },
+    text = "Draws curves with gnuplot: in the terminal, a window or a file. The list part of the table contains "
+      .. "the curves; NaN and infinite values interrupt a line. In titles \\alpha becomes the Greek letter, and "
+      .. "p_H and mm^2 have a subscript and a superscript (in files and windows). More than eight curves are "
+      .. "labelled at their ends." },
   { "plot{x}", type = "list", text = "For a curve: its abscissae; default: 1, 2, 3, ..." },
   { "plot{y}", type = "list", text = "For a curve: its ordinates." },
   { "plot{value}", type = "list",
-    text = "For a coloured field, an item of the list part: values at the corners of polygons, whose x, y "
-      .. "and value have four numbers each; a triangle repeats its last corner. For a curve: its value on "
-      .. "the colour scale." },
+    text = "Makes an item of the list part a coloured field: x, y and value have four numbers for each polygon, "
+      .. "the values at its corners; a triangle repeats its last corner. For a curve: the value whose colour on "
+      .. "the scale it has." },
   { "plot{error}", type = "list", text = "For a curve: half lengths of its error bars in y." },
   { "plot{points}", type = "table { x=, y=, error=, title= }",
     text = "Measured points to draw over the curves, with the fields of plot.points{}." },
   { "plot{title}", type = "string or false",
-    text = "Title of the plot; false: no title. For a curve: its name in the key." },
+    text = "Title of the plot; false: no title. For a curve: its name in the key (legend)." },
   { "plot{term}", values = require "archard.plot.draw".terms,
     text = "Output device. Default: pictures if the terminal supports kitty's graphics or sixel; else "
       .. "Braille dots if it has colours and UTF-8 (not in xterm, whose fonts lack them); else characters. "
       .. '"dots" selects Braille dots and "dumb" characters; "window" is the first of qt, wxt and x11 that '
       .. "gnuplot has." },
   { "plot{file}", type = "string",
-    text = "File to draw to, by its ending: png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands. It is "
-      .. "written atomically." },
+    text = "File to draw to, by its ending: png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands. An "
+      .. "existing file is replaced only when the new one is complete." },
   { "plot{xlabel}", type = "string", text = "Label of the x axis." },
   { "plot{ylabel}", type = "string", text = "Label of the y axis." },
   { "plot{vlabel}", type = "string", text = "Label of the colour scale of a field." },
@@ -157,7 +159,7 @@ return {
     .. "yrange." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
-    text = "Position of the key; false: no key. By default panels share one key below them." },
+    text = "Position of the key (legend); false: no key. By default panels have one common key below them." },
   { "plot{style}", values = require "archard.gnuplot".styles,
     default = '"lines"',
     text = "Style of the curves, or of one curve. Default: lines, with marks in windows and files if they have 4 to "
@@ -171,12 +173,13 @@ return {
     text = "For a curve: line type, 1 solid, 2 to 5 dashed, in windows and files." },
   { "plot{width}", type = "number > 0", default = 1, text = "For a curve: relative width of the line." },
   { "plot{on}", values = { "pixels", "characters" },
-    text = "For a curve: output in which it is drawn, pictures of pixels or of characters; default: both." },
+    text = "For a curve: draws it only in pictures of pixels, or only in pictures of characters; default: in "
+      .. "both." },
   { "plot{equal}", type = "boolean", default = false, text = "true: the same scale on both axes." },
   { "plot{levels}", type = "whole number >= 1", text = "Number of contour lines of a field." },
   { "plot{size}", type = "table { width, height }",
-    text = "Size of the picture: characters in the terminal, pixels in a file. With a plot.style in mm the pixels "
-      .. "cover its width, with letters and lines in proportion." },
+    text = "Size of the picture: characters in the terminal, pixels in a file. If plot.style sets a width in mm, "
+      .. "the pixels cover this width, and letters and lines are scaled in proportion." },
   { "plot{panels}", type = "list of tables",
     text = "Several plots in one picture, a list of tables with the fields of plot{}; omitted options are "
       .. "those of the whole picture." },
@@ -216,8 +219,8 @@ return {
   { "plot.again", kind = "function", use = "plot.again()",
     text = "Draws the last picture again at the present size of the terminal or window." },
   { "plot.fit", kind = "function", takes = "plot", use = "plot.fit(f, { curves=true })",
-    text = "Draws a fit: data with error bars, the model with its confidence band, and residuals below. Of "
-      .. "a result of fit.design it draws the expected errors. Accepts the options of plot{}." },
+    text = "Draws a fit: data with error bars, the model with its confidence band, and residuals below. For a "
+      .. "result of fit.design it draws the expected errors. Accepts the options of plot{}." },
   { "plot.fit{curves}", type = "boolean", default = false,
     text = "true: draws the identified curves over the distance instead, with their confidence bands." },
   { "plot.response", kind = "function", takes = "plot",
@@ -259,9 +262,9 @@ return {
   { "plot.loop{titles}", type = "list of strings",
     text = "Names of the loops in the key; default: the names of their runs." },
   { "plot.fretting_map", kind = "function", takes = "plot", use = "plot.fretting_map(f)",
-    text = "Draws a running condition fretting map, load [N] over amplitude of motion [um], with areas of "
-      .. "stick, partial slip and gross slip, their borders, and a mark for each computed condition. "
-      .. "Terminals without pictures have no areas. Accepts the options of plot{}, such as logx=true." },
+    text = "Draws a running condition fretting map, load [N] over amplitude of motion [um], with areas of stick, "
+      .. "partial slip and gross slip, their borders, and a mark for each computed condition. In terminals without "
+      .. "pictures the areas are not drawn. Accepts the options of plot{}, such as logx=true." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
     text = "Draws wear depths in um against x; default: of both bodies. plot.profile(p1, p2, ...) draws "
@@ -298,7 +301,7 @@ return {
       .. "Heights have the scale of x, multiplied by the exaggeration, which the title shows; lengths along "
       .. "z are drawn at half scale." },
   { "plot.surface{exaggeration}", type = "number > 0",
-    text = "Factor on the heights; default: heights of about a fifth of the longer side." },
+    text = "Factor on the heights. By default the heights are drawn as about a fifth of the longer side." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
     text = "Draws the elements of a model, or the worn elements of a run, all of them or those near the "
       .. "contact. Accepts the options of plot{}." },
@@ -326,14 +329,14 @@ return {
     text = "Factor on the displacements of the drawn nodes. By default it is 1, and the upper body is "
       .. "lowered by the approach, so that worn bodies touch." },
   { "plot.animate", kind = "function", use = "plot.animate(w, { file=\"run.gif\" })",
-    text = "Makes steps of a run and draws its profiles repeatedly: one over the other in the terminal, or as an "
-      .. "animation in a file." },
+    text = "Continues a run and draws its profiles at regular updates: in the terminal, where each picture "
+      .. "replaces the last one, or as an animation in a file." },
   { "plot.animate{what}", values = { "profile", "pressure", "both", "stroke" }, default = '"profile"',
     text = 'Quantity to draw; "stroke": in 3-D, the pressures over a stroke on the present surfaces.' },
   { "plot.animate{frames}", type = "whole number >= 1", default = 30,
-    text = "Approximate number of pictures; if every is given, the largest number." },
+    text = "Approximate number of pictures; if `every` is given, the largest number of pictures." },
   { "plot.animate{every}", type = "whole number >= 1",
-    text = "Number of updates between two pictures; default: computed from frames." },
+    text = "Number of updates between two pictures; default: computed from `frames`." },
   { "plot.animate{delay}", type = "number > 0", unit = "s", default = 0.1,
     text = "Time between two pictures." },
   { "plot.animate{file}", type = "string", text = "A file with the ending gif." },
@@ -341,13 +344,13 @@ return {
   { "plot.animate{size}", type = "table { width, height }", text = "Size of the pictures, see plot{size}." },
   { "plot.animate{colour}", type = "boolean", text = "Colours or greys, see plot{colour}." },
   { "plot.save", kind = "function", use = 'plot.save("p.png")',
-    text = "Writes the last picture to a file, and its data beside it as CSV (p.csv). plot.save{ ..., file= "
-      .. "} draws as plot{}. A second table sets the size, { size = { width, height } }." },
+    text = "Writes the last picture to a file, and its data beside it as CSV (p.csv). plot.save{ ..., file= } is "
+      .. "the same as plot{ ..., file= }. A second table sets the size, { size = { width, height } }." },
 
   -- --- export ---------------------------------------------------------------------------------
   { "export", kind = "object", use = "export.csv  .vtk  .pvd  .vti  .gsf  .inp  .msh  .json",
-    text = "Writes files for other programs. Files are written atomically; a wrong ending is refused, and a "
-      .. "missing one is appended." },
+    text = "Writes files for other programs. An existing file is replaced only when the new one is complete. A "
+      .. "wrong ending is refused, and a missing one is appended." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Writes columns of numbers under a line of names and units: the history of a run, the pressures of a "
       .. 'contact (with friction also shear and slip), or a table of lists, with units in a third argument { x="mm" }. '
@@ -355,39 +358,42 @@ return {
       .. "path-cylinder.csv and path-plate.csv. A map is written with one line per point: x, z and the value. "
       .. "Returns the names of the files." },
   { "export.vti", kind = "function", use = 'export.vti(t, "t.vti")  export.vti({ depth, pressure }, "t.vti")',
-    text = "Maps on the same points for ParaView, as ImageData in the plane y = 0, an array per map by its name. A "
-      .. "3-D run becomes a file for each body with depth, height and pressure, path-ball.vti and path-block.vti; a "
-      .. "contact its pressure. Returns the names of the files. In ParaView, Warp By Scalar along y shows them as "
-      .. "surfaces." },
+    text = "Writes maps on the same points for ParaView, as ImageData in the plane y = 0, with an array for each "
+      .. "map under its name. A 3-D run is written to a file for each body, path-ball.vti and path-block.vti, with "
+      .. "depth, height and pressure; of a contact the pressure is written. Returns the names of the files. In "
+      .. "ParaView, Warp By Scalar along y shows them as surfaces." },
   { "export.gsf", kind = "function", use = 'export.gsf(t, "t.gsf")',
-    text = "A map as Gwyddion Simple Field for topography programs: lengths in m, pressures in Pa, single precision. "
-      .. "Returns the name of the file." },
+    text = "Writes a map as Gwyddion Simple Field for topography programs: lengths in m, pressures in Pa, single "
+      .. "precision. Returns the name of the file." },
   { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
-    text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). A model, run, contact or "
-      .. "stress becomes two files, path-cylinder.vtu and path-plate.vtu, whose names are returned. A .vtu has worn "
-      .. "nodes, displacements, stresses, wear depth and pressure (0 off the surface) with units, and the layer of "
-      .. "each element. A joint's run becomes path-head.vtu and path-cup.vtu with wear depth, pressure and cross-shear." },
+    text = "Writes meshes and fields for ParaView and other programs, as .vtu (XML) or .vtk (legacy text). A "
+      .. "model, run, contact or stress becomes two files, path-cylinder.vtu and path-plate.vtu, whose names are "
+      .. "returned. A .vtu has worn nodes, displacements, stresses, wear depth and pressure (0 off the surface) "
+      .. "with units, and the layer of each element. A joint's run becomes path-head.vtu and path-cup.vtu with "
+      .. "wear depth, pressure and cross-shear." },
   { "export.pvd", kind = "function", use = 'w:run{ progress = export.pvd(w, "w.pvd", { every=10 }) }',
-    text = "A series of states of a run for ParaView: a .vtu (of maps a .vti) for each body and state, and their "
-      .. "list by distance in w.pvd. Writes the present state and returns a function for the next ones: w:run{ "
-      .. "progress= } calls it after each `every` updates and at the end; it can be called without arguments too." },
+    text = "Writes a series of states of a run for ParaView: a .vtu (for maps a .vti) for each body and state, and "
+      .. "w.pvd, which lists them by distance. Writes the present state and returns a function for the next ones: "
+      .. "w:run{ progress= } calls it after each `every` updates and at the end; it can be called without "
+      .. "arguments too." },
   { "export.pvd{every}", type = "number", default = "1", text = "Number of updates from one written state to the next; 1: every update is written." },
   { "export.inp", kind = "function", use = "export.inp(obj, path)",
-    text = "Input deck of a contact, a run (as worn) or a model (at its default load) for Abaqus and CalculiX: both "
-      .. "bodies, supports, contact pair, load and output requests. CalculiX runs it with ccx path (without ending). "
-      .. "The bodies are one element thick, held along z: C3D8, C3D8I for CPE4I, C3D6 for triangles, which are "
-      .. "stiffer than in the model as nu approaches 1/2. Plane strain only; of other models single meshes can be "
-      .. "written, in CPS4 or CAX4 (radii for x, one half of the section)." },
+    text = "Writes an input deck of a contact, a run (with its worn surfaces) or a model (at its default load) for "
+      .. "Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. CalculiX runs it "
+      .. "with ccx path (without ending). The bodies are one element thick, held along z: C3D8, C3D8I for CPE4I, "
+      .. "C3D6 for triangles, which are stiffer than in the model as nu approaches 1/2. Only plane strain is "
+      .. "possible. Of other models single meshes can be written: CPS4, or CAX4 for one half of the section, with "
+      .. "the radius as x." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
-    text = "A model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = path } "
-      .. "reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates are exact. "
-      .. "Without a path the text is returned, which model{ mesh = } accepts too." },
+    text = "Writes a model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
+      .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates are "
+      .. "exact. Without a path the text is returned, which model{ mesh = } accepts too." },
   { "export.json", kind = "function", use = "export.json(w, path)",
-    text = "Summary of a run, of a joint too: versions, definition with model, bodies and layers, results, units. NaN and omitted "
-      .. 'values are null, functions of the user the word "function".' },
+    text = "Writes a summary of a run, also of a joint: versions, definition with model, bodies and layers, "
+      .. 'results, units. NaN and omitted values are written as null, functions as the word "function".' },
 
   -- --- help -----------------------------------------------------------------------------------
   { "help", kind = "function", use = 'help()  help(wear)  help(w.step)  help "jump"',
-    text = 'Shows the help of everything, an object, a method, or a name: help(wear), help(w.step), help "jump", '
-      .. 'help "glossary".' },
+    text = 'Shows help: help() is the overview, help(wear) explains an object, help(w.step) a method, help "jump" '
+      .. 'a name, help "glossary" a topic.' },
 }

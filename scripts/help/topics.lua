@@ -20,7 +20,7 @@ k = 1e-8 mm2/N means that both bodies together lose 1e-8 mm3 per N of load and m
   K, dimensionless   k = K / H with the hardness H in MPa (9.81 times HV)
 
 calibrate{} computes k (specific wear rate) from measured volumes or mass loss; there is no table of typical values.
-A coefficient measured on one body is that of this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
+A coefficient measured on one body belongs to this body: wear{ k_plate = 1e-8, k_cylinder = 0 }
 if the cylinder does not wear.
 
 Columns of run files have units in their names (half_width_mm); the view `units` lists them.]] },
@@ -31,7 +31,7 @@ Terms, with the symbol of the paper in brackets. Equation numbers in the help ar
 
   alpha          [alpha] wear partition factor k_c / (k_c + k_p): the upper
                  body's share of the wear; 0 to 1
-  alpha-tilde    depth partition factor, as alpha but of the largest depths
+  alpha-tilde    depth partition factor, as alpha but for the largest depths
   approach       rigid displacement of one body towards the other [mm]
   cycle          one period of the motion; a run has [N] of them
   depth          [h] wear depth, normal to the surface [mm]; [h_c], [h_p] of
@@ -106,13 +106,13 @@ computes such tables from volumes measured at several distances. See help "state
   plot.save                   the last picture, and its data beside it
 
 Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases can be continued.
-A run that is killed is lost if it was not saved: help "wear.save". Studies keep each case that is done.
+If the program is killed, a run that was not saved is lost: help "wear.save". Studies store each finished case.
 Functions of a definition are not stored; give them again when the file is opened. examples "files" shows most formats. The
 prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them to their surfaces once. Elements in the contact zone are mesh.size wide and
-mesh.height high; they grow to mesh.far outside. By default the size follows the expected contact, with layers: 5.4 elements per
-half width (10.8 for a ball), and more where more must be resolved:
+mesh.height high; they grow to mesh.far outside. By default the size is chosen for the expected contact (layers are considered): 5.4 elements per
+half width (10.8 for a ball), and more in these cases:
 
   5.4   per rounded edge of a punch
   8     per wave of a rough profile, 5 per spot that touches
@@ -123,8 +123,8 @@ mesh.fineness = 2 halves the size. If you set mesh.size, use at least four eleme
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 
 mesh.zone is the full width of the contact zone of each body, automatic by default. If a scar outgrows the zone or the wear box,
-the run continues on new meshes with a message; a single contact{} reports the zone to widen. study.converge{} searches the size,
-the jump and the increments for a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
+the run continues on new meshes with a message; a single contact{} stops with an error that names the zone to widen. study.converge{} searches for the size,
+the jump and the increments of a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
   { "gmsh", [[
 model{ mesh = "pair.msh" } reads both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
 triangles and quadrilaterals of first order. Physical groups name the parts:
@@ -137,7 +137,7 @@ triangles and quadrilaterals of first order. Physical groups name the parts:
   upper.NAME        surfaces of another material (up to 4); lower.NAME too
 
 The bodies must not share points, even in the contact. Errors name the element or node and its coordinates. Materials are assigned by
-the names of their groups, and the k of a material applies down to its depth in the mesh. Elements without a name have the body's own
+the names of their groups; where a material is at the surface, it wears with its own k. Elements without a name have the body's own
 E, nu and k:
 
   model{ mesh = "pair.msh", upper = body.gmsh{ name = "roller", E = 210e3,
@@ -162,7 +162,7 @@ it give a warning and end when ripples appear. The limit decreases with longer s
 still be too long: compare with half of it.
 
 increments divide a cycle; with "auto" the plate moves by less than an eighth of the half width in each. w:step() makes one
-update, w:run() all; Ctrl-C stops after the running step, and w:run() continues. examples "steps" compares the choices.]] },
+update, w:run() all; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
   { "limits", [[
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
@@ -170,7 +170,7 @@ material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning; peaks of rough surfaces do not yield either, a plasticity index is not computed), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
-value, for abrasive and adhesive wear alike. Results depend on sliding distance, not on speed or frequency, so PV limits are not
+value, for abrasive wear and for adhesive wear. Results depend on sliding distance, not on speed or frequency, so PV limits are not
 predicted. In 3-D, each layer wears with its own k; the compliance is that of the unworn layers.
 
 Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. If you measured a mass,
@@ -186,7 +186,7 @@ Errors of a run are due to the mesh, to the steps in time, and to the data. To e
   both    study.converge{ base = {...} } searches for the size and the jump
 
 On automatic meshes with automatic steps, depths of homogeneous bodies without friction are within 1 % in the tests of archard,
-usually within 0.1 %. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined. Warnings name what a run did not
+usually within 0.1 %. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined. Warnings report what a run did not
 resolve. contact{} on its own mesh can be compared with hertz{}. Measured values have errors too: w:sensitivity{} shows what a
 change of k, load or E does, study{ sample = } the scatter, and fit{} the standard errors of k and alpha.]] },
 
@@ -220,7 +220,7 @@ map.read, body.map. Sections: w:profile("block", { z = 0 }). Files: export.vti, 
   { "troubleshooting", [[
 "no global 'x'": the name has no value. rawget(_G, "x") returns nil without an error, as do all names with archard --lax.
 
-"no field ... did you mean ...": an object has no such field or method. help(wear) lists those of runs.
+"no field ... did you mean ...": an object has no such field or method. help(wear) lists the fields and methods of a run.
 
 Rough profiles, ripples, sawtooth or oscillating pressures from node to node: the jump is above the stability limit. Use jump = "auto",
 or a jump below w:stability(). See help "steps".
@@ -229,7 +229,7 @@ Zone too narrow: omit the model in contact{}, or increase the mesh.zone named in
 
 Too coarse for the contact: fewer than four elements per half width. Give a smaller mesh.size, or omit it; see help "meshes".
 
-A contact, step or fit that did not converge raises an error with the problem that was being solved. Contacts: check the units and the
+A contact, step or fit that did not converge raises an error that describes the problem. Contacts: check the units and the
 shape of worn surfaces. Steps: use shorter ones, or jump = "auto". Fits: give better start values, bounds, or fewer unknowns. Whether mesh and
 steps are fine enough: study.converge{}, or compare with mesh.fineness = 2.
 
