@@ -77,11 +77,11 @@ return {
       .. "y(x), as lists x and y, or as a measured trace, body.profile(profile.read(path)). Fields: width, "
       .. "height, y, x" .. of_all },
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
-    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body. The '
-      .. "heights, positive out of the body, are on an even grid; give a map or the fields of map{ x=, z=, "
-      .. "y= }. If radius (and radius_z) are given, the heights are added to a ball. Between the points "
-      .. "they are interpolated by cubics. The contact must stay within the map, which is centred at x = z "
-      .. "= 0. Fields: x, z, y, radius, radius_z" .. of_all },
+    text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body. The heights, '
+      .. "positive out of the body, are on a grid with constant steps; give a map or the fields of map{ x=, z=, y= "
+      .. "}. If radius (and radius_z) are given, the heights are added to a ball. Between the points they are "
+      .. "interpolated by cubics. The contact must stay within the map, which is centred at x = z = 0. Fields: x, "
+      .. "z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A full disc, fixed at a hub in its centre; the radius of the hub is 0.15 times the radius of the disc. "
       .. "Fields: radius" .. of_all },
@@ -359,9 +359,9 @@ return {
     text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30), { x=, value= }." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
-    text = "Amplitude of the sawtooth part of a profile over its depth [-], root mean square over the "
-      .. "middle of the contact: 1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. "
-      .. "Larger values are a sign of too large a jump." },
+    text = "Amplitude of the sawtooth part of a profile over its depth [-], root mean square over the middle of "
+      .. "the contact: 1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values "
+      .. "indicate that the jump is too large." },
   { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
     text = "In 3-D: a map of a body over x and z: wear depth [mm] (default), worn height [mm], or pressure [MPa] "
       .. "under the nominal load with the plate at x = 0. For sections see w:profile(body, { z = 0 }) or { x = 0 "

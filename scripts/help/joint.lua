@@ -75,7 +75,7 @@ return {
       .. 'cycles=1e6 }. "iso" has the ranges of the walking cycle of ISO 14242-1 with approximate curves in '
       .. 'between; "prosim" is a simplified walking cycle of simulators. To define a cycle give flexion, '
       .. "adduction, rotation in degrees, load in N along z or { x=, y=, z= }, each a function of t in [0, 1], a "
-      .. "number, or a list over t (period=100: t in percent); increments without load do not wear. Order of the "
+      .. "number, or a list over t (period=100: t in percent); increments without load cause no wear. Order of the "
       .. 'rotations ("xyz"), increments (20); increments= also applies to named gaits: gait("iso", { increments=40 '
       .. "}). A gait must be closed. For one cycle with a head of 28 mm, .track [mm] is the length of the load's "
       .. "track over the head and .work [N mm] the friction work divided by the coefficient of friction; .instants "

@@ -3,9 +3,9 @@
 
 return {
   { "map", kind = "function", use = "map{ x=..., z=..., y=... }",
-    text = "Values y on an even grid of points (x, z): x along the motion, z across it, heights y upwards, in mm. y "
-      .. "is a flat list: the value at x[i], z[j] is y[(i - 1)*#z + j]. Methods return new maps. t1 - t2 and t1 + t2 "
-      .. "interpolate the second at the points of the first; t - number subtracts it." },
+    text = "Values y on a grid of points (x, z) with constant steps: x along the motion, z across it, heights y "
+      .. "upwards, in mm. y is a flat list: the value at x[i], z[j] is y[(i - 1)*#z + j]. Methods return new maps. "
+      .. "t1 - t2 and t1 + t2 interpolate the second at the points of the first; t - number subtracts it." },
   { "map{x}", type = "list of numbers", unit = "mm",
     text = "Points along the motion, increasing, with a constant step (to within 5 %)." },
   { "map{z}", type = "list of numbers", unit = "mm", text = "Points across the motion, increasing, with a "

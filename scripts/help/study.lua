@@ -134,7 +134,7 @@ return {
   { "study.submit{shares}", type = "whole number from 1 to 1000",
     text = "Number of shares; default: the number of processors of this machine." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
-    text = "Number of cases that a share computes at the same time: the processors it requests." },
+    text = "Number of cases that a share computes at the same time; it requests this number of processors." },
   { "study.submit{file}", type = "string", text = "Run file of the study, see study.run{file}." },
   { "study.submit{options}", type = "list of strings",
     text = 'Further options of sbatch or parallel, such as { "--time=02:00:00", "--mem-per-cpu=500M" } or { '

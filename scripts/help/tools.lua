@@ -90,8 +90,8 @@ return {
   { "profile.cut", kind = "method", class = "profile", use = "p:cut(from, to)",
     text = "The part of a profile between two positions [mm]." },
   { "profile.depth", kind = "method", class = "profile", use = "p:depth()  p:depth(before)",
-    text = "Depths h below the line or circle through the unworn part, found as by p:level, or below a trace of the "
-      .. "same line before wear. Negative depths (above it) are kept." },
+    text = "Depths h below the line or circle through the unworn part, which is fitted as by p:level, or below a "
+      .. "trace measured on the same line before wear. Negative depths (above it) are kept." },
   { "profile.depth{reference}", type = "profile", text = "The same trace before wear, in heights." },
   { "profile.depth{level}", values = { "line", "circle" }, text = "Form to subtract. Default: the form that "
     .. "was subtracted before, or a line." },
@@ -106,7 +106,7 @@ return {
   { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "Range of the "
     .. "worn part." },
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
-    text = "Length of the scar across the trace; 2 pi r of a wear track on a disc." },
+    text = "Length of the scar across the trace; for a wear track of radius r on a disc, 2 pi r." },
   { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
     text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope "
       .. "Rdq over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean "
@@ -148,7 +148,7 @@ return {
   { "plot{ylabel}", type = "string", text = "Label of the y axis." },
   { "plot{vlabel}", type = "string", text = "Label of the colour scale of a field." },
   { "plot{xrange}", type = "table { low, high }",
-    text = "Range of the x axis; a high end before a low one reverses the axis, and an omitted end is automatic." },
+    text = "Range of the x axis. { high, low } reverses the axis; an omitted end is automatic." },
   { "plot{yrange}", type = "table { low, high }", text = "Range of the y axis." },
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colour scale of a field." },
   { "plot{logx}", type = "boolean", default = false, text = "true: logarithmic x axis." },

@@ -111,8 +111,8 @@ Functions of a definition are not stored; give them again when the file is opene
 prompt offers to save a session with unsaved runs before it ends.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them to their surfaces once. Elements in the contact zone are mesh.size wide and
-mesh.height high; they grow to mesh.far outside. By default the size is chosen for the expected contact (layers are considered): 5.4 elements per
-half width (10.8 for a ball), and more in these cases:
+mesh.height high; they grow to mesh.far outside. By default the size is chosen for the
+expected contact, whose estimate includes layers: 5.4 elements per half width (10.8 for a ball), and more in these cases:
 
   5.4   per rounded edge of a punch
   8     per wave of a rough profile, 5 per spot that touches
@@ -123,8 +123,8 @@ mesh.fineness = 2 halves the size. If you set mesh.size, use at least four eleme
 plot.mesh(m, { zoom = "wear box" }) shows the elements.
 
 mesh.zone is the full width of the contact zone of each body, automatic by default. If a scar outgrows the zone or the wear box,
-the run continues on new meshes with a message; a single contact{} stops with an error that names the zone to widen. study.converge{} searches for the size,
-the jump and the increments of a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
+the run continues on new meshes with a message; contact{ model=m } is solved on wider meshes too, with a warning.
+study.converge{} searches for the size, the jump and the increments of a case. Pressures at edges of scars (p_max, p_peak) grow as the mesh is refined; p_average converges.]] },
   { "gmsh", [[
 model{ mesh = "pair.msh" } reads both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
 triangles and quadrilaterals of first order. Physical groups name the parts:

@@ -58,8 +58,8 @@ return {
   { "study.uncertainty{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "study.uncertainty{at}", type = "list of numbers > 0", unit = "mm",
-    text = "Distances of the statistics; default: 50 up to the end of the shortest case. Results are interpolated "
-      .. "between records by cubics." },
+    text = "Distances of the statistics; default: 50 distances up to the end of the shortest case. Results are "
+      .. "interpolated between records by cubics." },
   { "study.uncertainty{quantiles}", type = "list of numbers in (0, 1)", default = "{ 0.05, 0.5, 0.95 }",
     text = "Probabilities of the quantiles." },
   { "study.uncertainty{confidence}", type = "number in (0, 1)", default = 0.95,
