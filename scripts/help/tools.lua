@@ -240,7 +240,7 @@ return {
   { "plot.pressure{scaled}", type = "boolean", default = false,
     text = "true: draws p / p_H against x / a, with Hertz' pressure and half width." },
   { "plot.pressure{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
-    text = "Body whose nodes are drawn." },
+    text = "Body at whose nodes the pressure is drawn." },
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.shear", kind = "function", takes = "plot", use = "plot.shear(c, { body= })",
     text = "Draws the shear traction of a contact with friction against x, with the bounds +- friction "
@@ -248,7 +248,7 @@ return {
       .. "Accepts the options of plot{}." },
   { "plot.shear{axis}", values = { "x", "z" }, text = "In 3-D: component to draw; default: the magnitude." },
   { "plot.shear{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
-    text = "Body whose nodes are drawn." },
+    text = "Body at whose nodes the shear traction is drawn." },
   { "plot.slip", kind = "function", takes = "plot", use = "plot.slip(c1, c2, ...)",
     text = "Draws the slip of the plate's surface relative to the cylinder's, in um, against x in the "
       .. "contact. In 3-D it draws a map of the magnitude or of a component, for one contact. Accepts the "
