@@ -23,9 +23,9 @@ struct arc_atomic_file {
   char name[PATH_MAX];   /* name given by the user, for messages */
   char target[PATH_MAX]; /* path of the final file without symbolic links; "" for a scratch file */
   char path[PATH_MAX];   /* path of the temporary file */
-  size_t folder;         /* length of the folder in path, with its slash */
+  size_t folder;         /* length of the folder in `path`, with the final slash */
   int stream;            /* 1: the target is a device, a pipe, or a file that is already open */
-  int own;               /* descriptor of this process that the target names, or -1 */
+  int own;               /* N if the target is "/proc/PID/fd/N" of this process, else -1 */
 };
 
 static arc_status failed(const char *name, int why, arc_error *error) {
@@ -48,8 +48,8 @@ static void remove_temporary(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Age [s] at which files of other systems count as abandoned: ten days, after which systemd removes
- * files in /tmp (tmpfiles.d). */
+/* Age [s] from which files of other computers count as abandoned: ten days, the age at which
+ * systemd removes files in /tmp (tmpfiles.d). */
 static const double longest = 10 * 86400.0;
 
 static int is_abandoned(const char *name, const struct stat *facts) {
@@ -144,7 +144,8 @@ static arc_atomic_file *new_file(const char *name) {
   return file;
 }
 
-/* Writes the file to *result. If `why` is an errno, discards the file and fails. */
+/* Sets *result to `file`. If `why` is an errno, discards the file, sets *result to NULL and
+ * fails. */
 static arc_status finish(arc_atomic_file *file, int why, arc_atomic_file **result,
                          arc_error *error) {
   arc_status status = why ? failed(file->name, why, error) : ARC_OK;
@@ -251,7 +252,8 @@ static int name_first(const char *path, const char *target) {
   return rename(path, target) == 0 ? 0 : errno;
 }
 
-/* Publishes the file. `first` is true if an existing target is kept. Returns 0 or an errno. */
+/* Moves or copies the temporary file to its target. If `first` is true, an existing target is kept.
+ * Returns 0 or an errno. */
 static int publish_name(arc_atomic_file *file, int first) {
   if (file->stream) return copy_to_stream(file);
   if (fsync(file->descriptor) != 0) return errno;

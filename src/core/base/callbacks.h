@@ -1,4 +1,4 @@
-/* Functions that call callbacks, any of which may be missing. */
+/* Calls of the callbacks of the caller. Any callback may be NULL. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 

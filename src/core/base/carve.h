@@ -10,8 +10,9 @@ typedef struct carve_part {
   size_t count;
 } carve_part;
 
-/* Allocates all parts, zeroed and in this order, as one block that is freed by the first pointer.
- * Returns NULL if out of memory; all pointers are then NULL. */
+/* Allocates all arrays, in this order, as one block of zeros. Returns the block, which the caller
+ * frees (the first array begins there). If out of memory, returns NULL and sets all pointers to
+ * NULL. */
 double *arc_carve(const carve_part *part, size_t parts);
 #define ARC_CARVE(part) arc_carve(part, sizeof(part) / sizeof *(part))
 

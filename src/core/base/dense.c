@@ -29,8 +29,8 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
-/* Subtracts by[0 .. 3] times four columns of L from `to`. Four columns are processed at once, as
- * memory access limits these loops. */
+/* Subtracts four columns of L, multiplied by by[0] .. by[3], from `to`. Four columns are processed
+ * at once, as memory access limits the speed of these loops. */
 static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
   const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
 #pragma omp simd
@@ -38,8 +38,8 @@ static void subtract_columns(int n, const double *l, int ld, const double by[4],
     to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
 }
 
-/* Solves a diagonal block of L with at most four rows for b. The divisions are independent of each
- * other. */
+/* Replaces b [count] by l^-1 b for a diagonal block l of L with at most four rows. All divisions
+ * are made first, as independent divisions are faster. */
 static inline void forward_block(const double *l, int ld, double *b, int count) {
   double scale[4];
   for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
@@ -58,8 +58,8 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Subtracts the products of four columns of L with b from `from`. Four columns are processed at
- * once, as memory access limits these loops; even and odd rows have separate sums. */
+/* Subtracts the scalar products of four columns of L with b [n] from from[0] .. from[3]. Even and
+ * odd rows have separate sums, which is faster. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)
@@ -71,7 +71,8 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* Solves for one right-hand side. dtrsm is twice as slow at the sizes of contacts. */
+/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of a contact, dtrsm
+ * is half as fast. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -106,9 +107,9 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Number of right-hand sides x[sides * i + c] of a band matrix that are solved together, as LAPACK
- * solves them one by one. Solutions decay within a few band widths. Values that are smaller than
- * `negligible` times the largest one count as zero. */
+/* Number of right-hand sides that are solved together, as LAPACK solves them one by one; x[sides *
+ * i + c] is row i of side c. Beyond the rows of the load, solutions decay within a few band widths.
+ * Values that are smaller than `negligible` times the largest one count as zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
 
@@ -159,8 +160,8 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Solves in steps of the band width plus one row. After a step with negligible values all further
- * values count as zero. */
+/* Solves in steps of `band` + 1 rows. If all values of a step are negligible, the remaining values
+ * count as zero. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {

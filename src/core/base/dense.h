@@ -9,17 +9,18 @@
 int arc_dense_cholesky(int n, double *a, int ld);
 /* Replaces b [n x count, leading dimension ldb] by (L L')^-1 b. */
 void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb);
-/* Replaces b by L^-1 b, the forward half of this solution. */
+/* Replaces b by L^-1 b (forward substitution only). */
 void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb);
 
 /* Replaces a band matrix by its Cholesky factor. The matrix has `band` sub-diagonals in lower band
- * storage: entry (i, j) is a[(i - j) + j * (band + 1)]. The return value is that of
- * arc_dense_cholesky. */
+ * storage: entry (i, j) is a[(i - j) + j * (band + 1)]. Returns 0, or k > 0 as arc_dense_cholesky
+ * does. */
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
- * the factor l. Row i of side c is x[i * sides + c]; only rows *from .. *to - 1 differ from zero. x
- * points to row 0 of an array with `band` additional rows after the last one. Sets *from and *to to
- * the rows of the solution above rounding; all other rows are zero. */
+ * the factor l. Row i of side c is x[i * sides + c]; on entry, only rows *from .. *to - 1 differ
+ * from zero. x points to row 0 of an array with `band` additional rows after the last one. Sets
+ * *from and *to so that rows *from .. *to - 1 contain all values above rounding; all other rows are
+ * zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 
@@ -29,17 +30,17 @@ void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const doub
 /* Replaces c by beta c + alpha a b, with a [m x k], b [k x n], c [m x n]. */
 void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
                         const double *b, int ldb, double beta, double *c, int ldc);
-/* Adds a x to y in rows first .. last - 1. x [n] belongs to the columns at[0] .. at[n - 1] of a, or
- * to the first n columns if `at` is NULL. */
+/* Adds a x to y in rows first .. last - 1. x[k], k < n, is the factor of column at[k] of a, or of
+ * column k if `at` is NULL. */
 void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a, int lda,
                            const double *x, double *y);
 /* Computes the lower triangle of c = a a', with a [n x k], c [n x n]. */
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* Adds a' a to the lower triangle of c, with a [k x n], c [n x n]. */
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
-/* Solve systems with a general matrix in two steps. The first function replaces a [n x n] by its LU
- * factors, with pivots [n]. It returns 0, or k > 0 if the matrix is singular. The second function
- * replaces b [n x count] by a^-1 b and can be called any number of times. */
+/* Solution with a general matrix in two steps. arc_dense_factor replaces a [n x n] by its LU
+ * factors and writes pivots [n]. It returns 0, or k > 0 if the matrix is singular.
+ * arc_dense_factor_solve replaces b [n x count] by a^-1 b; it can be called any number of times. */
 int arc_dense_factor(int n, double *a, int *pivots);
 void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b);
 /* Computes inverse = (L L')^-1 as a full matrix, with l and inverse [n x n]. */

@@ -1,4 +1,5 @@
-/* Opens and reads regular files only, as a pipe could block and a device never end. */
+/* Opens and reads files. Only regular files are accepted: a pipe could block, and a device may have
+ * no end. */
 #include "core/base/resolve.h"
 
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* Locks files on disks that may have no file locks or may not respond. */
+/* Locks files, also on disks that do not support file locks or do not respond. */
 #include "archard/lock.h"
 
 #include "core/base/owner.h"
@@ -22,7 +22,7 @@ typedef struct question {
   int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
-/* Queries the lock of a byte that SQLite uses. */
+/* Queries the lock of one of the bytes that SQLite locks. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -116,7 +116,7 @@ int arc_lock_take(const char *lock, mode_t ignored) {
     remove_left(lock);
     return make(lock);
   }
-  errno = EEXIST; /* replaces ENOENT of readlink, if the owner has released the lock meanwhile */
+  errno = EEXIST; /* readlink sets ENOENT if the owner has released the lock meanwhile */
   return -1;
 }
 

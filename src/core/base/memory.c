@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Returns the number after `key` at the beginning of a line of a file; "" selects the first
- * number. */
+/* Returns the number after `key` at the beginning of a line of a file, or NaN. An empty key selects
+ * the first number. */
 static double number_in(const char *path, const char *key) {
   FILE *file = fopen(path, "r");
   char line[200];
@@ -40,7 +40,7 @@ static double of_limits(void) {
 
 double arc_memory_free(void) {
   return fmin(fmin(INFINITY, of_machine()),
-              fmin(of_group(), of_limits())); /* fmin ignores NaN, the sign of an unknown value */
+              fmin(of_group(), of_limits())); /* NaN is an unknown value, which fmin ignores */
 }
 
 void arc_memory_release(const void *array) {

@@ -1,4 +1,4 @@
-/* Available memory, and release of arrays that are const to their readers. */
+/* Available memory, and release of const arrays. */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 

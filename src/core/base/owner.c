@@ -17,8 +17,8 @@ static unsigned long long add(unsigned long long sum, const void *bytes, size_t 
   return sum;
 }
 
-/* Returns a number that identifies the system, its last start and the process namespace. Processes
- * of other systems cannot be checked. */
+/* Returns a number that identifies the computer, its last boot and the process namespace. A process
+ * can be checked only where this number is the same. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};
   struct stat processes = {0};

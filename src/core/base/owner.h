@@ -1,11 +1,11 @@
-/* core/owner.h - identification of programs in file names, for shared disks. */
+/* Identification of programs in file names, for shared disks. */
 #ifndef CORE_OWNER_H
 #define CORE_OWNER_H
 
-/* Size of the name of a program with its final zero. */
+/* Size [bytes] of a program's name, with the final zero. */
 enum { ARC_OWNER = 40 };
 
-/* Writes the name of this program, "SYSTEM-PID". SYSTEM changes with a restart of the system. */
+/* Writes the name of this program, "SYSTEM-PID". SYSTEM changes when the computer restarts. */
 void arc_owner_name(char name[ARC_OWNER]);
 
 typedef enum arc_owner_state {
@@ -14,8 +14,8 @@ typedef enum arc_owner_state {
   ARC_OWNER_ELSEWHERE /* unknown, as the program is on another system or the text is not a name */
 } arc_owner_state;
 
-/* Returns the state of the program whose name is at the beginning of a text. A character other than
- * a letter or digit ends the name. */
+/* Returns the state of the program whose name is at the beginning of a text. The name ends with the
+ * last digit of PID. */
 arc_owner_state arc_owner_look(const char *name);
 
 #endif

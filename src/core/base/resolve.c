@@ -1,5 +1,4 @@
-/* Resolves file names: every file that a user names is opened, created or removed by the path that
- * this file computes. */
+/* Computes the paths by which files that the user names are opened, created or removed. */
 #include "core/base/resolve.h"
 
 #include <ctype.h>
@@ -35,8 +34,8 @@ int arc_file_descriptor(const char *path) {
   return *end || number >= INT_MAX ? -1 : (int)number;
 }
 
-/* Computes the absolute path without links; a file that does not exist keeps the last part of its
- * name. Returns 0 or an errno. */
+/* Computes the absolute path without symbolic links. The folder must exist, the file need not.
+ * Returns 0 or an errno. */
 static int resolve(const char *name, char *path) {
   char next[PATH_MAX], link[PATH_MAX];
   if (strlen(name) >= PATH_MAX) return ENAMETOOLONG;

@@ -50,7 +50,7 @@ const arc_setting *arc_setting_find(const arc_setting *list, const char *name) {
 
 /* --- texts --------------------------------------------------------------------------------- */
 
-/* A text of bounded length under construction. */
+/* Buffer to which text is appended. Text beyond its size is cut off. */
 typedef struct phrase {
   char *text;
   size_t size, length;
@@ -82,8 +82,8 @@ static void say_choices(phrase *p, const char *const *choices) {
     say(p, "%s%s%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", quote, choices[i], quote);
 }
 
-/* Appends the other forms that a setting accepts, separated by commas and with an "or" before the
- * last one. */
+/* Appends the forms other than a number that a setting accepts, separated by commas, with "or"
+ * before the last one. */
 static void say_forms(phrase *p, unsigned forms) {
   static const struct {
     unsigned form;
@@ -142,8 +142,8 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* Fails with ARC_ARGUMENT. The message has the valid range of the number, without the other forms
- * that the setting accepts. */
+/* Fails with ARC_ARGUMENT. The message has the valid range of the number; other forms that the
+ * setting accepts, such as "auto", are not listed. */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {
   char expected[160];

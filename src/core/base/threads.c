@@ -15,8 +15,8 @@ const char *arc_single_threaded(void) {
   return openblas_get_config ? openblas_get_config() : NULL;
 }
 
-/* Calls a routine that packs blocks, as any such routine allocates the workspace, even for small
- * matrices. */
+/* Calls BLAS routines that copy blocks of matrices, as these allocate the workspace of BLAS even
+ * for small matrices. */
 void arc_reserve_blas(void) {
   enum { N = 64 };
   double a[N * N] = {0}, b[N * N] = {0}, c[N * N] = {0};

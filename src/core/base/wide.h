@@ -1,8 +1,8 @@
-/* ARC_WIDE marks a function that is a loop over arrays. The function is compiled for each kind of
- * wider registers, and the program selects the widest available version when it starts. All
- * versions give the same bits, as no operations are contracted and every sum keeps its order. With
- * ARC_NARROW the function is compiled once, since versions for other processors do not run in tests
- * and would count as uncovered lines. */
+/* ARC_WIDE marks a function that consists of loops over arrays. The function is compiled for
+ * AVX-512, for AVX2 and for any processor, and the program selects the fastest usable version when
+ * it starts. All versions give identical results, as no multiplication and addition are fused and
+ * every sum keeps its order. With ARC_NARROW the function is compiled once, as tests run only one
+ * version and the others would count as uncovered lines. */
 #ifndef BASE_WIDE_H
 #define BASE_WIDE_H
 

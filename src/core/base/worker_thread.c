@@ -15,7 +15,7 @@ typedef struct worker {
   pthread_mutex_t lock;
   pthread_cond_t changed;
   int done, abandoned;
-  int levels; /* largest number of nested OpenMP levels, which OpenMP stores for each thread */
+  int levels; /* limit of nested OpenMP levels of the caller, copied to the thread */
   arc_status status;
   worker_task work;
   void *job;

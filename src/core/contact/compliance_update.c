@@ -1,8 +1,8 @@
-/* Computes the change of the compliance since the last condensation to first order. For a contact,
- * a worn body is as stiff as before; only the error of the elements near the surface changes as
- * they become thinner. This change is limited to a few columns and proportional to the loss of
- * thickness. The change by one column, computed once (arc_body_thinning), therefore gives the
- * changes by all columns. This correction prevents jumps of the pressures when the wear box is
+/* Computes the change of the compliance since the last condensation to first order. Wear hardly
+ * changes the stiffness of the body itself; only the error of the elements near the surface
+ * changes, as they become thinner. This change is limited to a few columns and proportional to the
+ * loss of thickness. The change by one column, computed once (arc_body_thinning), therefore gives
+ * the changes by all columns. This correction prevents jumps of the pressures when the wear box is
  * condensed again. */
 #include "core/contact/contact_problem.h"
 
@@ -19,7 +19,7 @@ static double thinned(const shape_side *side, int i) {
   return (now - then) / (bottom - then);
 }
 
-/* Returns the factor of column i for bodies of revolution, the circumference of its ring as in the
+/* Returns the weight of column i: for bodies of revolution the circumference of its ring, as in the
  * elements; 1 in the plane. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
@@ -36,9 +36,8 @@ static void add_column(shape_side *side, int at, double share) {
   }
 }
 
-/* Computes the change of the compliance of one side. Bodies with layers have no such change. Their
- * wear changes more than the errors of the elements, so these bodies are condensed again
- * earlier. */
+/* Computes the change of the compliance of one side. Bodies with layers are not corrected: wear
+ * also changes their stiffness itself, so they are condensed again earlier. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) {
   side->compliance_changed = 0;
   if (shape->geometry == ARC_FROZEN || !shape_is_corrected(shape)) return;

@@ -3,9 +3,10 @@
  *
  * All quantities are in the cylinder's frame and per mm of thickness. B [candidates x plate nodes]
  * maps plate nodal values to cylinder nodes; plate forces are B'f, so that forces balance to
- * rounding. g = gap - approach + A f with A = F_c + B F_p B'. f are the components along y of
- * forces along the plate's normals, so that their sum is the load; pressures are f over widths
- * along x (mortar.c). */
+ * rounding. The gap under load is g = gap - approach + A f with A = F_c + B F_p B', where F_c and
+ * F_p are the compliances of cylinder and plate. f are the y components of the forces along the
+ * plate's normals, so that their sum is the load; pressures are f divided by the widths along x
+ * (mortar.c). */
 #ifndef CONTACT_CONTACT_PROBLEM_H
 #define CONTACT_CONTACT_PROBLEM_H
 
@@ -13,7 +14,7 @@
 
 typedef struct contact_problem {
   double x;     /* [mm] position of the plate */
-  double angle; /* [rad] direction of the load, along s; 0 except in holes */
+  double angle; /* [rad] angle of the load, positive towards +s; 0 except in holes */
   int aimed;    /* 1: `down` is up to date */
   const arc_shape
       *shape; /* shape of the last arc_contact_problem_update, used by the next solution */
@@ -27,8 +28,8 @@ typedef struct contact_problem {
   double *wc, *wp; /* [nc], [np] tributary widths along x [mm] */
   double *slope;   /* [nc] slope dy/dx of the surface at each candidate, else 0; forces along x are
                       -slope f */
-  double *down; /* [nc] share of a candidate's force along the load, 1 except on polar charts; also
-                   the decrease of the gap per approach */
+  double *down; /* [nc] component of a candidate's unit force along the load, also the decrease of
+                   its gap per approach; 1 except on polar charts */
   double *a;    /* [count x count] contact matrix A [mm2/N] */
   double *gap;  /* [nc] initial gap by candidate [mm] */
   double *f;    /* [nc] solution: nodal forces by candidate [N/mm] */
@@ -57,9 +58,9 @@ void arc_contact_problem_free(contact_problem *p);
 /* Returns the memory of one problem [bytes]. */
 size_t arc_contact_problem_bytes(const contact_problem *p);
 
-/* Updates a problem for a shape with the plate at x [mm]. Computes the gaps, and the coupling and
- * the contact matrix if compliance or position have changed. Errors: ARC_ZONE and ARC_MEMORY of
- * arc_contact_problem_couple; the problem is then invalid. */
+/* Updates a problem for a shape with the plate at x [mm]. Computes the gaps and, if the compliance
+ * or the position has changed, the coupling and the contact matrix. Errors: ARC_ZONE and
+ * ARC_MEMORY, as in arc_contact_problem_couple; the problem is then invalid. */
 arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 
@@ -71,15 +72,15 @@ void arc_contact_problem_set_angle(contact_problem *p, double angle);
  * that coupling and compliance match. ARC_ZONE: fewer than three candidates; ARC_MEMORY. */
 arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
-/* Computes `down`, the shares of the candidates' forces along the load. */
+/* Computes `down`, the components of the candidates' unit forces along the load. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape);
 /* Computes the contact matrix from the present compliance of the shape. */
 void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape);
 /* Computes the initial gaps along y from the present heights of the shape. */
 void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape);
 
-/* Solves for `line`, the load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the
- * candidates) and ARC_NUMERIC only the warm start is dropped. */
+/* Solves the contact problem for `line`, the load per thickness [N/mm]. On ARC_ZONE (contact at the
+ * edge of the candidates) and ARC_NUMERIC only the warm start is dropped. */
 arc_status arc_contact_problem_solve(contact_problem *p, double line, arc_error *error);
 
 /* Copies the active set of a problem at a neighbouring position to an unsolved problem as its warm
@@ -129,11 +130,11 @@ void arc_contact_problem_to_plate(const contact_problem *p, const double *v, dou
 typedef struct contact_edge {
   double x;      /* [mm] position in the cylinder's frame */
   double width;  /* [mm] size of the element at the edge */
-  double smooth; /* [-] 1: smooth edge as in Hertz' theory; 0: edge at a kink; between: share of the
-                    smooth edge */
+  double smooth; /* [-] weight of the smooth-edge law: 1 at a smooth edge as in Hertz' theory, 0 at
+                    a kink */
   int out;       /* 1: the right end, -1: the left one */
-  double c[2];   /* coefficients of the pressure c0 sqrt(d) + c1 d sqrt(d) [MPa] at the distance d
-                    [mm] inside */
+  double c[2];   /* coefficients of the pressure c0 sqrt(d) + c1 d sqrt(d) [MPa] inside the contact,
+                    at the distance d [mm] from the edge */
 } contact_edge;
 contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape *shape, int right);
 /* Computes the contact edges [mm], left and right. */
@@ -144,8 +145,8 @@ void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape,
  * not conserved. */
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
 /* Adds a correction [MPa] for the stress along the surface to cusp [n]. A shear of `share` times
- * the pressure causes a cusp of this stress at the edge; the correction is its value at the node
- * minus its nodal mean. */
+ * the pressure causes a cusp of this stress at the edge. The correction is the value of the cusp at
+ * the node minus its mean under the node's hat function. */
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp);
 

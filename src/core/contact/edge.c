@@ -1,17 +1,18 @@
 /* Computes the edges of a contact, and the pressure next to them. In a smooth contact, such as
  * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
- * d^(3/2) / (3 E*). In a half-plane both belong to one analytic function. If c is linear in d, this
- * function has three parameters: the edge, c at the edge, and the slope of c. They are fitted to
- * nodal forces and gaps a few nodes away, where elements are accurate. Nearer nodes depend on the
- * position of the edge between nodes. The law does not apply to the kinks of scars, where the edge
- * is interpolated between the last node in contact and the next node. */
+ * d^(3/2) / (3 E*), with the contact modulus E*. In a half-plane both belong to one analytic
+ * function. If c is linear in d, this function has three parameters: the edge, c at the edge, and
+ * the slope of c. They are fitted to nodal forces and gaps a few nodes away, where elements are
+ * accurate. Values at nearer nodes depend on where the edge lies between two nodes. The law does
+ * not apply at the kinks of scars; there the edge is interpolated between the last node in contact
+ * and the next node. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
 #include <math.h>
 #include <string.h>
 
-/* One end of the contact. Nodes are counted in steps from the last one in contact, positive
+/* One end of the contact. Nodes are counted in steps from the last node in contact, positive
  * outwards. */
 typedef struct ending {
   const contact_problem *p;
@@ -150,7 +151,8 @@ static double fit_law(const ending *e, const stencil *at, double start, edge_law
   return INFINITY;
 }
 
-/* Returns true if all nodes exist, in this half of the contact and outside. */
+/* Returns true if all nodes of the fit exist in this half of the contact and outside, with positive
+ * pressures and increasing gaps. */
 static int has_nodes(const ending *e, const stencil *at) {
   if (e->p->active < 1 - 2 * at->first) return 0;
   const int inner = e->last + e->out * (at->first - 1), outer = e->last + e->out * at->to;
@@ -164,7 +166,7 @@ static int has_nodes(const ending *e, const stencil *at) {
 
 /* Fits the law at nodes so far from the edge that the position of the edge between nodes has no
  * influence, or at nearer nodes if the law does not extend so far. Returns 1 if the law fits as
- * well as in unworn contacts, 0 if it does not fit, and a share between 1 and 0 for a fit between
+ * well as in unworn contacts, 0 if it does not fit, and a weight between 1 and 0 for a fit between
  * these limits. Comparisons with finer meshes of worn contacts show that the edge of a law that
  * fits is more accurate than the interpolated edge. */
 static double find_law(const ending *e, double start, edge_law *law) {
@@ -201,7 +203,7 @@ void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape,
 }
 
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p) {
-  static const double reach = 2; /* [elements] largest distance inside the edge */
+  static const double reach = 2; /* [elements] largest distance from the edge into the contact */
   for (int i = 0; i < n && edge->smooth > 0; i++) {
     const double d = edge->out * (edge->x - x[i]), root = sqrt(fmax(0, d));
     if (d > reach * edge->width) continue;

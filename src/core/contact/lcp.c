@@ -1,9 +1,10 @@
-/* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = line, the load per
- * thickness. On polar charts the shares `down` of forces along the load replace 1: g = gap -
- * approach down + A f and sum down f = line. A primal-dual active set method (semismooth Newton)
- * begins with the last set and needs one factorisation if the set is still correct. If sets repeat,
- * a primal active-set method solves the equivalent convex problem, min f'A f / 2 + gap'f. Its
- * objective decreases with every set, so no set repeats. */
+/* Solves the contact problem for the nodal forces f and the gaps g under load: f >= 0, g = gap -
+ * approach + A f >= 0, f'g = 0, sum f = line, the load per thickness. On polar charts `down`, the
+ * component of a unit force along the load, differs from 1: g = gap - approach down + A f and sum
+ * down f = line. A primal-dual active set method (semismooth Newton) begins with the last active
+ * set and needs one factorisation if this set is still correct. If it does not converge because
+ * sets repeat, a primal active-set method solves the equivalent convex problem, min f'A f / 2 +
+ * gap'f. Its objective decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 
@@ -34,15 +35,16 @@ int arc_lcp_factorise(contact_problem *p) {
   return 0;
 }
 
-/* Returns the sum along the load of values [active] of the set. */
+/* Returns the sum of value [active] over the set, weighted by `down`: the component along the
+ * load. */
 static double along_load(const contact_problem *p, const double *value) {
   double sum = 0;
   for (int k = 0; k < p->active; k++) sum += p->down[p->set[k]] * value[k];
   return sum;
 }
 
-/* Corrects the approach by the missing force. Gaps far larger than the deformation have rounding
- * errors that change the load by more than its tolerance. */
+/* Corrects approach and forces so that the forces balance the load. If gaps are far larger than the
+ * deformation, their rounding errors change the load by more than its tolerance. */
 static void restore_load(contact_problem *p, double line, double total, double *fs) {
   static const double rounding =
       1e-12; /* relative tolerance; the error of the sum over a usual set is below 1e-14 */
@@ -105,7 +107,8 @@ static void all_active(contact_problem *p) {
   for (int k = 0; k < p->count; k++) p->set[k] = k;
 }
 
-/* Runs the primal-dual method. Returns 1 if solved, 0 if sets repeat, -1 on breakdown. */
+/* Runs the primal-dual method. Returns 1 if solved, 0 if it does not converge, -1 if A is not
+ * positive definite. */
 static int newton(contact_problem *p, double line, double *fs) {
   if (p->active == 0) all_active(p);
   for (int i = 0; i < newton_limit; i++) {
@@ -129,9 +132,9 @@ static void drop(contact_problem *p, int at) {
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
 }
 
-/* Changes the feasible forces f towards the forces that solve the set until a force becomes 0, and
- * removes this node from the set. Returns 1 for a full step, 0 if a node was removed, -1 on
- * breakdown. */
+/* Changes the feasible forces f towards the solution fs on the set until a force becomes 0, and
+ * removes its node from the set. Returns 1 for a full step, 0 if a node was removed, -1 if A is not
+ * positive definite. */
 static int advance(contact_problem *p, double line, double *f, double *fs) {
   if (solve_on_set(p, line, fs)) return -1;
   double step = 1;

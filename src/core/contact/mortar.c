@@ -1,15 +1,15 @@
-/* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to its hat functions,
- * is integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 /
- * w_i) integral psi_i phi_l dx. Surfaces of revolution are integrated over their area as seen from
- * above, dA = 2 pi r dx, instead of x: widths are areas, and forces act on whole rings.
+/* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to the cylinder's hat
+ * functions, is integrated exactly against the plate's hat functions over the overlaps. Row i of B
+ * is (1 / w_i) integral psi_i phi_l dx. Surfaces of revolution are integrated over their area as
+ * seen from above, dA = 2 pi r dx, instead of x: widths are areas, and forces act on whole rings.
  *
- * Pressures act along the common normal of both surfaces, which is that of the plate with slope m.
- * A surface element ds = dx / cos carries p ds along the normal, which is p dx along y and -m p dx
- * along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore represents the force
- * f_k (-m_k, 1) on the cylinder. The opposite forces act on the plate, distributed by B'. The gap
- * is measured along y at a fixed x and is 1 / cos times the gap along the normal. A displacement u
- * changes the gap by u_y - m u_x, which is the work of the force (-m, 1), so A is symmetric. With
- * m_k = (B m)_k forces along x balance to rounding too. */
+ * Pressures act along the common normal of both surfaces, which is the normal of the plate's
+ * surface with slope m. A surface element ds = dx / cos carries p ds along the normal, which is p
+ * dx along y and -m p dx along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore
+ * represents the force f_k (-m_k, 1) on the cylinder. The opposite forces act on the plate,
+ * distributed by B'. The gap is measured along y at a fixed x and is 1 / cos times the gap along
+ * the normal. A displacement u changes the gap by u_y - m u_x, which is the work of the force (-m,
+ * 1), so A is symmetric. With m_k = (B m)_k forces along x balance to rounding too. */
 #include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"
@@ -179,7 +179,8 @@ static inline void cylinder_responses(const contact_problem *p, const compliance
   for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
 }
 
-/* Computes column = F_p b_k from the first row of b_k on, as later columns need no earlier rows. */
+/* Computes column = F_p b_k, with row k of B as b_k, from the first non-zero entry of b_k on, as
+ * later columns need no earlier rows. */
 static inline void plate_responses(const contact_problem *p, const double *fp, int k,
                                    double *column) {
   const int low = p->first[k];
@@ -193,7 +194,7 @@ static inline void plate_responses(const contact_problem *p, const double *fp, i
   }
 }
 
-/* Computes column k of A from its diagonal on. */
+/* Computes column k of A from the diagonal down. */
 ARC_WIDE static void stiffen_column(const contact_problem *p, const compliance *c, const double *fp,
                                     int k) {
   double *column = p->column, *a = &p->a[dense_at(0, k, p->count)];
@@ -227,8 +228,8 @@ void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Converts the gaps, which are computed for a pin at s = 0, to the gaps of a pin that rests in the
- * direction of the load and has rotated about its centre. */
+/* Converts the gaps, which are computed for a pin at s = 0, to the gaps of a pin that touches the
+ * hole in the direction of the load and has rotated about its centre. */
 static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

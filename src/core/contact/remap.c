@@ -11,14 +11,14 @@
 
 enum { SHIFT_X, SHIFT_Y, DEPTH, QUANTITIES };
 
-/* A surface to be interpolated: node i has moved from x[i] by value[SHIFT_X][i] and
- * value[SHIFT_Y][i].
- */
+/* A surface to be interpolated. Node i has moved from x[i] by value[SHIFT_X][i] along x and
+ * value[SHIFT_Y][i] along y.
+ * */
 typedef struct track {
   int n;
   double *x;
   double *value[QUANTITIES];
-  double *bend[QUANTITIES]; /* [n] second derivatives, scar by scar */
+  double *bend[QUANTITIES]; /* [n] second derivatives of the splines, one spline per scar */
   double *work;             /* [n] workspace */
 } track;
 
@@ -51,7 +51,7 @@ static void track_of(const shape_side *side, track *t) {
 static void bend_spline(const double *x, const double *y, int n, double *diagonal, double *m) {
   const double first = (x[1] - x[0]) / (x[2] - x[1]);
   const double last = (x[n - 1] - x[n - 2]) / (x[n - 2] - x[n - 3]);
-  double above = 0; /* coefficient of the previous row */
+  double above = 0; /* coefficient right of the diagonal in the previous row */
   for (int i = 1; i + 1 < n; i++) {
     const double h = x[i] - x[i - 1], g = x[i + 1] - x[i];
     double below = h, right = g, centre = 2 * (h + g);

@@ -161,9 +161,9 @@ static int gone_too_far(const shape_side *side, const double *xy, int i, double 
   return across > share * height || along > share / 100 * mesh->def.size;
 }
 
-/* Returns true if the slope at node i of the plate has changed too much. To first order slopes
- * change pressures by Dundurs' beta times the change of slope; between equal materials the forces
- * along x on both bodies cancel. */
+/* Returns true if the slope at node i of the plate has changed by more than `limit` since the last
+ * condensation. To first order the relative change of the pressures is the change of slope times
+ * Dundurs' beta, which is 0 for equal materials. */
 static int turned_too_far(const shape_side *side, const double *xy, int i, double limit) {
   double now[2], then[2];
   shape_chord(xy, side->n, i, now);
@@ -194,8 +194,8 @@ static int is_unworn(const shape_side *side) {
 
 /* Sets the slopes of a compliance's surface and, unless all slopes are zero, computes its response
  * along the normals. On polar charts pressures act along z on any worn surface. A pin that sinks
- * into a hole rotates against the surfaces as it moves, so slopes from its total displacement would
- * be no better, and they would be applied all at once. */
+ * into a hole rotates relative to the surfaces, so slopes from its total displacement would not be
+ * more accurate, and they would change suddenly at a condensation. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
   if (side->body->chart.polar) return;

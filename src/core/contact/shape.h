@@ -13,7 +13,7 @@
 typedef struct shape_side {
   const elastic_body *body;
   int n;
-  double *h;                 /* [n] wear depth, scalar sum [mm] */
+  double *h;                 /* [n] wear depth, the sum of all depths along the normals [mm] */
   double *x0, *y;            /* [n] unworn x; present height, including even wear [mm] */
   double *xy;                /* [2 n] present surface nodes, without even wear [mm] */
   double *settled;           /* [2 n] surface nodes at the last condensation [mm] */
@@ -34,8 +34,8 @@ struct arc_shape {
   arc_geometry geometry;
   double refresh;
   arc_corrections corrections;
-  long version; /* version of both compliances; compliances with equal versions are equal to the
-                   bit, for all shapes of a model */
+  long version; /* version of both compliances; for all shapes of a model, compliances with equal
+                   versions are identical */
   shape_side side[ARC_BODIES];
 };
 
@@ -58,7 +58,7 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
 
 /* --- surface.c -------------------------------------------------------------------------------- */
 
-/* Computes surface nodes [2 n] moved by `depth` [n] along their present normals. */
+/* Computes xy [2 n], the surface nodes moved by `depth` [n] [mm] along their present normals. */
 void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
 
 /* Returns the tributary width of surface node i [mm], from the positions along x at the last
@@ -66,8 +66,8 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  * [mm2]. */
 double arc_shape_width(const shape_side *side, int i);
 
-/* Computes values derived from the nodes. Nodes move along x with their normals, but the coupling
- * and the levels use the positions of the last condensation. */
+/* Computes level, x, y and shift from the nodes. Wear along the normals also moves nodes along x,
+ * but the coupling and `level` use the x of the last condensation. */
 void arc_shape_read_nodes(shape_side *side);
 
 /* Computes the compliance of the wear box with its surface at xy [2 n]. */
@@ -94,12 +94,14 @@ enum { ARC_SHAPE_MOST_ROWS = 100 };
  * the size of the body. Returns 0 if no additional rows are needed or possible (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
-/* Checks the elements of the wear box with the surface at xy: every column must retain a share of
- * its height, and the nodes must increase along x. Otherwise returns ARC_GEOMETRY (wear_box.c). */
+/* Checks the elements of the wear box with the surface at xy: every column must retain a tenth of
+ * the box depth, and the nodes must increase along x. Otherwise returns ARC_GEOMETRY
+ * (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
-/* Largest wear [mm] of a frozen geometry; beyond it gaps lose the digits of displacements. */
+/* Largest wear [mm] of a frozen geometry; above it the rounding errors of the gaps are too
+ * large. */
 #define ARC_SHAPE_DEEPEST 1e6
 
 /* Checks that no depth, without even wear, exceeds ARC_SHAPE_DEEPEST after wear by depth [n] [mm].
@@ -110,7 +112,7 @@ arc_status arc_shape_check_depth(const shape_side *side, const double *depth, ar
  * normal, which is 1 / cos of the slope angle. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
-/* Returns the length of the surface that wears with node i [mm], along the surface or, with frozen
+/* Returns the length of the surface that belongs to node i [mm], along the surface or, with frozen
  * geometry, along x. For bodies of revolution it is an area [mm2]. */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 

@@ -39,8 +39,8 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* Returns -inward n_i x n_i+1, twice the area shared by the displacements of two neighbours, per
- * depth of each. */
+/* Returns the cross product n_i x n_i+1 of the normals at two neighbours, times -inward: twice the
+ * area that their displacements share, per depth of each. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];
   if (i + 1 == side->n) return 0;
@@ -49,8 +49,9 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   return -shape_inward(side) * (here[0] * next[1] - here[1] * next[0]);
 }
 
-/* Iterates for the depths. With displacements d_i = h_i n_i the polygon loses the area sum (h_i
- * span_i + (d_i x d_i+1) / 2). Half of each product is assigned to each of its two nodes. */
+/* Computes the depths by iteration. With displacements d_i = h_i n_i, depth times normal, the
+ * polygon loses the area sum (h_i span_i + (d_i x d_i+1) / 2). Half of each product is assigned to
+ * each of its two nodes. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   enum { sweeps = 4 }; /* each sweep reduces the error by the factor depth / radius of curvature */
   const shape_side *side = &shape->side[body];

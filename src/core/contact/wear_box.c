@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Smallest share of the wear box's depth that must remain under each node.
- */
+/* Fraction of the wear box's depth that must remain under each node.
+ * */
 static const double thinnest = 0.1;
 
 double arc_shape_box_depth(const shape_side *side) {
@@ -24,7 +24,7 @@ static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double need
   return rows > mesh->rows ? (int)rows : 0;
 }
 
-/* --- layers under a fixed surface */
+/* --- wear box with layers */
 
 /* Returns the number of rows down to a depth [mm] in a column of the unworn box. */
 static int rows_above(const elastic_body *body, const double *column, double depth) {
@@ -36,7 +36,7 @@ static int rows_above(const elastic_body *body, const double *column, double dep
 
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
   static const double thinnest_row =
-      0.02; /* smallest height of a row in worn layers, as a share of the usual height */
+      0.02; /* smallest height of a row in worn layers, relative to the usual height */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
   const double *column = arc_body_top(body, i);
@@ -75,7 +75,7 @@ double arc_shape_even_stiffening(const shape_side *side) {
 
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
   static const double noticed =
-      0.01; /* even wear up to this share of the layers' thickness is neglected */
+      0.01; /* even wear up to this fraction of the layers' thickness is neglected */
   const shape_side *side = &shape->side[body];
   const arc_mesh *mesh = side->body->mesh;
   const double deep = depth_of_layers(mesh);
