@@ -219,7 +219,7 @@ static void mirror(int n, double *a) {
 }
 
 /* Computes A = F_c + B F_p B' along normals. The lower triangle is computed and then mirrored, so
- * that A is symmetric to the bit. */
+ * that A is exactly symmetric. */
 void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   const compliance *c = shape_compliance(&shape->side[ARC_CYLINDER]);
   const double *fp = shape_compliance(&shape->side[ARC_PLATE])->along;

@@ -12,8 +12,7 @@
 enum { SHIFT_X, SHIFT_Y, DEPTH, QUANTITIES };
 
 /* A surface to be interpolated. Node i has moved from x[i] by value[SHIFT_X][i] along x and
- * value[SHIFT_Y][i] along y.
- * */
+ * value[SHIFT_Y][i] along y. */
 typedef struct track {
   int n;
   double *x;

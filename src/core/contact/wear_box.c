@@ -5,8 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Fraction of the wear box's depth that must remain under each node.
- * */
+/* Fraction of the wear box's depth that must remain under each node. */
 static const double thinnest = 0.1;
 
 double arc_shape_box_depth(const shape_side *side) {

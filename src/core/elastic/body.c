@@ -196,8 +196,9 @@ static int usual_column(const elastic_body *b) {
   return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
 }
 
-/* Computes `thinning`, the change of the compliance per share of thickness lost, from the
- * compliance `thinner` of a body whose representative column has lost the given share. */
+/* Computes `thinning`, the change of the compliance per fraction of thickness lost, from the
+ * compliance `thinner` of a body whose representative column has lost the fraction `share` of its
+ * thickness. */
 static void take_difference(elastic_body *b, const compliance *thinner, double share) {
   const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
   const double weight = arc_revolution_weight(&b->chart.revolved, arc_body_top(b, centre)[0]);

@@ -24,7 +24,7 @@ typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
   elasticity d; /* elasticity of the body's own material, below all layers */
-  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity by the layer of an element */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of each layer, then of the own material */
   arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
@@ -47,9 +47,9 @@ typedef struct elastic_body {
 } elastic_body;
 
 /* Returns the change of the compliance as the wear box becomes thinner at one column: the term that
- * is added, per share of thickness lost, to the normal compliance between the nodes that are `a`
+ * is added, per fraction of thickness lost, to the normal compliance between the nodes that are `a`
  * and `b` columns away from this column. The change is limited to ARC_THINNING_REACH columns,
- * because for a contact the worn box is as stiff as before and only the error of the elements
+ * because wear hardly changes the stiffness of the box itself; only the error of the elements
  * changes. The change is computed at the unworn centre. If the centre is on an axis of revolution,
  * it is computed halfway between the axis and the edge; for bodies of revolution it is given per 1
  * mm of circumference. */
@@ -67,7 +67,7 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* Return the positions s and z [mm] in the chart: of surface node i in the unworn state, and of the
+/* Return the position (s, z) [mm] in the chart of surface node i in the unworn state, and of the
  * bottom of the wear box below this node. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
@@ -76,8 +76,8 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
   return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
 }
 
-/* Returns the displacement of row `row` in column i of the wear box as a share of the surface's
- * displacement. The share decreases in equal steps from row to row, or in proportion to the depth
+/* Returns the displacement of row `row` in column i of the wear box relative to the surface's
+ * displacement. This ratio decreases in equal steps from row to row, or in proportion to the depth
  * if the body has layers of uniform thickness. */
 static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   const int rows = body->mesh->rows;

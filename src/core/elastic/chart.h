@@ -1,10 +1,11 @@
 /* Charts: coordinates (s, z) along and across the surfaces of a pair, in which contact is solved.
  *
  * The chart of a line has the coordinates x and y. A polar chart has the centre (0, side R) of a
- * hollow surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the
- * first point of contact, which is the origin of both charts. Lengths along s are lengths on the
- * surface of the hole, and pressures refer to the area of this surface. Kinematics are of first
- * order in clearance and wear over R, with forces along z. */
+ * hollow surface of radius R: s = R theta, z = side (R - r), where side is 1 if the lower body is
+ * hollow, else -1, so that z grows towards +y at the first point of contact, which is the origin of
+ * both charts. Lengths along s are lengths on the surface of the hole, and pressures refer to the
+ * area of this surface. Kinematics are of first order in clearance / R and wear / R; pressures act
+ * along z. */
 #ifndef ELASTIC_CHART_H
 #define ELASTIC_CHART_H
 
@@ -41,7 +42,7 @@ typedef struct chart {
   int polar;
   double radius; /* [mm] radius R of the hole */
   double side;   /* 1: the lower body is hollow; -1: the upper body is hollow */
-  double pin;    /* [mm] radius of the pin, the body in the hole, which rests on the hole in the
+  double pin;    /* [mm] radius of the pin, the body in the hole, which touches the hole in the
                     direction of the load */
   revolution revolved;
 } chart;
@@ -53,15 +54,14 @@ chart arc_chart_of(const arc_model_def *def);
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
-/* Returns the index of the point that is nearest to s among `count` points in the chart, of which
- * every `step`-th point of sz is used. */
+/* Returns the index i < count for which the point sz[2 * step * i] in the chart is nearest to s. */
 int arc_chart_nearest(const double *sz, int step, int count, double s);
 
 /* Computes the unit vectors along[2] and across[2] in the directions of s and z at s. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
 
-/* Returns the distance [mm] from the hole's centre to the surface at s of an unworn pin that rests
- * at `angle` [rad, along s]. */
+/* Returns the distance [mm] from the hole's centre to the surface at s of an unworn pin that
+ * touches the hole at `angle` [rad, along s]. */
 double arc_chart_rest(const chart *c, double s, double angle);
 
 /* Position of a body that has moved by x along s under a load at an angle. The body is rotated by

@@ -60,8 +60,8 @@ void arc_compliance_incline(compliance *c) {
   }
 }
 
-/* Returns yy - xx at a distance of `columns` columns from column k, as the mean of both sides that
- * exist. */
+/* Returns yy - xx between column k and the column `columns` columns away, as the mean of both sides
+ * that exist. */
 static double difference_at(const compliance *c, int k, int columns) {
   double sum = 0;
   int sides = 0;

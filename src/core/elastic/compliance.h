@@ -37,9 +37,9 @@ void arc_compliance_incline(compliance *c);
 /* Computes `level`, which derives the compliance for shear from the compliance for pressure, for
  * bodies of one material. A uniform half-plane has the same tangential displacements under shear as
  * normal displacements under pressure. Elements are too stiff for shear that alternates from node
- * to node, and the more so the taller they are. At a height of 1.25 widths the displacements are
- * half of the displacements under such pressure. Within a few columns yy therefore replaces xx,
- * except for the difference due to the finite size of bodies. */
+ * to node, especially tall elements: at a height of 1.25 widths such shear causes only half of the
+ * displacements of such pressure. Within a few columns yy therefore replaces xx, except for the
+ * difference due to the finite size of bodies. */
 void arc_compliance_level(compliance *c);
 /* Returns the memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);

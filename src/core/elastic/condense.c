@@ -3,10 +3,10 @@
  *
  * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim), the matrices X = K_ii^-1 K_ir, Z = K_ii^-1 E, T
  * = K_rr + S_far - K_ri X = L L' and W = E_r - X' E_i give u_rim = T^-1 W f, u_inner = K_ii^-1 (E_i
- * f - K_ir u_rim), F = E' Z + V' V with V = L^-1 W, where E selects the surface unknowns (x and y
- * of each node in turn). K_ii is a narrow band, so most of the cost is in the factor of T, in V and
- * in V' V. Rim nodes that are far away have no influence on the surface. On wide boxes the columns
- * of W and V therefore begin with zeros. */
+ * f - K_ir u_rim), F = E' Z + V' V with V = L^-1 W, where E, with inner rows E_i and rim rows E_r,
+ * selects the surface unknowns (x and y of each node in turn). K_ii is a narrow band, so most of
+ * the cost is in the factor of T, in V and in V' V. Rim nodes that are far away have no influence
+ * on the surface. On wide boxes the columns of W and V therefore begin with zeros. */
 #include "core/elastic/condense.h"
 #include "core/base/dense.h"
 
@@ -64,10 +64,10 @@ static double depth_of(const elastic_body *b, const double *box_at, int k) {
 
 /* Returns the elasticity of a wear-box element between two depths [mm]. It is a mean over the
  * layers inside the element, which act in series across the element and in parallel along it. With
- * the shares s of the layers and their constants c, the constants of the element are
+ * the thickness fractions s of the layers and their constants c, the constants of the element are
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
- *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
+ *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22  */
 static elasticity mix_layers(const elastic_body *b, double from, double to) {
   const int layers = arc_body_layers(&b->mesh->solid);
   double yields = 0, shears = 0, widens = 0, along = 0;
@@ -143,7 +143,7 @@ static int inner_unknown(const elastic_body *b, int j) {
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Returns the rim index of surface unknown j, or -1. */
+/* Returns the rim index of surface unknown j, or -1 if it is an inner unknown. */
 static int rim_unknown(const elastic_body *b, int j) {
   const int at = b->box_rim[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
@@ -173,13 +173,13 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Subtracts by x[k] from to[k] for the sides that are processed together, of which n are left. */
+/* Subtracts by * x[k] from to[k] for the right-hand sides k < n that are processed together. */
 static void subtract(int n, double by, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
 }
 
-/* Processes the columns of X from q on that are solved together. Subtracts K_ri X from T, row by
- * row below the diagonal, and X' E_i from W. */
+/* Computes columns q .. q + together - 1 of X. Subtracts K_ri X from T, row by row below the
+ * diagonal, and X' E_i from W. */
 static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   reach r = {c->ni, 0};
   for (size_t k = 0; k < c->rim.count; k++) {
@@ -253,8 +253,8 @@ static arc_status condense(const elastic_body *b, const double *box_at, double e
   return status;
 }
 
-/* Computes the columns of E' Z from q on that are solved together, and adds them, transposed, to
- * rows of the lower triangle of F. */
+/* Computes columns q .. q + together - 1 of E' Z, and adds them, transposed, to rows of the lower
+ * triangle of F. */
 static void add_z(const elastic_body *b, condensation *c, int q) {
   const int n = 2 * c->ns;
   reach r = {c->ni, 0};
@@ -324,7 +324,7 @@ static void turn_pair(const compliance *c, const double *axes, int r, int k, dou
   }
 }
 
-/* Converts a compliance to the directions of the chart. The result is symmetric to the bit. */
+/* Converts a compliance to the directions of the chart. The result is exactly symmetric. */
 static void turn(compliance *c, const double *axes) {
   for (int k = 0; k < c->n; k++)
     for (int r = k; r < c->n; r++) {

@@ -1,7 +1,8 @@
 /* Estimates the contact width of unworn bodies, which determines the element sizes. For half-planes
- * there is a closed form, by Hertz for arcs and by Persson in holes. For other shapes with one
- * contact the load is an integral over the gap. Layers and near bases are included by the modulus
- * of the bodies for a wave of about the contact's length. */
+ * there is a closed form: Hertz' for arcs, Persson's for pins in holes. For other shapes with one
+ * contact zone the load is an integral over the gap. The effect of layers and of a base close to
+ * the surface is included by the modulus of the bodies under a pressure wave of about the contact's
+ * length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
 #include "core/mesh/body_shape.h"
@@ -21,9 +22,9 @@ static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Returns the wave number times the half width [-] for which layers are as compliant under a wave
- * as under the contact. It is exact if layers are so thin that they act like independent
- * springs. */
+/* Returns the wave number times the half width [-] for which layers are as compliant under a
+ * pressure wave as under the contact. It is exact if layers are so thin that they act like
+ * independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
@@ -68,8 +69,8 @@ static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* Computes the position where smooth profiles are nearest to the other body. It is a point or the
- * middle of a flat, and the first one if there are several. */
+/* Sets g->at to the position where the gap of smooth profiles is smallest: a point, or the middle
+ * of a flat, whose half width is also stored. If there are several, the first one is used. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -136,10 +137,10 @@ static double press_into_hole(const contact_pair *g, double half_width) {
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Returns the load P / E* for a contact over s < a. For half-planes it is the integral of s g' /
- * sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g' / sqrt(a^2 - s^2) ds. Both
- * integrands are smooth over t = sqrt(a^2 - s^2). `wide` is the half width beyond the part that
- * touches without load. */
+/* Returns the load P / E* for a contact over s < a, with the gap g(s). For half-planes it is the
+ * integral of s g' / sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g' / sqrt(a^2 -
+ * s^2) ds. Both integrands are smooth over t = sqrt(a^2 - s^2). `wide` is a minus the half width of
+ * the part that touches without load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -157,8 +158,9 @@ static double press(const contact_pair *g, double wide) {
   return sum;
 }
 
-/* Returns the half width [mm] beyond the part that touches without load, by bisection of its
- * logarithm. If even the largest half width has a smaller load, returns the largest one. */
+/* Returns the half width [mm] under a load, minus the half width of the part that touches without
+ * load, by bisection of the logarithm. If the load exceeds the load of the largest contact, returns
+ * the value of the largest contact. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -232,7 +234,7 @@ static int is_arc_or_flat(const arc_body_def *b) {
   return arc_body_is_round(b) || arc_body_is_flat(b);
 }
 
-/* Returns true if both surfaces are arcs or flat, without layers or near bases. */
+/* Returns true if both surfaces are arcs or flat, without layers or a base close to the surface. */
 static int is_plain(const contact_pair *g, double half_width) {
   return g->hole == 0 && is_arc_or_flat(&g->solid[0]) && is_arc_or_flat(&g->solid[1]) &&
          half_width > 0 &&
