@@ -67,7 +67,7 @@ static double depth_of(const elastic_body *b, const double *box_at, int k) {
  * the thickness fractions s of the layers and their constants c, the constants of the element are
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
- *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22  */
+ *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
 static elasticity mix_layers(const elastic_body *b, double from, double to) {
   const int layers = arc_body_layers(&b->mesh->solid);
   double yields = 0, shears = 0, widens = 0, along = 0;

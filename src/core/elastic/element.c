@@ -78,7 +78,7 @@ static void quad_stiffness(const element *e, elasticity d, int modes, double *k)
 }
 
 /* Eliminates the four bubble unknowns of full [12 x 12], beginning with the last one, and writes
- * the rest to k [8 x 8]. */
+ * the stiffness of the corners to k [8 x 8]. */
 static void condense_bubbles(double *full, double *k) {
   for (int m = 11; m >= 8; m--)
     for (int r = 0; r < m; r++)

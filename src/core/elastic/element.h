@@ -14,21 +14,21 @@ typedef struct elasticity {
   double nu;
 } elasticity;
 
-/* The first function returns the elasticity for plane strain and bodies of revolution, the second
- * one that for a given geometry. */
+/* arc_elasticity_of returns the elasticity for plane strain and bodies of revolution,
+ * arc_elasticity_in the elasticity for a given geometry. */
 elasticity arc_elasticity_of(arc_material material);
 elasticity arc_elasticity_in(arc_space space, arc_material material);
 
-/* Returns the element type that "auto" means for a Poisson's ratio: CPE4, as in the paper, if
- * locking changes the pressure by at most 0.14 % with elements of 20 um (nu up to 0.4), else CPE4I.
- * Other types are returned unchanged. */
+/* Returns the element type for "auto" and a Poisson's ratio: CPE4 if locking changes the pressure
+ * by at most 0.14 % with elements of 20 um (nu up to 0.4), else CPE4I. Other types are returned
+ * unchanged. */
 arc_element arc_element_for(arc_element kind, double nu);
 
-/* The first function returns the bulk modulus [MPa], the second one the deviatoric part of D. */
+/* Return the bulk modulus [MPa] and the deviatoric part of D. */
 double arc_elasticity_bulk(elasticity d);
 elasticity arc_elasticity_deviatoric(elasticity d);
 
-/* An element given by its corners, of which there are 3 or 4. */
+/* An element with 3 or 4 corners. */
 typedef struct element {
   int corners;
   arc_element kind; /* formulation of a quadrilateral */
@@ -59,10 +59,11 @@ void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* Compute gradients [1/mm] (gradients.c). The first two functions compute gradients of the corner
- * functions, for a triangle and at a point of a quadrilateral, and return the determinant of the
- * Jacobian. The third one converts derivatives by xi and eta at a point to gradients. The fourth
- * one computes the gradients of the two bubbles; det is the determinant at the point. */
+/* Compute gradients [1/mm] (gradients.c). The first two functions compute the gradients of the
+ * corner functions of a triangle, and of a quadrilateral at (xi, eta), and return the determinant
+ * of the Jacobian. arc_quad_to_space converts n derivatives by xi and eta to gradients.
+ * arc_bubble_gradients computes the gradients of the two bubbles; det is the determinant at (xi,
+ * eta). */
 double arc_triangle_gradients(const element *e, double g[][2]);
 double arc_quad_gradients(const element *e, double xi, double eta, double g[][2]);
 void arc_quad_to_space(const element *e, double xi, double eta, int n, double slope[][2],

@@ -84,8 +84,8 @@ static void quad_point(const element *e, double xi, double eta, point *p) {
   fill_strains(e, n, ux, uy, det, p);
 }
 
-/* Computes an integration point of a triangle, with the same correction of u_y. At this point
- * corner c has the weight `own`, and the other corners share the rest. */
+/* Computes an integration point of a triangle, with the same correction of u_y. At this point the
+ * shape function of corner c is `own`; the other two are equal. */
 static void triangle_point(const element *e, int c, double own, double area, point *p) {
   double n[3], ux[3][2], uy[3][2];
   arc_triangle_gradients(e, ux);
@@ -119,8 +119,8 @@ static double dilatation(const double strain[components]) {
   return strain[0] + strain[1] + strain[2];
 }
 
-/* Computes the mean dilatation of the element for a unit of each of n displacements. Returns the
- * volume [mm3]. */
+/* Computes mean [n], the mean dilatation of the element under a unit of each of the n
+ * displacements. Returns the volume [mm3]. */
 static double mean_dilatation(int n, int points, const point *p, double mean[8]) {
   double volume = 0;
   memset(mean, 0, 8 * sizeof *mean);

@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-/* Computes the complete elliptic integrals K(m) and E(m) for the parameter m = e^2. */
+/* Computes the complete elliptic integrals K(m) and E(m) for the parameter m = e^2, with the
+ * eccentricity e. */
 static void elliptic(double m, double *K, double *E) {
   double a = 1, b = sqrt(1 - m), sum = m / 2, power = 0.5;
   for (int k = 0; k < 40 && a - b > 1e-16 * a; k++) {
@@ -18,8 +19,8 @@ static void elliptic(double m, double *K, double *E) {
   *E = *K * (1 - sum);
 }
 
-/* Returns the ratio of the larger radius to the smaller one, for a ratio s of the smaller half
- * width to the larger one. */
+/* Returns the ratio of the larger radius to the smaller one for a contact ellipse whose smaller
+ * half width is s times the larger one. */
 static double ratio_of(double s) {
   double K, E;
   elliptic(1 - s * s, &K, &E);
@@ -61,7 +62,8 @@ arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star,
     elliptic(1 - s * s, &K, &E);
     share = (K - E) / (1 - s * s);
   }
-  /* a follows from 1 / (2 large) = p0 b / E* / a^2 share, with b = s a, p0 = 3 load / (2 pi a b) */
+  /* the half width a follows from 1 / (2 large) = p0 b / E* / a^2 share, with b = s a, p0 = 3 load
+   * / (2 pi a b) */
   const double a = cbrt(3 * load * large * share / (pi * E_star)), b = s * a;
   hertz->p_max = 3 * load / (2 * pi * a * b);
   hertz->approach = hertz->p_max * b / E_star * K;

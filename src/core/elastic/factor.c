@@ -72,8 +72,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-/* Computes a permutation for small fill in which the last unknowns stay last, so that their part of
- * the factor gives the Schur complement. Returns 0 on failure. */
+/* Computes a permutation that reduces the fill-in and keeps the last unknowns last, so that their
+ * part of the factor gives the Schur complement. Returns 0 on failure. */
 static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
   const int n = (int)a->nrow;
   int *group = malloc((size_t)n * sizeof *group);

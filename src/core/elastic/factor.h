@@ -17,9 +17,9 @@ void arc_sparse_free(sparse_entries *entries);
 
 typedef struct factor factor;
 
-/* Factorises the n x n matrix with its last `last` unknowns ordered last. Errors: ARC_NUMERIC (the
- * matrix is not positive definite, or some of the other unknowns are not connected to the rest),
- * ARC_MEMORY. */
+/* Factorises an n x n matrix. Its last `last` unknowns remain last in the ordering. Errors:
+ * ARC_NUMERIC (the matrix is not positive definite, or some of the other unknowns are not connected
+ * to the rest), ARC_MEMORY. */
 arc_status arc_factor_create(int n, int last, const sparse_entries *entries, factor **result,
                              arc_error *error);
 void arc_factor_destroy(factor **f);

@@ -95,7 +95,7 @@ static int find_pieces(search *f) {
 
 /* --- layers -------------------------------------------------------------------------------- */
 
-/* Joins the pieces below each node to layers, and removes duplicates on common edges of
+/* Merges the pieces below each node into layers, and removes duplicates on common edges of
  * elements. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;

@@ -164,7 +164,7 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
 /* For a hole, checks that the surface nodes of a mesh are near the arc of the given radius, as the
  * chart follows this arc. */
 static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
-  static const double most = 0.05; /* largest distance from the arc, as a share of the radius */
+  static const double most = 0.05; /* largest distance from the arc, relative to the radius */
   const chart c = arc_chart_of(def);
   const arc_body_def solid = arc_model_solid(def, mesh->body);
   const double radius = fabs(arc_body_radius(&solid));
@@ -183,14 +183,14 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
 
 /* --- the definition ------------------------------------------------------------------------ */
 
-/* Derives the definition of an imported pair in the form of a generated pair, with the bulk
- * materials. */
+/* Returns the definition with the element sizes, zones and bulk materials of the imported
+ * meshes. */
 static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
   arc_model_def fit = *def;
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
   fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* imported sizes are not fitted to other contacts */
+  fit.mesh.fineness = 0; /* imported meshes are not adapted to other contacts */
   for (int b = 0; b < ARC_BODIES; b++) {
     fit.mesh.zone[b] = given[b]->def.zone[b];
     fit.material[b] = bulk_of(def, given[b]);

@@ -5,12 +5,12 @@
 
 #include "archard/model.h"
 
-/* Checks a definition and two meshes, and writes the definition of their model, completed from the
- * meshes, to *settled. Errors: ARC_ARGUMENT. */
+/* Checks a definition and two meshes, and writes the definition, completed from the meshes, to
+ * *settled. Errors: ARC_ARGUMENT. */
 arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                             arc_model_def *settled, arc_error *error);
-/* Checks that the definition gives no shape of a body beside its imported mesh, except for the
- * radii of a hole. Errors: ARC_ARGUMENT. */
+/* Checks that the definition does not define the shape of a body with an imported mesh, except for
+ * the radii of a hole. Errors: ARC_ARGUMENT. */
 arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_error *error);
 /* Sets the layer of each element of a mesh by the names of the body's layers. Errors:
  * ARC_MEMORY. */

@@ -1,5 +1,5 @@
-/* Checks which fields of a body's shape are given with an imported mesh, which defines the shape
- * itself. */
+/* Checks that no shape fields are given for a body with an imported mesh, as the mesh defines the
+ * shape. */
 #include "core/elastic/imported_mesh.h"
 
 #include <string.h>

@@ -8,8 +8,8 @@
 double arc_material_modulus(arc_space space, arc_material material);
 
 /* Returns the modulus [MPa] of the half-plane that has the same displacement under a pressure of
- * wave number q [1/mm] as a body with its layers. Without layers and without a near base it equals
- * the modulus of the material to the bit. */
+ * wave number q [1/mm] as a body with its layers. Without layers and with a distant base it is
+ * exactly the modulus of the material. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
 /* Returns the same modulus for a list of layers (from the surface inwards) on a base of the
  * material `own`, which is `base` mm thick (INFINITY: a half-plane) and fixed below. */

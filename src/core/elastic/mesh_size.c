@@ -14,7 +14,7 @@ double arc_model_size_for(double half_width) {
   return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
-/* Returns the smallest dimension of both bodies that limits meshes. */
+/* Returns the smallest dimension of both bodies [mm], which limits the element sizes. */
 static double least_measure(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
@@ -49,7 +49,7 @@ static double smallest_size(const contact_estimate *e) {
 
 /* Returns the element size [mm] that resolves the edges of the contact as finely as in the paper's
  * mesh. For round spots the size is halved, as their pressure at the axis would be 0.3 % low
- * otherwise. The ends of a flat get a node. */
+ * otherwise. A flat is divided so that its ends are nodes. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
@@ -124,7 +124,8 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
-/* Rounds a zone [mm] up to ten elements, so that similar runs share a model. */
+/* Rounds a zone [mm] up to a multiple of ten elements, so that similar computations can use the
+ * same model. */
 static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
   return fmin(rounded, arc_model_widest_zone(def, body));

@@ -13,8 +13,8 @@ const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 
-/* Version numbers of compliances, counted by the model. Compliances with equal numbers are equal to
- * the bit, for all shapes. The unworn compliance has the number ARC_UNWORN_VERSION; 0 is not
+/* Version numbers of compliances, counted by the model. Compliances with equal numbers are
+ * identical, for all shapes. The unworn compliance has the number ARC_UNWORN_VERSION; 0 is not
  * used. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);

@@ -123,7 +123,7 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
-/* Function that checks one body of a pair of revolution. */
+/* Function that checks one body of a pair of bodies of revolution. */
 typedef arc_status turn_check(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error);
 

@@ -91,7 +91,7 @@ static void write_set(FILE *out, const arc_mesh *m, const char *name, const int 
 }
 
 /* Writes the contact surface: the faces of the wear box's top elements between surface nodes. The
- * first two faces of a solid element are those of the slab. */
+ * first two faces of a solid element are faces of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
   for (int column = first_column(m); column + 1 < m->surface; column++) {
@@ -253,8 +253,8 @@ static void write_supports(const deck *d) {
   hold_sideways(d, lower, upper->nodes + 1);
 }
 
-/* Writes the load steps. In the first step the separated bodies would have no support under a load,
- * so this step prescribes the approach that the load causes. */
+/* Writes the load steps. At first the bodies are apart, so that a load would have no support. The
+ * first step therefore prescribes the approach that the load causes. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
   write_supports(d);

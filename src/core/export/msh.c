@@ -182,8 +182,8 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
 }
 
 /* Returns the index after the last element of the block that begins at element e. The elements of a
- * block have the same type and material. Blocks keep the order of elements, so that sums over
- * elements have the same bits. */
+ * block have the same type and material. Blocks keep the order of elements, so that sums over the
+ * elements of the file are identical. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;

@@ -104,8 +104,8 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-/* Adds the number of its layer for each element, from 1 at the surface, or the number of its
- * material in an imported mesh. Elements outside all layers have the highest number. */
+/* Adds an array with the layer of each element, counted from 1 at the surface, or its material in
+ * an imported mesh. Elements outside all layers have the highest number. */
 static void add_layers(grid *g) {
   const arc_mesh *m = g->mesh;
   if (!m->layer || arc_body_layers(&m->solid) == 0) return;
