@@ -1,6 +1,6 @@
 /* Solves one increment of Coulomb friction by sweeps. Each sweep solves for the pressures at
  * constant shear, and then for the shear at constant bounds, until the gaps no longer change. Both
- * are symmetric problems whose solvers always end. The sweeps converge quickly for bodies of
+ * are symmetric problems whose solvers always terminate. The sweeps converge quickly for bodies of
  * similar materials. If the coupling is strong, the method of friction_newton.c is tried between
  * sweeps. */
 #include "core/friction/friction.h"
@@ -16,8 +16,8 @@ static const double settled = 1e-13;
 
 /* --- the shear problem of an increment -------------------------------------------------------- */
 
-/* Sets the tangential force of the shear problem and limits it to the force of friction. Only an
- * intermediate iterate may exceed this limit. */
+/* Sets the tangential force of the shear problem and limits it to the force of friction. Sets
+ * k->over if it exceeds this limit, which is allowed only before convergence. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -92,8 +92,8 @@ static double changed(const friction_task *k, const double *sheared) {
   return most / all;
 }
 
-/* Sets the shear of the next sweep: the new shear, or a mean of the old and new shear after many
- * sweeps, which may oscillate. */
+/* Sets the shear of the next sweep: the new shear or, after many sweeps, a mean of the old and new
+ * shear, which damps oscillations. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
   for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
@@ -101,7 +101,7 @@ static void take_over(friction_task *k, const double *sheared, double held) {
   k->held += share * (held - k->held);
 }
 
-/* Makes one sweep. Returns 1 if converged, 0 if not, -1 on breakdown. */
+/* Makes one sweep. Returns 1 if converged, 0 if not, -1 if one of the two solvers fails. */
 static int sweep(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
@@ -122,8 +122,8 @@ static int sweep(friction_task *k) {
   return 0;
 }
 
-/* Returns true if the sweeps converge quickly, as they do for similar materials once the sets are
- * right. */
+/* Returns true if the sweeps converge quickly, as they do for similar materials once the active
+ * sets are correct. */
 static int is_closing_in(const friction_task *k, double before) {
   static const double quick = 0.02;
   return k->change < quick * before;

@@ -42,10 +42,12 @@ typedef struct shear_problem {
   int iterations;
 } shear_problem;
 
-/* Solves the problem. Returns 1 if solved, 0 if not, -1 on breakdown. */
+/* Solves the problem. Returns 1 if solved, 0 if it does not converge, -1 if A_tt is not positive
+ * definite. */
 int arc_shear_solve(shear_problem *s);
 /* Lists the nodes that stick by `direction` (stuck, list, pick), and computes the factor of their
- * matrix and the forces `ones` that resist a unit of motion. Returns non-zero on breakdown. */
+ * matrix and the forces `ones` that resist a unit of motion. Returns non-zero if A_tt is not
+ * positive definite. */
 int arc_shear_factorise(shear_problem *s);
 
 /* Tangential part of the contact matrix of a problem. */
@@ -86,12 +88,13 @@ typedef struct friction_workspace {
   double x;
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
-  int sweeps_before_newton; /* number of sweeps before the coupled iteration: 4, more in tests */
+  int sweeps_before_newton; /* number of sweeps before friction_newton.c is tried: 4, more in tests
+                             */
   int by_force; /* number of sweeps before the motion for a given force is bracketed: 50, 0 in tests
                  */
   int sweeps;   /* number of sweeps of the last increment */
   int iterations; /* number of active sets in all sweeps */
-  int newton;     /* 1: the coupled iteration solved the increment */
+  int newton;     /* 1: friction_newton.c solved the increment */
   int bracketed;  /* 1: the motion for a given force was bracketed */
 } friction_workspace;
 
@@ -99,7 +102,7 @@ arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model 
 void arc_friction_workspace_free(friction_workspace *w);
 size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
-/* Errors at one end of a sum over nodes, of even order [mm] and odd order [N]; see
+/* Error terms of even order [mm] and odd order [N] at one end of the sum over nodes in
  * slip_energy.c. */
 typedef struct friction_terms {
   double even, odd;
@@ -114,8 +117,8 @@ typedef struct friction_turn {
 /* History of the plate's motion under a constant load; see friction_hysteresis.c. */
 enum { ARC_FRICTION_TURNS = 64 };
 typedef struct friction_memory {
-  int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if load and motion
-                change together */
+  int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if it is unknown or the
+                load changes */
   int fresh; /* 1: the first motion began without shear */
   int count; /* number of reversals; the force of each is between those of the two previous ones */
   friction_turn turn[ARC_FRICTION_TURNS];
@@ -158,19 +161,19 @@ typedef struct friction_step {
   double tangential; /* [N/mm] tangential force per thickness */
 } friction_step;
 
-/* Returns the automatic number of increments of pressing: four for each element that the edge of
- * the contact crosses, at least 20 and at most 400. */
+/* Returns the automatic number of increments in which the load is applied: four for each element
+ * that the edge of the contact crosses, at least 20 and at most 400. */
 int arc_friction_press_increments(const arc_model *model, double load);
-/* Returns increment i of n of pressing up to the step `to`. The width of the contact grows in equal
- * steps. */
+/* Returns increment i of n in which the load of the step `to` is applied. The width of the contact
+ * grows in equal steps. */
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
-/* Solves one increment from the state `s` to `step` and updates the state. The problem is updated
- * for the plate's position step->x, or for a position near it if the plate moves little, as under
- * forces; this position determines which points face each other. The solution is written to p->f,
- * p->approach, w->t and w->slip. p->gap then has the gaps including the displacements by shear. On
- * ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE and ARC_NUMERIC the state
- * is unchanged. */
+/* Solves one increment from the state `s` to `step` and updates the state. The caller updates the
+ * problem before, for the plate's position step->x or, if the plate moves little as under a given
+ * force, for a position near it; this position determines which points face each other. The
+ * solution is written to p->f, p->approach, w->t and w->slip. p->gap then has the gaps including
+ * the displacements by shear. On ARC_ARGUMENT (friction does not carry the tangential force),
+ * ARC_ZONE and ARC_NUMERIC the state is unchanged. */
 arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
                               const friction_step *step, friction_state *s, arc_error *error);
 
@@ -205,7 +208,7 @@ typedef struct friction_task {
 } friction_task;
 
 /* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
- * sweeps. Returns 1 if solved, 0 if not, -1 on breakdown. */
+ * sweeps. Returns 1 if solved, 0 if not, -1 if one of the two solvers fails. */
 int arc_friction_sweeps(friction_task *k, int limit);
 /* Solves for the motion that causes a given force (friction_force_control.c). This function is used
  * if the sweeps do not converge. Returns 1 if solved, else 0. */
@@ -213,8 +216,8 @@ int arc_friction_bracket(friction_task *k);
 
 /* Records a reversal of the motion. It is called before the forces of the increment are stored. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
-/* Removes the loops that the present motion has closed, and adds the rest of the energy between the
- * nodes for these loops. */
+/* Removes the loops that the present motion has closed, and adds the energy between the nodes that
+ * is still missing for these loops. */
 void arc_friction_close_loops(friction_state *s);
 /* Returns the change of the tangential force [N/mm] on surfaces without shear that is equivalent to
  * the present motion up to `force` [N/mm]. */
@@ -234,8 +237,8 @@ int arc_friction_newton(friction_task *k);
 
 /* Computes result [count] = A_nt t, the gaps under shear forces, by candidate. */
 void arc_tangential_gaps(const tangential_compliance *g, const double *t, double *result);
-/* The first function computes r = A_tn f at the candidates first .. last - 1. The second one
- * computes r = A_tn f + A_tt t at all candidates. */
+/* arc_tangential_drag computes r = A_tn f at the candidates first .. last - 1,
+ * arc_tangential_drag_all r = A_tn f + A_tt t at all candidates. */
 void arc_tangential_drag(const tangential_compliance *g, const double *f, int first, int last,
                          double *r);
 void arc_tangential_drag_all(const tangential_compliance *g, const double *f, const double *t,

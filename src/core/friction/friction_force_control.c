@@ -18,7 +18,7 @@ static void move_to(friction_task *k, double dx) {
   k->dx = dx;
 }
 
-/* Returns the force after a motion minus the given force [N/mm]; NaN on breakdown. */
+/* Returns the force after a motion minus the given force [N/mm]; NaN if the sweeps fail. */
 static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
@@ -33,7 +33,7 @@ typedef struct range {
 } range;
 
 /* Brackets the motion: doubles the distance from the first motion until the given force lies
- * between two forces. Returns 0 on failure. */
+ * between the forces of the last two motions. Returns 0 on failure. */
 static int enclose(friction_task *k, range *r) {
   const contact_problem *p = k->p;
   const double from = k->dx, off = excess(k, from);

@@ -3,15 +3,15 @@
  * back in the same order, each after twice the change of force. When the force returns to the start
  * of an inner loop, this loop is removed (rules of Masing and Madelung). Later states therefore
  * depend only on the forces at the reversals that no later motion has passed. The first motion, on
- * surfaces without shear, is half of a motion from the opposite reversal. If an earlier load has
- * left shear, the first motion has no reference. Later motions then have a reference as long as the
- * force stays within its range since that load. */
+ * surfaces without shear, is half of a motion from the opposite reversal. If shear remains from an
+ * earlier load, the energy is not corrected in the first motion, and in later motions only while
+ * the force stays within the range covered under the present load. */
 #include "core/friction/friction.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Forces or loads are equal if they differ by less than this share of the load. */
+/* Forces or loads are equal if they differ by less than this fraction of the load. */
 static const double rounding = 1e-9;
 
 /* Returns the direction of the plate's motion under a constant load: 1 or -1, or 0 if it is unknown

@@ -1,9 +1,9 @@
 /* Solves for pressures and shear of an increment together, by semismooth Newton on the sets of
  * nodes (no contact, stick, slip along x, slip against x). The matrix of a set is not symmetric,
- * since shear is proportional to pressure where nodes slip. The method converges fast from good
- * sets, but it may fail. Then friction.c continues without it. The unknowns are the forces f in
- * contact, then the shear t of the nodes that stick. The approach, and the plate's motion under a
- * given tangential force, follow from the resultants. */
+ * since shear is proportional to pressure where nodes slip. The method converges fast if the
+ * initial sets are nearly correct, but it may fail; friction.c then continues with sweeps. The
+ * unknowns are the forces f in contact, then the shear t of the nodes that stick. The approach, and
+ * the plate's motion under a given tangential force, follow from the resultants. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 

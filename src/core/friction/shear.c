@@ -1,8 +1,8 @@
 /* Computes shear forces under given bounds, which is a symmetric problem with box constraints. The
  * solver is a primal-dual active set method (semismooth Newton) over the states stick, slip along x
- * and slip against x, which begins with the last states. If sets repeat, or if no node can carry a
- * given force, a primal active-set method is used instead. Its objective decreases with every set,
- * so no set repeats. */
+ * and slip against x, which begins with the last states. If it does not converge, or if no node can
+ * carry a given force, a primal active-set method is used instead. Its objective decreases with
+ * every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -60,8 +60,8 @@ static void find_shift(shear_problem *s) {
 }
 
 /* Computes target [stuck], the forces that prevent slip of the nodes that stick, with the other
- * nodes at their bounds. Returns 1 if solved, 0 if no node can carry the given force, -1 on
- * breakdown. */
+ * nodes at their bounds. Returns 1 if solved, 0 if no node can carry the given force, -1 if A_tt is
+ * not positive definite. */
 static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
@@ -81,7 +81,7 @@ static void take_target(shear_problem *s) {
   for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
 }
 
-/* Computes the slip of the nodes that slip; it is 0 for the others. */
+/* Computes the slip of the nodes that slip; the slip of all other nodes is 0. */
 static void measure_slip(shear_problem *s) {
   pull(s, s->t);
   for (int i = 0; i < s->n; i++)
@@ -126,7 +126,8 @@ static void start_inside(shear_problem *s) {
 }
 
 /* Changes the forces towards the target as far as the bounds allow. A node that reaches its bound
- * slips from then on. Returns 1 for a full step, 0 if a node reached its bound, -1 on breakdown. */
+ * slips from then on. Returns 1 for a full step, 0 if a node reached its bound, -1 if A_tt is not
+ * positive definite. */
 static int advance(shear_problem *s) {
   const int solved = solve_stuck(s);
   if (solved <= 0) return solved < 0 ? -1 : 1;

@@ -6,7 +6,7 @@
  * formula the error of the sum depends only on its two ends, which are the edge of the contact and
  * the edge of the stick zone, and on their positions between nodes. These positions are measured by
  * the changes of force until or since two neighbouring nodes begin to slip. The inner node slips
- * after a change of r / e, where r is its reserve and e its share of the force. The outer node
+ * after a change of r / e, where r is its reserve and e its fraction of the force. The outer node
  * began to slip before a change of s / c, where s is its slip and c its slip per force. Beyond the
  * edge of the contact mu times the gap replaces s, because force and slip are related as load and
  * gap are. Terms of fourth order in the element size are neglected.
@@ -21,7 +21,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Lower or upper ends of the sum, at all edges of contact or stick zones. */
+/* Lower end (all edges of the contact) or upper end (all edges of stick zones) of the sum. */
 typedef struct sum_ends {
   friction_task *k;
   double unit; /* force per unit of motion on the nodes that stick [N/mm2] */
@@ -57,11 +57,11 @@ static double until_slip(const sum_ends *e, int q) {
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Returns the share of the correction that is applied. `step` is the change of force [N/mm] between
- * the slip of the two nodes at the end, and `next` the change between the slip of the inner node
- * and of the node after it. The ratio next / step is 1.2 to 1.9 for smooth contacts of three to
- * forty nodes, at any position of the edges between nodes, and up to 2.7 if the plate's nodes are
- * halfway between the cylinder's. The share is 1 for smooth contacts, less at kinks of the
+/* Returns the fraction of the correction that is applied. `step` is the change of force [N/mm]
+ * between the slip of the two nodes at the end, and `next` the change between the slip of the inner
+ * node and of the node after it. The ratio next / step is 1.2 to 1.9 for smooth contacts of three
+ * to forty nodes, at any position of the edges between nodes, and up to 2.7 if the plate's nodes
+ * are halfway between the cylinder's. The fraction is 1 for smooth contacts, less at kinks of the
  * surfaces, and 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
@@ -84,7 +84,7 @@ static void add_end(sum_ends *e, int q, int side) {
 }
 
 /* Adds the error terms of both sides of every stick zone, which are given by the directions of the
- * shear problem. Returns 0 on breakdown. */
+ * shear problem. Returns 0 if A_tt is not positive definite. */
 static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
   sum_ends e = {.k = k};

@@ -7,7 +7,7 @@
 #include "archard/body.h"
 
 typedef enum body_form {
-  FORM_RECTANGLE, /* body with heights over x at its surface, which decay towards its base */
+  FORM_RECTANGLE, /* rectangle; heights of its surface decay towards its base */
   FORM_POINTS,    /* body with heights through given points */
   FORM_WALL,      /* wall of a ring, between two arcs */
   FORM_MAP,       /* half-space with heights at points over x and z */
@@ -48,7 +48,7 @@ ARC_SOLID_LIST(ARC_BODY_SHAPE)
 
 const body_shape *arc_body_shape_of(const arc_body_def *b);
 body_limits arc_body_limits(const arc_body_def *b);
-/* The first function returns true if points define the surface, the second if the body is a
+/* arc_body_has_points returns true if points define the surface, arc_body_is_core if the body is a
  * solid arc. */
 int arc_body_has_points(const arc_body_def *b);
 int arc_body_is_core(const arc_body_def *b);

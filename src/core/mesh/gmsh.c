@@ -104,7 +104,7 @@ static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], 
       path, gap > 0 ? "are apart" : "overlap", fabs(gap), x, limit, -gap);
 }
 
-/* Fits the parabola gap = c + b x + x^2 / 2 R to the gap between both surfaces by least squares
+/* Fits the parabola gap = c + b x + x^2 / (2 R) to the gap between both surfaces by least squares
  * and returns R [mm]. R follows from the second Legendre polynomial about the middle, which is
  * orthogonal to c + b x. */
 static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {

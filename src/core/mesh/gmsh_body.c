@@ -237,7 +237,7 @@ static int root_of(int *parent, int node) {
   return node;
 }
 
-/* Returns a node that edges do not connect with node 0, or -1 if all nodes are connected. */
+/* Returns a node that is not connected with node 0 by edges of elements, or -1 if there is none. */
 static int find_loose(const arc_mesh *m, int *parent) {
   for (int n = 0; n < m->nodes; n++) parent[n] = n;
   for (int e = 0; e < m->elements; e++)

@@ -218,8 +218,8 @@ static mesh_key mirrored(const body_map *m, mesh_key key) {
   return (mesh_key){seam ? key.i : -key.i, key.j};
 }
 
-/* Writes the distinct keys of both halves to *keys, in sorted order. Returns their number, or -1
- * without memory. */
+/* Writes the distinct keys of both halves to *keys, in sorted order. Returns their number, or -1 if
+ * out of memory. */
 static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   const int corners = 4 * b->count;
   mesh_key *all = malloc(2 * (size_t)corners * sizeof *all);

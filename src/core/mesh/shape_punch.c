@@ -12,7 +12,7 @@ static void resolve(arc_body_def *b, double radius) {
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns the limits of the flat plus its rounded edges. Each edge contributes the same share of
+/* Returns the limits of the flat plus its rounded edges. Each edge contributes the same multiple of
  * its radius as on a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
