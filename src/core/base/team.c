@@ -84,7 +84,7 @@ arc_status arc_team_create(int workers, work_team **team, arc_error *error) {
   for (int k = 1; k < workers && complete; k++) complete = start(t);
   if (!complete) {
     arc_team_destroy(&t);
-    return arc_fail(error, ARC_MEMORY, "the system has no more threads for %d workers", workers);
+    return arc_fail(error, ARC_MEMORY, "the system cannot create threads for %d workers", workers);
   }
   *team = t;
   return ARC_OK;

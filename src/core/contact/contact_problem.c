@@ -86,8 +86,8 @@ static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
   p->active = 0;
   return arc_fail(
       error, ARC_ZONE,
-      "with the plate at x = %g mm the contact reaches the %s edge of the %s's candidate zone, "
-      "mesh.zone.%s",
+      "with the plate at x = %g mm the contact reaches the %s edge of the %s's candidate zone; "
+      "use a larger mesh.zone.%s",
       p->x, left ? "left" : "right", cylinder ? "cylinder" : "plate",
       cylinder ? "cylinder" : "plate");
 }

@@ -47,7 +47,7 @@ static arc_status check_depths(const shape_side *side, const surface_state *stat
       return refuse(side, i, "a wear depth in mm", state->h[i], error);
   for (int i = 0; i < side->n; i++)
     if (!(*state->even >= 0 && *state->even <= state->h[i] * (1 + 1e-9) + 1e-12))
-      return refuse(side, i, "an even wear of no more than its depth", *state->even, error);
+      return refuse(side, i, "an even wear of at most the wear depth", *state->even, error);
   return ARC_OK;
 }
 
@@ -59,7 +59,8 @@ static arc_status check_nodes(const shape_side *side, const surface_state *state
     const double *top = arc_body_top(side->body, i), *at = &xy[2 * i];
     const double reach = 2 * (state->h[i] - *state->even) + side->body->mesh->def.size;
     const double distance = hypot(at[0] - top[0], at[1] - top[1]);
-    if (!(distance <= reach)) return refuse(side, i, "a position within its wear", distance, error);
+    if (!(distance <= reach))
+      return refuse(side, i, "a displacement that its wear allows", distance, error);
     if (i > 0 && !(at[0] > at[-2]))
       return refuse(side, i, "x larger than at the previous node", at[0], error);
   }

@@ -69,10 +69,11 @@ arc_status arc_given_refuse(const arc_model_def *def, arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const char *role = arc_model_role_name((arc_body)b);
     if (def->body[b].kind == ARC_SOLID_GMSH)
-      return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s': expected mesh = \"FILE.msh\" beside body.gmsh{}, whose shape is "
-                      "that in the file",
-                      role);
+      return arc_fail(
+          error, ARC_ARGUMENT,
+          "field '%s': expected mesh = \"FILE.msh\" beside body.gmsh{}, as the file defines "
+          "its shape",
+          role);
     for (int l = 0; l < arc_body_layers(&def->body[b]); l++)
       if (def->body[b].layer[l].name[0])
         return arc_fail(error, ARC_ARGUMENT,

@@ -32,7 +32,7 @@ static const elastic_model *meshed(const arc_model *model) {
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_body_settings,                      \
     .offset = offsetof(arc_model_def, body[role]), .class_name = "body",                           \
-    .type = "a body, as body.cylinder{ radius=10 } makes one", .text = text_                       \
+    .type = "a body such as body.cylinder{ radius=10 }", .text = text_                             \
   }
 
 #define ARC_SETTING_OF arc_model_def

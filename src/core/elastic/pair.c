@@ -80,7 +80,7 @@ static arc_status check_names(const arc_model_def *def, arc_error *error) {
   if (!name[0] || strcmp(name, def->body[ARC_UPPER].name) != 0) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field 'lower.name': expected a name that differs from the upper body's, got \"%s\" too",
+      "field 'lower.name': expected a name that differs from the upper body's, got \"%s\" for both",
       name);
 }
 
@@ -97,7 +97,7 @@ static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, a
   if (radius < hole->inner && radius >= 0.5 * hole->inner) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field 'radius': expected from half of the hole's radius %g mm to less than it, got "
+      "field 'radius': expected less than the hole's radius %g mm and at least half of it, got "
       "%g mm",
       hole->inner, radius);
 }
@@ -133,7 +133,7 @@ static arc_status check_no_hole(const arc_model_def *def, const arc_body_def *b,
   if (!arc_body_is_hollow(b)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'geometry': expected \"plane strain\" or \"plane stress\" for a hole "
-                  "(%skind = \"ring\" held by its outer rim), whose axis is across the section",
+                  "(%skind = \"ring\" held by its outer rim), whose axis is normal to the section",
                   path);
 }
 

@@ -162,7 +162,7 @@ static void write_heading(const deck *d) {
   const arc_contact_def *def = arc_contact_definition(d->contact);
   fprintf(d->out, "*HEADING\narchard: %s on %s, units mm, N, MPa\n",
           arc_model_body_name(d->def, ARC_UPPER), arc_model_body_name(d->def, ARC_LOWER));
-  fprintf(d->out, "** load %s N, plate at x = %s mm; a slab held along z: plane strain\n",
+  fprintf(d->out, "** load %s N, plate at x = %s mm; a slab fixed along z: plane strain\n",
           number(def->load).text, number(def->x).text);
 }
 
@@ -284,8 +284,8 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
   if (def->geometry == ARC_PLANE_STRAIN) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field 'geometry': expected \"plane strain\" for a deck of both bodies, which are "
-      "slabs held along z, got \"%s\"; the mesh of one body can be written",
+      "field 'geometry': expected \"plane strain\" for a deck of both bodies, which is a "
+      "slab fixed along z, got \"%s\"; the mesh of a single body can be exported",
       arc_space_names[def->geometry]);
 }
 

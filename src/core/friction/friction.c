@@ -282,10 +282,11 @@ static void lift(friction_task *k, friction_state *s) {
 }
 
 static arc_status slides(const friction_task *k, arc_error *error) {
-  return arc_fail(error, ARC_ARGUMENT,
-                  "friction does not carry the tangential force: %g N/mm under %g N/mm with a "
-                  "coefficient of %g; the plate would slide freely",
-                  k->step->tangential, k->step->line, k->step->mu);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "friction does not carry the tangential force: %g N/mm under a load of %g N/mm with "
+      "a coefficient of %g; the plate would slide freely",
+      k->step->tangential, k->step->line, k->step->mu);
 }
 
 arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,

@@ -88,8 +88,7 @@ typedef struct friction_workspace {
   double x;
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
-  int sweeps_before_newton; /* number of sweeps before friction_newton.c is tried: 4, more in tests
-                             */
+  int sweeps_before_newton; /* number of sweeps before friction_newton.c: 4, more in tests */
   int by_force; /* number of sweeps before the motion for a given force is bracketed: 50, 0 in tests
                  */
   int sweeps;   /* number of sweeps of the last increment */

@@ -224,7 +224,7 @@ static arc_status check_layers(const arc_body_def *b, const char *path, arc_erro
   if (layers == 0 || arc_body_interface(b, layers - 1) < 0.9 * arc_body_measure(b)) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field '%slayers': expected less than 0.9 of the body's %g mm together, got %g mm", path,
+      "field '%slayers': expected less than 0.9 of the body's %g mm in total, got %g mm", path,
       arc_body_measure(b), arc_body_interface(b, layers - 1));
 }
 

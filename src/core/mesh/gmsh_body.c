@@ -49,10 +49,11 @@ static arc_status pick_elements(msh_body *b) {
 
 static arc_status refuse_owner(const msh_body *b, int node) {
   const msh_node *n = &file_nodes(b)[node];
-  return arc_fail(b->error, ARC_GEOMETRY,
-                  "%s: node %lld at (%.6g, %.6g) mm belongs to both bodies; they need points and "
-                  "curves of their own, also where they touch",
-                  b->file->text.path, n->tag, n->x[0], n->x[1]);
+  return arc_fail(
+      b->error, ARC_GEOMETRY,
+      "%s: node %lld at (%.6g, %.6g) mm belongs to both bodies; each body needs its own "
+      "points and curves, also where they touch",
+      b->file->text.path, n->tag, n->x[0], n->x[1]);
 }
 
 /* Numbers the nodes of the body in the order of the file. A node must not belong to both bodies. */

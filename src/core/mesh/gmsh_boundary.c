@@ -229,7 +229,7 @@ static arc_status mark_fixed(const msh_body *b, const edge *list, int edges, cha
     if (fixed[node])
       return arc_fail(b->error, ARC_GEOMETRY,
                       "%s: node %lld at (%.6g, %.6g) mm is both in '%s.contact' and in '%s.fixed'; "
-                      "end the contact curve before",
+                      "end the contact curve before this node",
                       b->file->text.path, arc_msh_tag(b, node), at[0], at[1], role(b), role(b));
   }
   return ARC_OK;

@@ -64,10 +64,11 @@ static arc_status read_format(msh_file *f, arc_error *error) {
   char *before = f->text.at;
   if (!arc_msh_real(&f->text, &version) || !arc_msh_whole(&f->text, &binary) ||
       !arc_msh_whole(&f->text, &bytes))
-    return bad_item(f, "version, kind and bytes a number, such as \"4.1 0 8\"", error);
+    return bad_item(f, "version, file type and bytes of a number, such as \"4.1 0 8\"", error);
   if (binary != 0)
-    return arc_msh_fail(&f->text, error,
-                        "the file is binary; save it as text: without -bin, Mesh.Binary = 0");
+    return arc_msh_fail(
+        &f->text, error,
+        "the file is binary; save it as text (without -bin, or with Mesh.Binary = 0)");
   f->version = version == 4.1 ? 4 : version == 2.2 ? 2 : 0;
   if (f->version) return ARC_OK;
   return arc_msh_fail(&f->text, error,

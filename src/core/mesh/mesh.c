@@ -15,7 +15,7 @@ enum { most_elements = 1000000 };
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_space_names[] = {ARC_SPACE_LIST(ARC_CHOICE_NAME) NULL};
 _Static_assert(0 ARC_SPACE_LIST(ARC_CHOICE_ONE) == 5,
-               "a new space: decide it here, in elastic/{element,chart,pair}.c, contact/{field,"
+               "a new geometry: add it here, in elastic/{element,chart,pair}.c, contact/{field,"
                "recovery}.c and wear/definition.c");
 
 const char *arc_mesh_element(const arc_mesh *mesh, int corners) {
@@ -59,7 +59,7 @@ const arc_setting arc_mesh_settings[] = {
             "Full width of the contact zone of each body, the part of the surface with small "
             "elements. The bodies cannot touch outside it. The depth of the fine mesh is "
             "proportional to the width of the cylinder's zone. \"auto\": as wide as the contact "
-            "or run needs."},
+            "and the stroke require."},
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
@@ -193,7 +193,7 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
     return arc_fail(
         error, ARC_ARGUMENT,
         "field 'mesh.rows': expected from 1 to radius / 4 / height = %g, got %d; rows of %g mm are "
-        "high in bodies of radius %g mm: give fewer of them or a smaller mesh.height",
+        "too high for bodies of radius %g mm: use fewer rows or a smaller mesh.height",
         most_rows, def->rows, def->height, radius);
   if ((status = check_zone(def, body, solid, error))) return status;
   const double estimate = arc_mesh_nodes(def, body, solid);

@@ -30,8 +30,9 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
   if (status != ARC_OK) return status;
   const arc_series *y = &b->y_series;
   if ((double)b->x_series.count * b->z_series.count != y->count)
-    return arc_fail(error, ARC_ARGUMENT, "field '%sy': expected %d x %d heights, z fastest, got %d",
-                    path, b->x_series.count, b->z_series.count, y->count);
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field '%sy': expected %d x %d heights, z varying fastest, got %d", path,
+                    b->x_series.count, b->z_series.count, y->count);
   for (int i = 0; i < y->count; i++)
     if (!isfinite(y->value[i]))
       return arc_fail(error, ARC_ARGUMENT, "field '%sy': expected finite numbers, got %g", path,
