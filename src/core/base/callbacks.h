@@ -1,4 +1,4 @@
-/* Calls of the callbacks of the caller. Any callback may be NULL. */
+/* Calls the user's callbacks, any of which may be NULL. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 

@@ -1,11 +1,11 @@
 /* Computes the edges of a contact, and the pressure next to them. In a smooth contact, such as
  * Hertz', the pressure falls as c sqrt(d) towards the edge, and the gap opens outside it as 4 c
- * d^(3/2) / (3 E*), with the contact modulus E*. In a half-plane both belong to one analytic
- * function. If c is linear in d, this function has three parameters: the edge, c at the edge, and
- * the slope of c. They are fitted to nodal forces and gaps a few nodes away, where elements are
- * accurate. Values at nearer nodes depend on where the edge lies between two nodes. The law does
- * not apply at the kinks of scars; there the edge is interpolated between the last node in contact
- * and the next node. */
+ * d^(3/2) / (3 E*), with the distance d from the edge and the contact modulus E*. In a half-plane
+ * both belong to one analytic function. If c is linear in d, this function has three parameters:
+ * the edge, c at the edge, and the slope of c. They are fitted to nodal forces and gaps a few nodes
+ * away, where elements are accurate. Values at nearer nodes depend on where the edge lies between
+ * two nodes. The law does not apply at the kinks of scars; there the edge is interpolated between
+ * the last node in contact and the next node. */
 #include "core/base/dense.h"
 #include "core/contact/contact_problem.h"
 

@@ -1,15 +1,17 @@
 /* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to the cylinder's hat
- * functions, is integrated exactly against the plate's hat functions over the overlaps. Row i of B
- * is (1 / w_i) integral psi_i phi_l dx. Surfaces of revolution are integrated over their area as
- * seen from above, dA = 2 pi r dx, instead of x: widths are areas, and forces act on whole rings.
+ * functions, is integrated exactly against the plate's hat functions phi over the overlaps. Row i
+ * of B is (1 / w_i) integral psi_i phi_l dx, with the width w_i of node i. Surfaces of revolution
+ * are integrated over their area as seen from above, dA = 2 pi r dx, instead of x: widths are
+ * areas, and forces act on whole rings.
  *
  * Pressures act along the common normal of both surfaces, which is the normal of the plate's
- * surface with slope m. A surface element ds = dx / cos carries p ds along the normal, which is p
- * dx along y and -m p dx along x. The unknown f_k = p_k w_k, with the width w_k along x, therefore
- * represents the force f_k (-m_k, 1) on the cylinder. The opposite forces act on the plate,
- * distributed by B'. The gap is measured along y at a fixed x and is 1 / cos times the gap along
- * the normal. A displacement u changes the gap by u_y - m u_x, which is the work of the force (-m,
- * 1), so A is symmetric. With m_k = (B m)_k forces along x balance to rounding too. */
+ * surface with slope m. A surface element ds = dx / cos, with the cosine of the slope angle,
+ * carries p ds along the normal, which is p dx along y and -m p dx along x. The unknown f_k = p_k
+ * w_k, with the width w_k along x, therefore represents the force f_k (-m_k, 1) on the cylinder.
+ * The opposite forces act on the plate, distributed by B'. The gap is measured along y at a fixed x
+ * and is 1 / cos times the gap along the normal. A displacement u changes the gap by u_y - m u_x,
+ * which is the work of the force (-m, 1), so A is symmetric. With m_k = (B m)_k forces along x
+ * balance to rounding too. */
 #include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"

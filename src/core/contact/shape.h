@@ -24,9 +24,9 @@ typedef struct shape_side {
                                 away */
   double *work;              /* [4 n] workspace */
   int compliance_changed;    /* 1: compliance_change is not zero */
-  double even;               /* [mm] even wear */
-  int ahead;                 /* 1: the compliance belongs to the middle of the present update */
-  compliance own;            /* compliance of the worn box; n = 0: the unworn compliance is used */
+  double even;    /* [mm] even wear, a depth that all nodes have in common; h includes it */
+  int ahead;      /* 1: the compliance belongs to the middle of the present update */
+  compliance own; /* compliance of the worn box; n = 0: the unworn compliance is used */
 } shape_side;
 
 struct arc_shape {

@@ -29,8 +29,7 @@ typedef struct elastic_body {
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
   int *node_box;  /* [nodes] index in the wear box (in the order of box_node), or -1 */
-  int *far_at; /* [2 nodes] number of the far unknown for each displacement x, y of the nodes, or -1
-                */
+  int *far_at;    /* [2 nodes] number of the far unknown of each nodal displacement x, y, or -1 */
   int far_count;  /* number of far unknowns */
   int box_count;  /* number of nodes in the wear box */
   int *box_inner; /* [box_count] number among the inner nodes, or -1 */

@@ -1,9 +1,9 @@
 /* Computes the compliance of layered bodies for waves of pressure in closed form, layer by layer
  * from the base upwards. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x),
  * and stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x). Within a layer
- * these four functions of the depth, in units of 1 / q, satisfy s' = A s with (A^2 - 1)^2 = 0, so
- * exp(A d) has four terms. The relation of displacements to stresses is propagated from the lower
- * to the upper face of each layer. */
+ * s = (u, v, tau, sigma), a function of the depth in units of 1 / q, satisfies s' = A s with (A^2 -
+ * 1)^2 = 0, so exp(A d) has four terms. The relation of displacements to stresses is propagated
+ * from the lower to the upper face of each layer. */
 #include "core/elastic/layered.h"
 #include "core/base/dense.h"
 #include "core/mesh/body_shape.h"

@@ -32,8 +32,7 @@ typedef struct shear_problem {
   double shift; /* [mm] motion of the plate that causes `total`; 0 for a given motion */
   double *bound, *drive;
   double *t, *slip;
-  int *direction; /* 0: the node sticks; 1 or -1: it slips along or against x. Warm start and result
-                   */
+  int *direction;   /* 0: stick; 1, -1: slip along, against x; warm start and result */
   int *list, *pick; /* [stuck] candidates of the nodes that stick, and their indices in `at` */
   int stuck;
   int factored; /* 1: factor and ones are valid for list and a */
@@ -45,7 +44,7 @@ typedef struct shear_problem {
 /* Solves the problem. Returns 1 if solved, 0 if it does not converge, -1 if A_tt is not positive
  * definite. */
 int arc_shear_solve(shear_problem *s);
-/* Lists the nodes that stick by `direction` (stuck, list, pick), and computes the factor of their
+/* Lists the nodes that stick (direction = 0) in `list` and `pick`, and computes the factor of their
  * matrix and the forces `ones` that resist a unit of motion. Returns non-zero if A_tt is not
  * positive definite. */
 int arc_shear_factorise(shear_problem *s);
@@ -89,12 +88,11 @@ typedef struct friction_workspace {
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
   int sweeps_before_newton; /* number of sweeps before friction_newton.c: 4, more in tests */
-  int by_force; /* number of sweeps before the motion for a given force is bracketed: 50, 0 in tests
-                 */
-  int sweeps;   /* number of sweeps of the last increment */
-  int iterations; /* number of active sets in all sweeps */
-  int newton;     /* 1: friction_newton.c solved the increment */
-  int bracketed;  /* 1: the motion for a given force was bracketed */
+  int by_force;             /* number of sweeps before friction_force_control.c: 50, 0 in tests */
+  int sweeps;               /* number of sweeps of the last increment */
+  int iterations;           /* number of active sets in all sweeps */
+  int newton;               /* 1: friction_newton.c solved the increment */
+  int bracketed;            /* 1: friction_force_control.c was used */
 } friction_workspace;
 
 arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
@@ -226,7 +224,7 @@ double arc_friction_rise(const friction_memory *m, double force);
  * w->reserve. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
-/* Returns ds of a candidate [mm] under the forces of w->dragged. */
+/* Returns the slip ds of a candidate [mm], with w->dragged as r. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
 /* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
