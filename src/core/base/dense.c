@@ -58,8 +58,8 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Subtracts the scalar products of four columns of L with b [n] from from[0] .. from[3]. Even and
- * odd rows have separate sums, which is faster. */
+/* Subtracts the scalar products of four columns of L with b [n] from the four values `from`. Even
+ * and odd rows have separate sums, which is faster. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)

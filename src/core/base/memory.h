@@ -2,8 +2,8 @@
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
-/* Returns the memory [bytes] that is available to this process: the smallest value of the machine,
- * the control group and the process limits, or INFINITY if all are unknown. */
+/* Returns the memory [bytes] that is available to this process: the smallest of the values for the
+ * machine, the control group and the process limits, or INFINITY if all are unknown. */
 double arc_memory_free(void);
 
 /* Frees an allocated array that is const in a public struct. Only the owner of the array calls this

@@ -1,4 +1,4 @@
-/* Identifies the program that made a file, by system and process. */
+/* Identifies the program that made a file, by computer and process. */
 #include "core/base/owner.h"
 
 #include <errno.h>

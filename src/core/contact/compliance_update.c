@@ -58,7 +58,7 @@ static void compliance_change_times(const shape_side *side, const double *f, dou
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row = &side->compliance_change[j * span + reach]; /* the change is symmetric */
+    const double *row = &side->compliance_change[j * span + reach]; /* equal to column j */
     for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }

@@ -210,8 +210,8 @@ static double force_between(const contact_problem *p, const double *cyl, double 
   return sum;
 }
 
-/* Tries all windows that begin or end at the edge of a cell, as one of them has the largest
- * mean. */
+/* Compares all windows of this length that begin or end at the edge of a cell, as one of them has
+ * the largest mean. */
 double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape,
                                    double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;

@@ -49,7 +49,7 @@ typedef struct contact_problem {
   double *nodal;    /* [2 nc] for forces on a body */
   double *on_body;  /* [2 (nc + np)] for displacements along x */
   double *drift;    /* [3 nc + 2 np] for the change of compliance */
-  double *step;     /* [2 nc] for the complementarity problem, and for its error in a stage */
+  double *step;     /* [2 nc] for the complementarity problem (lcp.c) */
 } contact_problem;
 
 /* Allocates a problem for a model. On ARC_MEMORY the problem is empty. */
@@ -67,9 +67,10 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
 /* Sets the angle of the load [rad], which applies from the next update on. */
 void arc_contact_problem_set_angle(contact_problem *p, double angle);
 
-/* This and the next three functions are the steps of arc_contact_problem_update. Computes B and
- * tributary widths for the plate at x [mm] from the positions along x at the last condensation, so
- * that coupling and compliance match. ARC_ZONE: fewer than three candidates; ARC_MEMORY. */
+/* This and the next three functions are the steps of arc_contact_problem_update. This step computes
+ * B and tributary widths for the plate at x [mm] from the positions along x at the last
+ * condensation, so that coupling and compliance match. ARC_ZONE: fewer than three candidates;
+ * ARC_MEMORY. */
 arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 /* Computes `down`, the components of the candidates' unit forces along the load. */

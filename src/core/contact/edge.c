@@ -57,7 +57,8 @@ static double edge_between(const ending *e) {
 
 /* --- the law ---------------------------------------------------------------------------------- */
 
-/* Value of a quantity at a node, and the derivatives of its prediction by the edge parameters. */
+/* Value of a quantity at a node, and the derivatives of its prediction with respect to the edge
+ * parameters. */
 typedef struct equation {
   double of_c[2], of_x, value;
 } equation;

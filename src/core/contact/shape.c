@@ -173,7 +173,7 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   static const double turn =
-      0.002; /* accepted relative change of the pressure, as a share of `refresh` */
+      0.002; /* accepted relative change of the pressure, divided by `refresh` */
   if (shape->geometry == ARC_FROZEN) return 0;
   /* relative change of pressure per change of slope */
   const arc_model_def *def = arc_model_definition(shape->handle.model);

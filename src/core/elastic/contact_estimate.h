@@ -24,7 +24,7 @@ typedef struct contact_pair {
   arc_body_def solid[ARC_BODIES];
   double crest[ARC_BODIES];
   body_waves waves[ARC_BODIES];
-  double hole, clearance;  /* [mm] radius of the hole (0: no hole) and its radial clearance */
+  double hole, clearance;  /* [mm] radius of the hole (0: no hole), radial clearance of the pin */
   double least;            /* [mm] half width of the part that touches without load */
   double most;             /* [mm] assumed half width of the largest contact */
   double form[ARC_BODIES]; /* [mm] radius that replaces a rough profile; 0: its heights are used */

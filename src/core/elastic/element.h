@@ -54,7 +54,7 @@ double arc_triangle_swelling(const element *e, double gradient[6]);
  * corners]. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* The same three functions for elements of revolution (element_revolved.c). */
+/* The three functions above for elements of revolution (element_revolved.c). */
 void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);

@@ -42,7 +42,7 @@ static void reach(const search *f, int e, double *low, double *high) {
   }
 }
 
-/* If the edge from p to q crosses the position s, extends the range low .. high by the z of the
+/* If the edge from p to q crosses the position s, extends the range low .. high to the z of the
  * edge at s. */
 static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
   if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;

@@ -6,7 +6,7 @@
 
 #include "core/elastic/body.h"
 
-/* The layers of a body below a site. */
+/* Layers of a body below its sites, which are surface nodes or cells of the surface. */
 typedef struct layers_below {
   const arc_model_def *def;
   arc_body body;

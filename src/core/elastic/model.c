@@ -21,7 +21,7 @@ typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
   double *profile[ARC_BODIES]; /* copies of the heights of profiles in the definition */
-  long version; /* version of the newest compliance; the next one gets the next number */
+  long version; /* version of the newest compliance; the next version is higher by one */
 } elastic_model;
 
 static const elastic_model *meshed(const arc_model *model) {

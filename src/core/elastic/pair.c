@@ -219,7 +219,7 @@ int arc_model_is_hertzian(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
   if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0)
-    return 0; /* a ring, whose line contact is circular */
+    return 0; /* the contact of a ring is a circular line */
   return arc_body_is_core(&upper) && arc_body_is_flat(&lower) && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
 }

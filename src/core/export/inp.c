@@ -42,8 +42,8 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* Returns true if a node is in the deck. Decks of revolution have radii instead of x, and contain
- * only the side right of the axis. */
+/* Returns true if a node is in the deck. Decks of bodies of revolution have radii instead of x, and
+ * contain only the part right of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }

@@ -1,4 +1,4 @@
-/* Output files that get their names when they are complete. */
+/* Output files that are renamed to their final names when they are complete. */
 #ifndef EXPORT_OUTPUT_H
 #define EXPORT_OUTPUT_H
 

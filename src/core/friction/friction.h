@@ -117,7 +117,8 @@ typedef struct friction_memory {
   int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if it is unknown or the
                 load changes */
   int fresh; /* 1: the first motion began without shear */
-  int count; /* number of reversals; the force of each is between those of the two previous ones */
+  int count; /* number of reversals; the force of each lies between the forces of the two before it
+              */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] energy dissipated between the nodes in the present motion */
 } friction_memory;
@@ -146,7 +147,7 @@ void arc_friction_free(friction_state *s);
 /* Resets a state to the unloaded state with the plate's base at x [mm]. */
 void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
-/* Returns the size [bytes] of all arrays of a state, which are one block from f on. */
+/* Returns the size [bytes] of all arrays of a state, which are one block that begins at f. */
 size_t arc_friction_bytes(const friction_state *s);
 
 /* Loads and position of the plate at the end of an increment. */

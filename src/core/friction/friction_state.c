@@ -1,4 +1,5 @@
-/* State of a contact with friction: allocation, copies, initial state, increments of pressing. */
+/* State of a contact with friction: allocation, copies, initial state, increments in which the load
+ * is applied. */
 #include "core/friction/friction.h"
 
 #include <math.h>

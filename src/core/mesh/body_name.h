@@ -6,8 +6,8 @@
 
 /* Returns true if a name has the form of ARC_BODY_NAME. The length is not checked. */
 int arc_body_is_word(const char *name);
-/* Checks that the names of a body are words and not reserved. Error: ARC_ARGUMENT, with the
- * field and the name. */
+/* Checks that the name of a body is a word and not reserved. Error: ARC_ARGUMENT, with the field
+ * and the name. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
 
 #endif
