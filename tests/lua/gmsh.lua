@@ -91,7 +91,7 @@ end
 refused(nil, "field 'upper.materials': expected a material for each name in the mesh, 'layer1', got none for 'layer1'", "no material")
 refused(body.gmsh{ materials = { layer1 = coat, coating = coat } },
   "field 'upper.materials': expected the names in the mesh, 'layer1', got 'coating'", "another name")
-refused(body.cylinder{ layers = { { thickness = 0.1, E = 1e5 } } }, "expected 'upper.materials' by the names in it: 'layer1'", "layers")
+refused(body.cylinder{ layers = { { thickness = 0.1, E = 1e5 } } }, "expected 'upper.materials' with the names in the mesh: 'layer1'", "layers")
 fails(function() model{ upper = body.gmsh{} } end, "expected mesh = \"FILE.msh\" beside body.gmsh{}", "no mesh")
 fails(function() model{ upper = body.cylinder{ materials = { a = coat } } } end, "field 'upper.materials': expected layers",
   "materials without a mesh")

@@ -39,7 +39,7 @@ static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_
   if (!layer->name[0])
     return arc_fail(error, ARC_ARGUMENT,
                     "field '%s.layers': an imported mesh contains its layers; expected "
-                    "'%s.materials' by the names in it: %s",
+                    "'%s.materials' with the names in the mesh: %s",
                     role, role, list_names(mesh, names));
   if (has_name(mesh, layer->name)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,

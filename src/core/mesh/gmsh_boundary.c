@@ -142,10 +142,10 @@ static arc_status check_direction(const msh_body *b, const msh_element *e, int f
   const double along = upper ? q[0] - p[0] : p[0] - q[0];
   if (along > 1e-6 * fabs(q[1] - p[1])) return ARC_OK;
   return refuse_line(b, e, "contact",
-                     upper ? "overhangs: a contact surface has one y for each x, and that of "
-                             "'upper' looks down"
-                           : "overhangs: a contact surface has one y for each x, and that of "
-                             "'lower' looks up");
+                     upper ? "overhangs: a contact surface has one y for each x, and the "
+                             "surface of 'upper' faces down"
+                           : "overhangs: a contact surface has one y for each x, and the "
+                             "surface of 'lower' faces up");
 }
 
 /* Links the nodes of the contact surface: right[node] is the next node by increasing x,

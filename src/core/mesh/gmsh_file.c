@@ -196,7 +196,7 @@ static arc_status read_counts(msh_file *f, const char *what, long long *blocks, 
 static arc_status expect_all(const msh_file *f, const char *what, long long left,
                              arc_error *error) {
   if (left == 0) return ARC_OK;
-  return arc_msh_fail(&f->text, error, "the blocks contain %lld %s less than their count", left,
+  return arc_msh_fail(&f->text, error, "the blocks contain %lld fewer %s than their count", left,
                       what);
 }
 
