@@ -1,6 +1,6 @@
--- Writes files of all kinds to the folder arg[1], for tests in which writing fails. Prints a line for each
--- file with the error or "fine". arg[2] is the share of the study to compute; by default the whole study is
--- computed.
+-- Writes files of all kinds to the folder arg[1], for tests in which writing fails. Prints a line for each kind
+-- of file: its name, and the error or "fine". arg[2] is the shard "i/n" of the study to compute (default: the
+-- whole study).
 warn "@off"
 local folder, share = arg[1], arg[2]
 local small = { radius = 10, mesh = { size = 0.08, height = 0.06 } }

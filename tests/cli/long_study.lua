@@ -1,4 +1,4 @@
--- Runs a study of a few seconds, for tests that interrupt it: long_study.lua FILE [WORKERS [JUMP]]
+-- Runs a study of a few seconds, for tests that interrupt a study. Usage: long_study.lua FILE [WORKERS [JUMP]]
 local jump = tonumber(arg[3]) or 2
 study{
   base = { geometry = "frozen", increments = 100, jump = jump, distance = 440,

@@ -1,10 +1,10 @@
--- Writes run files that test later releases. Run this script with the program of a release:
+-- Writes the run files with which later releases are tested. Run this script with the program of a release:
 --   archard tests/files/write.lua tests/files/format-N.
 local prefix = arg and arg[1]
 local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,
   model = { mesh = { size = 0.06, height = 0.06 } } }
 
--- the field was named "looks" in older programs
+-- in older releases the field is named "looks"
 local snapshots = pcall(study, { base = base, looks = 1, vary = { alpha = { 0 } } }) and "looks" or "snapshots"
 local function new_study() return study{ name = "old", base = base, [snapshots] = 1,
   vary = { alpha = { 0.25, 0.5 } } } end

@@ -15,7 +15,7 @@ static arc_model *shared_model(void) {
   return model;
 }
 
-/* Wears a surface by a few points that resemble a measured profile, or by arbitrary numbers. */
+/* Wears a surface to a profile of a few points, with realistic or arbitrary x and depths. */
 static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
   enum { MOST = 12 };
   double x[MOST], h[MOST], depth[2000];

@@ -1,5 +1,5 @@
-/* Functions with which fuzz targets call Lua functions. Every failure must be reported by an
- * error of archard. */
+/* Calls of Lua functions by fuzz targets. A Lua function that fails must raise an error object of
+ * archard. */
 #ifndef TESTS_FUZZ_IN_LUA_H
 #define TESTS_FUZZ_IN_LUA_H
 
@@ -10,8 +10,8 @@
 
 #include "lua/base/archard.h"
 
-/* Lua text that defines `read(with)`. This returns a function of a path and its text, which
- * calls `with` on the path and raises every error again that is not an error of archard. */
+/* Lua text that defines `read(with)`. The result of read(with) is a function (path, text) that
+ * calls with(path). It ignores errors of archard and raises all other errors again. */
 #define IN_LUA_READ                                                                                \
   "local function read(with) return function(path, text)\n"                                        \
   "  local fine, why = pcall(with, path)\n"                                                        \

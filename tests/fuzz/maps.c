@@ -1,5 +1,5 @@
-/* Fuzz target for maps of all formats that map.read recognizes, which are repaired and levelled,
- * and for gaits. */
+/* Fuzz target for map.read with files of all formats, with and without repair and levelling of the
+ * map, and for gait.read. */
 #include "in_lua.h"
 
 static const char script[] =

@@ -1,5 +1,5 @@
-/* Fuzz target for texts: tables and profiles in CSV files, and chunks at the prompt and their
- * completion, which must never fail. */
+/* Fuzz target for text input: csv.read, profile.read, and the completion and compilation of chunks
+ * at the prompt. Completion and compilation must never fail. */
 #include "in_lua.h"
 
 static const char script[] =

@@ -1,4 +1,4 @@
--- Tests definition tables: refused fields and the error messages; and error objects as values.
+-- Tests definition tables: refused fields, their error messages, and the error objects.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -88,7 +88,7 @@ is(err.step, nil, "error.step outside a run")
 is(err.message, "field 'alpha': expected a number in [0, 1], got 2", "error.message")
 is("failed: " .. err, "failed: " .. tostring(err), "errors can be joined with text")
 
--- Tests checks of the physical model.
+-- Tests values that are not possible for the model: strokes, element sizes, procedures.
 fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the plate")
 fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
@@ -98,7 +98,7 @@ ok(pcall(wear), "no table at all: the defaults")
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 
--- Tests file names and numbers of cases.
+-- Tests refused file names and refused case numbers.
 for where, call in pairs{ ["wear.open"] = wear.open, ["csv.read"] = csv.read, ["study.open"] = study.open,
   ["session.open"] = session.open, ["session.save"] = session.save, ["profile.read"] = profile.read } do
   fails(function() call "a\0b" end, { where, [[got "a\0b"]] }, where .. ": a zero byte in a name is refused, not its end")

@@ -38,7 +38,7 @@ fails(function() wear{ alpha = 0.2, model = { plate = { k = 1e-8 } } } end, { "'
   "coefficients of the bodies and of the couple")
 fails(function() material{ k = -1 } end, "field 'k'", "a material's below zero")
 
--- Tests meshes whose size follows from the contact.
+-- Tests element sizes: automatic sizes, fineness and limits.
 fails(function() model{ mesh = { size = 0.02, fineness = 2 } } end, { "mesh.size", "mesh.fineness" },
   "a size that is given has no fineness")
 fails(function() model{ radius = 1e14 } end, { "field 'mesh.size': expected at least radius / 5e+08 = 200000 mm" },

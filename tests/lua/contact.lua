@@ -57,7 +57,7 @@ near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_widt
   "model as a table")
 ok(contact{ load = 3000 }.model.mesh.zone.plate > 1.2, "a heavy load gets a wider zone")
 near(contact{ model = model{}, load = 5000 }.p_max, contact{ load = 5000 }.p_max, 0.01, "a model object gets wider zones")
-do -- the numbers suggested by the message work
+do -- the zone sizes that the message suggests are sufficient
   local narrow = { size = 0.02, zone = { cylinder = 0.2, plate = 0.3 } }
   local why = fails(function() contact{ model = { mesh = narrow }, load = 1000, x = 0.1 } end, "this contact needs mesh.zone",
     "the zones are named")

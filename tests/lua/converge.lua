@@ -1,5 +1,5 @@
 -- Tests study.converge and calibrate: results and messages.
--- Ordinary collector: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -21,8 +21,8 @@ ok(math.abs(good.error) < 0.02 and math.abs(steps[#steps].error) < 0.02, "both a
 ok(#steps == 3 or math.abs(steps[#steps - 2].error) > 0.02 or steps[#steps - 2].elements < 8,
   "it stops where it may")
 
--- Tests that an agreement by chance is rejected: with three elements across this contact the error is below 1
--- %.
+-- Tests that a coarse mesh that is accurate by chance is rejected: with three elements across this contact the
+-- error is below 1 %.
 local lucky = { load = 40, model = { radius = 6, cylinder = material{ E = 410e3, nu = 0.14 } } }
 steps, good = search.mesh(lucky, 0.01)
 ok(good and good.elements >= 8, "a chance agreement on a coarse mesh is rejected")
@@ -64,8 +64,8 @@ fails(function() study.converge{ base = { k = function() return 0 end, alpha = 1
 fails(function() study.converge{ base = { k = function() return 1e-8 end }, vary = { alpha = { 0, 1 } } } end,
   { "field 'base.k'", "table over distance" }, "functions in many cases")
 
--- Tests that with a large limit of the roughness the search is limited only by stability or by a tenth of all
--- cycles.
+-- Tests that with a large roughness limit only the stability limit or a tenth of all cycles bounds the number
+-- of cycles per update (jump).
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, mesh = false, smooth = 0.99,
   symmetric = 0.99 }
 found = c.cases[1].found
@@ -96,7 +96,7 @@ fails(function()
 end, "loading", "a loading history")
 fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of range")
 
--- Tests the table of the reference paper with invented results.
+-- Tests the table of the reference paper with results that are set by the test.
 local rows = {}
 for i, case in ipairs(study.paper():cases()) do
   rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4,
@@ -119,7 +119,7 @@ near(many.spread.k, 1, 1e-12, "of k")
 near(many.spread.alpha, 2 / 16, 1e-12, "of alpha, to first order")
 holds(tostring(many), { "+-", "0.5000", "3 measurements" }, "print")
 
--- Tests correlated losses of the bodies: the error of the total k is smaller than the error of each body's k.
+-- Tests correlated wear volumes: the error of the total k is smaller than the error of each body's k.
 local paired = calibrate{ load = 100, distance = 1320,
   volume = { cylinder = { 0.41e-3, 0.44e-3, 0.39e-3 }, plate = { 0.92e-3, 0.88e-3, 0.97e-3 } } }
 near(paired.spread.k, 1.5771e-10, 1e-4, "spread of k by pairs")
@@ -172,7 +172,7 @@ is(course.k.value[#course.k.value], course.band.k.value[#at], "k of the last int
 near(taken.cylinder, on_way.cylinder[2][#at], 1e-9, "the cylinder's table alone gives its volume")
 near(taken.plate, on_way.plate[2][#at], 1e-9, "the plate's its own")
 is(#course.band.k.low, #at, "a band for each stretch")
--- a changing partition does not change the sum of both bodies' volumes
+-- the volumes of both bodies are exact also if alpha changes suddenly
 for _, case in ipairs{ { { 1e-6, 2e-6, 4e-5, 8e-5 }, { 1e-5, 2e-5, 2.2e-5, 2.4e-5 } },
   { { 0, 1e-5, 1e-5, 1e-5 }, { 2e-5, 2e-5, 8e-5, 8e-5 } } } do
   local hard = { distance = { 50, 137, 140, 400 }, load = 50, volume = { cylinder = case[1], plate = case[2] } }

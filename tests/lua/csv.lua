@@ -1,5 +1,5 @@
 -- Tests csv.read: separators, quotes, names, numbers, refused files.
--- Ordinary collector: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails = tap.is, tap.near, tap.fails
@@ -30,7 +30,7 @@ is(t.t[2], 1, "a column by its name")
 is(t.x[1], 1, "a column by its number")
 is(rawget(t, "time"), nil, "only the chosen columns are read")
 
--- Tests units after names.
+-- Tests units in column names.
 t = csv.read(file "x [mm],h [um],p (GPa),T [K],w/h,\"\"\"a\"\" [nm]\"\n1,0.3,0.5,300,2,7\n2,-1.7,0.25,301,3,8\n")
 is(t.x[2], 2, "mm stay")
 is(t.h[1], 0.0003, "um to mm, rounded once")
@@ -79,7 +79,7 @@ end
 is(columns, #require "archard.settings".columns, "all columns of a history")
 tap.ok(same, "come back by name, to the bit")
 
--- Tests files in definitions.
+-- Tests a loading read from a file, and refused files.
 local w = wear{ loading = csv.read(file "t,x,load\n0,-0.05,100\n3,0.05,50\n4,-0.05,100\n"), cycles = 3 }
 is(w.loading[1].load[2], 50, "a file as a loading")
 near(w.total_distance, 0.6, 1e-12, "its distance")
@@ -106,7 +106,7 @@ local function timed(f)
   return os.clock() - start, result
 end
 
--- Returns the time [s] to read a file with this number of columns, chosen by name.
+-- Returns the time [s] to read all columns of a file by name.
 local function seconds_for(columns)
   local names, numbers, choice = {}, {}, {}
   for i = 1, columns do

@@ -1,4 +1,4 @@
--- Tests of the points of experimental designs and of distributions.
+-- Tests the points of experimental designs, and distributions.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails = tap.ok, tap.is, tap.fails

@@ -15,8 +15,8 @@ local function read(name)
   return text
 end
 
--- Returns the columns of a CSV file by names with and without units. The numbers of a column start at index
--- 1.
+-- Returns the columns of a CSV file by their names without units, the list of these names, and the header
+-- line.
 local function read_csv(name)
   local names, columns, headers = {}, {}, read(name):match("[^\n]*")
   for line in read(name):gmatch("[^\n]+") do

@@ -1,5 +1,5 @@
 -- Tests fit and fit.design: refused input, results, notes, run files, pictures.
--- Ordinary collector: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -34,7 +34,7 @@ ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].h
 holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
   "rms of residual / error" }, "print(f)")
 
--- --- a trace from another origin -----------------------------------------------------------------
+-- --- a profile with another origin of x ----------------------------------------------------------
 local surface, aside = truth:profile "plate", { x = {}, z = {} }
 for i = 1, #surface.x do
   if math.abs(surface.x[i]) < 1 then
@@ -225,9 +225,9 @@ holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
   { "measure[1]", "error" }, "an error is needed")
 
--- Tests widths, which change in steps from node to node. With elements of 5 um each width alone determines k
--- within 27, 28, 28 and 38 %. The default mesh gives the same errors; slopes over a fit's range would give
--- 41, 45, 15 and 41 %, the smallest by chance.
+-- Tests designs with measured widths. A computed width changes in steps from node to node. With elements of 5
+-- um the standard errors of k by each width alone are 27, 28, 28 and 38 %, and the default mesh gives the same
+-- errors. Derivatives over the range of a fit would give 41, 45, 15 (by chance) and 41 %.
 local widths = fit.design{ base = { stroke = 0.22, jump = 50 }, unknown = unknown,
   measure = { { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02 } } }
 for _, one in ipairs(widths.alone) do

@@ -103,8 +103,8 @@ for _, alpha in ipairs{ 0, 0.5, 1 } do
   is(w.procedure, "NSP", label .. "procedure")
   near(w.volume.total, 1e-8 * w.energy, 1e-9, label .. "V = k E")
   near(w.volume.cylinder, alpha * w.volume.total, 1e-12, label .. "shared by alpha")
-  -- the plate slides after 2.677 um, and after twice this distance at a reversal; before, the force rises
-  -- less than linearly
+  -- the plate starts to slide after 2.677 um, and after twice this distance at a reversal; until then the force
+  -- increases less than linearly
   near(0.6 * 100 * 20 - w.cycle_energy, 0.6 * 100 * 2 * 2.677e-3, 0.1, label .. "lost to the elastic way at a turn [N mm]")
   near(w:loop().energy, 2 * w.cycle_energy, 1e-12, label .. "there and back in the loop")
   local lowest, highest = math.huge, 0
@@ -140,8 +140,8 @@ phase:run{ progress = false }
 ok(phase.gross == 1 and phase.energy > 0, "a load that changes meanwhile")
 ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings contain the driving motion or force")
 
--- Tests that a contact pressed and moved like the run has the loop's steady cycle, whatever shear pressing
--- has caused.
+-- Tests that a contact that is pressed and moved like the run has the same steady cycle as the loop of the run,
+-- with any initial shear.
 local function steady_energy(of, force, press)
   local c = contact{ model = of.model, friction = of.friction, load = of.load, press = press }
   local before
@@ -164,8 +164,8 @@ for beta, of in pairs(unlike) do
       near(energy[press], steady_energy(w, force, press), 1e-12,
         ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
     end
-    -- the change is 2.5, 0.6, 2.2 and 0.4 % on finer elements, and at least 0.35 % on these elements with few
-    -- slipping nodes
+    -- on finer elements the energy changes by 2.5, 0.6, 2.2 and 0.4 %; on these elements, of which few nodes
+    -- slip, by at least 0.35 %
     ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "friction during pressing changes the energy")
   end
 end
@@ -206,7 +206,7 @@ near(slight.depth.plate, plain.depth.plate, 5e-3, "small friction: depths as wit
 is(plain.energy, 0, "no energy is dissipated without friction")
 fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "no loop without friction")
 
--- Tests that files and copies contain only the shape and the history.
+-- Tests that copies of a run, and runs opened from files, continue with identical results.
 local name = os.tmpname()
 os.remove(name)
 local soft = model{ cylinder = { E = 20e3, nu = 0.2 }, mesh = { size = 0.02, height = 0.025 } }
@@ -336,7 +336,7 @@ is(later.gross, 0, "no gross slip is reported when friction has vanished")
 is(later.cycle_energy, 0, "no energy is dissipated when friction has vanished")
 
 -- Tests a slip annulus narrower than an element: no node slips, but the slip between the nodes causes wear.
-for _, law in ipairs{ "archard", "energy" } do -- against Cattaneo and Mindlin's energy of a cycle
+for _, law in ipairs{ "archard", "energy" } do -- the reference is the energy of a cycle by Cattaneo and Mindlin
   local w = run{ tangential = 12, law = law }:run{ progress = false }
   near(w.energy, 400 * 6.1948e-5, 0.1, law .. ": the energy of partial slip narrower than an element")
   near(w.volume.total, 1e-7 * w.energy / (law == "energy" and 1 or 0.6), 1e-9, "wear is k times the energy")

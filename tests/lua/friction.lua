@@ -5,7 +5,7 @@ local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.hold
 
 local m = model{ mesh = { size = 0.04, height = 0.05, far = 2, zone = { plate = 1 } } }
 
--- Tests that a motion without friction gives a new independent solution.
+-- Tests that moving a contact without friction gives the same result as a new contact at that position.
 local smooth = contact{ model = m }
 is(smooth.friction, 0, "no friction by default")
 is(#smooth.stick, 0, "nothing sticks")
@@ -25,7 +25,7 @@ near(c.tangential, 0, 1e-6, "no force along x")
 is(#c.stick, 1, "all of it sticks")
 near(c.stick[1].right, c.edges.right, 1e-12, "to the edges")
 is(c.energy, 0, "nothing is dissipated")
--- Tests different materials: the remaining shear does not depend on the increments, for any element size.
+-- Tests different materials: the default number of increments is sufficient for the shear after pressing.
 local fine = model{ plate = { E = 420e3 }, mesh = { size = 0.005, zone = { cylinder = 0.3, plate = 0.3 } } }
 local function shear_left(increments)
   return contact{ model = fine, friction = 0.6, increments = increments }:shear().q
@@ -99,7 +99,7 @@ fails(function() contact{ model = m, x = 15 } end, { "field 'x'", "got 15 mm" },
 fails(function() d:slip("plate") end, { "expected no argument", "cylinder's nodes", '"plate"' }, "slip of a body")
 is(c.load, 100, "refused calls leave the contact unchanged")
 
--- Tests that a contact, which no file stores, is reproduced with identical bits.
+-- Tests that the same motions reproduce a contact with identical bits. Files do not store contacts.
 do
   local again = contact{ model = m, friction = 0.6, load = 100 }:move{ tangential = 45 }
   is(again.x, d.x, "the same motions give the same position")

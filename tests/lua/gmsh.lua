@@ -9,7 +9,7 @@ os.remove(folder)
 ok(os.execute("mkdir " .. folder), "a folder to write to")
 local function at(name) return folder .. "/" .. name end
 
--- Tests that the pair of the reference paper, written and read, gives the same results.
+-- Tests that the pair of the reference paper gives the same results after writing and reading its mesh.
 local own = model()
 is(export.msh(own, at("pair")), at("pair.msh"), "export.msh adds the ending and returns the file name")
 local read = model{ mesh = at("pair.msh"), radius = 10 }
@@ -21,7 +21,7 @@ near(c.approach, d.approach, 1e-9, "approach")
 local function largest_mises(solved) return math.max(table.unpack(solved:stress().plate.mises)) end
 near(largest_mises(c), largest_mises(d), 1e-6, "largest von Mises stress of the plate")
 
--- Tests that a radius not given is computed from the unworn gap.
+-- Tests that the default radius is computed from the unworn gap.
 near(model{ mesh = at("pair.msh") }.radius, 10, 1e-3, "radius of the gap")
 is(model{ mesh = at("pair.msh"), plate = { E = 1e5 } }.plate.E, 1e5, "other fields as ever")
 
@@ -102,7 +102,7 @@ fails(function() body.gmsh{ materials = { a = {}, b = {}, c = {}, d = {}, e = {}
 fails(function() body.gmsh{ materials = {}, layers = { { thickness = 1, E = 1e5 } } } end, "expected one of them, got both", "both")
 fails(function() body.gmsh{ radius = 10 } end, "unknown field 'radius' of a gmsh", "a shape")
 
--- Tests that the axes of a hole's map follow from the radii of the bodies.
+-- Tests a mesh of a pin in a bush, which needs the radii of the bodies.
 local bush = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20 } }
 local hole = model(bush)
 export.msh(hole, at("bush"))
@@ -146,7 +146,7 @@ near(q[2].last.depth_plate, alone:run().depth_plate, 1e-9, "a case equals the ru
 near(wear.open(at("file.study"), 2).depth_plate, alone.depth_plate, 1e-9, "opened from the study")
 is(#study.open(at("file.study")):cases(), 2, "the study opens without the file")
 fails(function() coated_study{ mesh = at("gone.msh") }:run{ file = at("none.study"), workers = 1 } end, "cannot read", "no file")
-the_model, the_run = roller, alone -- sessions store globals
+the_model, the_run = roller, alone -- a session stores global variables
 session.save(at("session"))
 the_model, the_run = nil, nil
 session.open(at("session"))
@@ -155,7 +155,7 @@ is(the_model.upper.materials.layer1.E, 400e3, "a session stores models with thei
 is(contact{ model = the_model, load = 100 }.p_center, contact{ model = roller, load = 100 }.p_center, "the same ones")
 is(export.msh(the_model), export.msh(roller), "on the same mesh; without a path export.msh gives the text")
 
--- Tests a mesh of the same shapes made by Gmsh.
+-- Tests a mesh of the same bodies that was made by Gmsh.
 local outside = model{ mesh = here .. "/../../examples/gmsh_pair.msh", radius = 10 }
 local e = contact{ model = outside, load = 100 }
 near(e.p_center, d.p_center, 0.01, "Gmsh's mesh: pressure within 1 %")

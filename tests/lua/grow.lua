@@ -48,7 +48,7 @@ is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the h
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
 
--- Tests that saving before or after the change of the mesh gives identical bits.
+-- Tests that a run saved before or after the enlargement of its mesh continues with identical bits.
 local path = os.tmpname()
 os.remove(path)
 local a = run_on(small)
@@ -112,7 +112,7 @@ ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
 local _, why = pcall(contact, { model = soft })
 ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
 
--- Tests a model sized for another load.
+-- Tests a model whose mesh was sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }
 ok((warnings.take() or ""):find("chosen for another load: give the model's fields", 1, true), "the message states a remedy")
@@ -141,8 +141,8 @@ ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) 
   ("three thin layers in a box of three rows wear as in one of ten: %.2g, %.2g"):format(off(few.p_center,
   many.p_center), off(few.distance, many.distance)))
 
--- Tests that automatic steps do not become short near the edge of a zone, because the meshes are enlarged
--- before.
+-- Tests that automatic steps do not become short near the edge of a zone, because the mesh is enlarged before
+-- the contact reaches the edge.
 local function pin_in_hole() -- the given model is sized before the wear is known
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
     stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
@@ -158,7 +158,7 @@ local narrow, wide = ball{ cylinder = 0.5, plate = 0.5 }:run(), ball{ cylinder =
 ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball does")
 ok(off(narrow.depth.cylinder, wide.depth.cylinder) < 5e-3, "its depth is that on the large mesh")
 local halfway = pin_in_hole()
-for _ = 1, 14 do halfway:step() end -- during the steps shortened at the edge
+for _ = 1, 14 do halfway:step() end -- the run is saved during the steps shortened at the edge
 halfway:save(path)
 halfway = wear.open(path):run()
 is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")

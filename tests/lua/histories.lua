@@ -223,7 +223,7 @@ local function lifting(least)
   return run_of{ load = 100, distance = 2, jump = 5, loading = { x = swing,
     load = function(t) return math.max(least, 100 * math.cos(2 * math.pi * t)) end } }:run()
 end
-local lifted, nearly = lifting(0), lifting(1e-9) -- cos(pi / 2) is 6e-17
+local lifted, nearly = lifting(0), lifting(1e-9) -- rounding makes cos(pi / 2) equal to 6e-17
 near(lifted.volume.total, 1e-8 * lifted.load_distance, 1e-12, "a load that lifts off by a function")
 ok(lifted.solutions < 5000, ("in few increments: %d solutions"):format(lifted.solutions))
 near(nearly.volume.total, lifted.volume.total, 1e-9, "a load that almost lifts off gives the same volume")

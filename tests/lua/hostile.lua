@@ -4,7 +4,7 @@
 -- Long
 --   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
 --   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
--- Ordinary collector: the test controls the collector itself.
+-- Ordinary collector (see tests/run): this test sets the mode of the garbage collector itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, settings = require "archard.help", require "archard.settings"
@@ -49,7 +49,7 @@ for i, class in ipairs{ "wear", "model", "contact", "mesh", "store" } do
   world.closed[i] = make[class]()
   world.closed[i]:close()
 end
-world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- the error of an object that was never created
+world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- the error of a failed constructor
 objects.wear:save(calls.path "hostile.archard")
 
 local hostile = dofile(here .. "/lib/hostile.lua")(world)
@@ -119,7 +119,7 @@ local function add_metatable(class, value)
   end
 end
 
--- Reduces the distance or cycles in the table of a run.
+-- Limits the distance and the number of cycles in the table of a run, so that each call is short.
 local function limited(owner, given)
   if owner == "wear.run" or owner == "wear.set" or owner == "wear" then
     for _, name in ipairs{ "distance", "cycles" } do
@@ -271,7 +271,7 @@ local collectors = {
 }
 
 -- Chooses the mode of the garbage collector. A step of the generational mode collects all young objects at
--- little cost, so finalizers run often. The mode that collects all the time is expensive.
+-- little cost, so finalizers run often. The mode that collects all the time is expensive and therefore rare.
 local collector
 local function choose_collector(number)
   local chance = number // 25 % 80
@@ -310,8 +310,8 @@ local function check_error(err, number)
   if text:find "scripts/[%w_/]+%.lua:%d" and not text:find "stack overflow" then note(wrong.words, number, text) end
 end
 
--- Returns the defect of a run after an update, or nil: rows must be complete, numbers finite, and the volume
--- must follow from load and distance.
+-- Returns a description of the first defect of a run, or nil. Checks the lengths and types of the columns of
+-- the history, the increase of the distance, the last row, and the depths of the plate.
 local function lack_of_run(w)
   local history = w.history
   local rows = #history.distance
@@ -342,7 +342,7 @@ local function check_run(number)
   if tostring(objects.wear) ~= untouched then world.again "wear" end
 end
 
--- Returns all bits of a small run that no hostile code changes.
+-- Returns the history and surfaces of a new small run, which no hostile code changes, as a string of bytes.
 local function fingerprint()
   local w, parts = make.wear():run{ progress = false }, {}
   local function take(list)

@@ -1,5 +1,5 @@
 -- Tests balls in sockets: defaults, gaits, contact, wear, messages.
--- Ordinary collector: long runs, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 local warnings = require "archard.warnings"

@@ -1,5 +1,5 @@
 -- Tests .vtu and .pvd files of joints, and warnings and refusals of joints.
--- Ordinary collector: long runs, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
@@ -130,7 +130,7 @@ for _ = 1, 40 do
 end
 ok(resident() - first < 200000, ("80 joints of 6 MB are collected: %d kB"):format(resident() - first))
 
--- --- each bad input is named -------------------------------------------------------------------------------
+-- --- messages for bad input --------------------------------------------------------------------------------
 local function refused(given, expected, what) fails(function() joint(given) end, expected, what) end
 refused({ cup = { clearance = -0.1 } }, "cup.clearance", "a clearance below 0")
 refused({ cup = { clearance = 20 } }, "cup.clearance", "one above the radius")
@@ -143,8 +143,8 @@ refused({ foundation = "column", cup = { layers = { { thickness = 8, material = 
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
 fails(function() gait{ flexion = { 0, 10, 0 }, t = { 0, 1 } } end, "3", "times that are fewer than the angles")
 local tilted = joint{ cup = { clearance = 0.06, inclination = 45, cover = 60 } }
--- Tests that the rim and the cells are checked in all instants, updates and blocks, and that reading results
--- changes no bit.
+-- Tests that the distance of the contact from the rim and the size of the cells are checked in all updates and
+-- blocks of a run, and that reading the pressure does not change the run.
 local lining = joint{ foundation = "winkler", mesh = { size = 4 }, cup = { clearance = 0.1, inclination = 20, cover = 85,
   layers = { { thickness = 5, material = pe } } } }
 warnings.keep()

@@ -64,7 +64,7 @@ for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, ma
   ok(pcall(meta.__gc or print), meta.__name .. ": __gc of nothing is harmless")
 end
 
--- Tests that printed objects fit a terminal.
+-- Tests that the lines of printed objects have at most 80 characters.
 local run = wear{}:run{ progress = false }
 for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run.model,
   run.model.mesh.plate, hertz{}, material{}, run:step(), wear{}:step(70) } do
@@ -73,8 +73,8 @@ for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run
   ok(longest <= 80, tostring(object):match("^%s*%a+") .. ": print fits 80 columns")
 end
 
--- Tests that the garbage collector includes the memory of objects in its accounts. The test is skipped with a
--- sanitizer, which delays freeing memory.
+-- Tests that the garbage collector counts the memory of objects. The test is skipped with a sanitizer, which
+-- delays freeing memory.
 local function memory() -- resident [MB]
   for line in io.lines("/proc/self/status") do
     local kilobytes = line:match("^VmRSS:%s*(%d+)")

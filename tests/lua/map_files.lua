@@ -1,7 +1,7 @@
 -- Tests map files: this test writes each format from its specification and reads it back. Also tests units,
 -- missing points, outliers, and broken files, which give errors with the name of the file, the expected and
 -- the found value.
--- Ordinary collector: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -18,7 +18,7 @@ local function write(name, ...)
   return path(name)
 end
 
--- --- a surface, as rows of heights in some unit ------------------------------------------------------------
+-- --- the test surface as rows of heights -------------------------------------------------------------------
 
 local nx, nz, dx, dz = 7, 5, 0.01, 0.02 -- mm
 local function height(x, z) return 1e-3 * (0.3 * x / dx - 0.2 * z / dz + 0.05 * x * z / (dx * dz)) end

@@ -1,5 +1,5 @@
 -- Tests the C modules below the classes, loaded by require: refused arguments, worker processes.
--- Ordinary collector: mostly other programs, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): this test mostly starts other programs.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -116,7 +116,7 @@ for _, dimensions in ipairs{ 0, 41 } do
   fails(function() random.points("sobol", 1, dimensions, 1) end, "expected 1 to 40", dimensions .. " dimensions")
 end
 fails(function() random.points("grid", 1, 1, 1) end, [["sobol", "latin" or "random"]], "an unknown design")
--- one degree of freedom is Cauchy's distribution; two degrees have a closed form
+-- Student's distribution with one degree of freedom is Cauchy's; with two it has a closed form
 near(random.student_quantile(0.975, 1), math.tan(math.pi * 0.475), 1e-12, "Student's quantile, one degree of freedom")
 near(random.student_quantile(0.975, 2), 0.95 * math.sqrt(2 / (1 - 0.95 ^ 2)), 1e-12, "two")
 near(random.rank_correlation({ 1, 2, 2, 4 }, { 10, 30, 20, 40 }), math.sqrt(0.9), 1e-12, "ranks: equal values share theirs")

@@ -131,7 +131,7 @@ end
 near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane by the layer's own nu")
 near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "szz uses the nu of the material below")
 
--- Tests decks: layers have their own materials, and bodies are at their positions.
+-- Tests exported input decks: layers have their own materials, and bodies their names.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
   lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }
 export.inp(lined, file .. ".inp")
@@ -145,7 +145,7 @@ os.remove(file .. ".inp")
 fails(function() export.inp(contact{ model = m, load = 50, load_angle = 3 }, file .. ".inp") end, { "'load_angle'", "deck" },
   "a deck of a load from an angle")
 
--- Tests pictures unrolled along the hole.
+-- Tests pictures of a pair with a hole, unrolled along the circumference.
 local unrolled = file .. ".txt"
 plot.mesh(called, { unrolled = true, file = unrolled })
 plot.stress(lined, { unrolled = true, body = "bush", file = unrolled })

@@ -1,13 +1,13 @@
 -- Tests measured profiles against closed forms: filter, levelling, noise, areas and their uncertainty,
 -- roughness, files.
--- Ordinary collector: only Lua code, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 local pi, sin, sqrt, abs, max = math.pi, math.sin, math.sqrt, math.abs, math.max
 
 math.randomseed(20)
-local pause = collectgarbage("setpause", 200) -- small steps would take minutes with these long lists
+local pause = collectgarbage("setpause", 200) -- small collector steps are too slow for these long lists
 local function normal() return sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * pi * math.random()) end
 
 -- Returns a profile of the function f with noise of the standard deviation `noise`.
@@ -39,7 +39,7 @@ for _, length in ipairs{ 0.4, 0.8, 1.6, 2.4 } do
   local off = apart(p.x, p.z, function(x) return share * wave(length)(x) end, 1.6, 6.4)
   ok(off < 1e-9 * 1e-3, ("a wave of %g mm keeps %.4f of its amplitude behind a cut-off of 0.8 mm"):format(length, share))
 end
-for _, cutoff in ipairs{ 0.01, 0.07, 2 } do -- cutoffs of at least two steps
+for _, cutoff in ipairs{ 0.01, 0.07, 2 } do -- cutoffs of at least two sampling distances
   local direct, p = {}, trace(0, 2, 401, function(x) return math.abs(sin(9 * x)) end)
   local filtered, a = p:filter(cutoff), sqrt(math.log(2) / pi) * cutoff
   for _, i in ipairs{ 1, 7, 200, 401 } do
@@ -277,7 +277,7 @@ fails(function() plot.profile(w, w, { measured = noisy }) end, "expected one bod
   "two panels")
 fails(function() plot.profile(w, { measured = 3 }) end, "expected a profile, or a table { x=, h= }, got 3", "no profile")
 
--- --- a trace from another origin ------------------------------------------------------------------------
+-- --- a profile with another origin of x -----------------------------------------------------------------
 
 local warnings = require "archard.warnings"
 local function warned_of(make)

@@ -1,7 +1,7 @@
--- Ordinary collector.
 -- Tests every row of every list of settings: each setting is changed from its default in all objects that
 -- have it, and read back from the object, a copy, a run file, a session and export.json. A new row is tested
 -- without a change of this file, unless the row depends on another row.
+-- Ordinary collector (see tests/run): continuous garbage collection would make this test too slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
@@ -41,7 +41,7 @@ local function others(row)
   return list
 end
 
--- Returns the object and the value for the first value for which `make` succeeds.
+-- Calls `make` with each value until it succeeds. Returns the object and the value.
 local function tried(row, make)
   local why
   for _, value in ipairs(others(row)) do

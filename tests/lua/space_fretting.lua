@@ -1,6 +1,6 @@
 -- Tests fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross
 -- slip.
--- Ordinary collector: long runs, which small steps of the collector slow down.
+-- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
@@ -37,7 +37,7 @@ for _, at in ipairs{ { 0.07, 0.02 }, { 0.075, -0.011 }, { 0.03, 0.077 } } do
 end
 ok(map:at(0, 0) == 0, "no wear where it sticks")
 
--- Tests the exchange of bodies: with the ball as the lower body, alpha is the share of the flat.
+-- Tests the exchange of bodies: with the ball as the lower body, the flat wears by the fraction alpha.
 local other = fret{ model = pair(steel, steel, nil, true), alpha = 0.7 }:run{ progress = false }
 near(other.volume.plate, w.volume.cylinder, 1e-6, "exchanged bodies: the ball's wear")
 near(other.volume.cylinder, w.volume.plate, 1e-6, "and the block's")
@@ -50,7 +50,7 @@ ok(stroke.largest_shear > 2 and stroke.largest_shear < 5, "below full friction: 
 local across = fret{ stroke = 6e-4, tangential = false, cycles = 200, slide = "z" }:run{ progress = false }
 near(across.volume.total, stroke.volume.total, 1e-9, "along z as along x")
 
--- Tests that the number of increments changes only the drawn loop.
+-- Tests that the number of increments has almost no effect on the volume.
 near(fret{ increments = 8 }:run{ progress = false }.volume.total, w.volume.total, 2e-3, "eight increments a cycle")
 
 -- --- laws ------------------------------------------------------------------------------------------
@@ -140,7 +140,7 @@ holds(tostring(w), { "force of +-3.5 N", "sticks on" }, "print(run)")
 do
   local modulus = 200e3 / (2 * (1 - 0.3 ^ 2))
   local half = (3 * 10 * 10 / (4 * modulus)) ^ (1 / 3)
-  local limit = 3 * 0.5 * 10 * 2 * 1.7 * 2.6 / 200e3 / (16 * half) -- Mindlin's motion at which all slips [mm]
+  local limit = 3 * 0.5 * 10 * 2 * 1.7 * 2.6 / 200e3 / (16 * half) -- start of gross slip by Mindlin [mm]
   local warnings = require "archard.warnings"
   warnings.keep()
   local map = study.fretting_map{ friction = 0.5, load = { 10 }, motion = { 5e-5, 2e-4, 6e-4 },

@@ -29,7 +29,7 @@ near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, 
 is(d:move{}.x, d.x, "an empty motion changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
 
--- Tests loops and stick zones on the automatic grid against Mindlin's at nu = 0.
+-- Tests loops and stick zones on the automatic grid against Mindlin's closed form for nu = 0.
 do
   local steel = material{ E = 200e3, nu = 0 }
   local pair = { geometry = "3-D", upper = body.ball{ radius = 10, material = steel }, lower = body.block{ material = steel } }
@@ -76,7 +76,7 @@ ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "not across")
 ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the middle sticks, the rim slips")
 is(s.unit, "mm", "slip is a length")
 
--- Tests unlike bodies.
+-- Tests bodies of different materials.
 local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
 ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
 is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "frictionless pressing dissipates nothing")

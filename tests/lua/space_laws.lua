@@ -54,7 +54,7 @@ falling:run()
 near(falling.volume.total, 1.05e-8 * 10 * 50, 1e-8, "a coefficient that falls with the distance: its mean")
 near(falling.volume.ball, 10 * (2e-8 * 50 ^ 2 / 2 - 1.9e-8 / 50 * 50 ^ 3 / 3) / 100, 1e-3, "k that decreases and alpha that increases")
 
--- --- layers with coefficients of their own ------------------------------------------------------------
+-- --- layers with their own wear coefficients ----------------------------------------------------------
 local points = {}
 for i = 1, 16 do points[i] = (i - 1) / 160 end
 local nearly_flat = map{ x = points, z = points, y = function(u) return 1e-9 * math.cos(20 * math.pi * u) end }

@@ -26,8 +26,8 @@ w:run()
 near(w.volume.cylinder, 0.3 * 1e-8 * 100 * 1000, 1e-9, "the ball's volume is alpha k L d")
 near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "volume of the flat")
 near(w.depth_partition, 0.3, 1e-9, "local partition of the depths")
--- Archard's law with a uniform approach: far from the start h'' = 0, a cap of both bodies together with V =
--- pi R h^2.
+-- The limit of much wear is that of a rigid ball: both bodies together lose a cap of height h and volume V = pi
+-- R h^2.
 local cap = math.sqrt(1e-8 * 100 * 1000 / (math.pi * 10))
 ok(w.depth.cylinder + w.depth.plate < cap and w.depth.cylinder + w.depth.plate > 0.8 * cap,
   "depths below those of a rigid ball, which sinks in as a cap")
@@ -44,8 +44,8 @@ near(euler.depth.plate, w.depth.plate, 0.02, "depth by explicit steps")
 local ten = run{ k = function(s) return s.distance < 500 and 1e-8 or 3e-8 end }
 ten:run()
 near(ten.volume.total, 1e-6 * (500 + 3 * 500), 1e-6, "coefficients as functions of the state")
--- The wear rate of the springs is K times the sliding, which gives the stability limit of explicit updates in
--- closed form.
+-- The pressure of a spring is K times its compression. The eigenvalue, and with it the stability limit of
+-- explicit updates, is therefore K k times the sliding distance of a cycle.
 near(run{ scheme = "none", tolerance = "none", jump = 10 }:stability().eigenvalue, K * 0.02 * 1e-8, 1e-9, "the eigenvalue of ripples")
 local loads = run{ scheme = "none", tolerance = "none", stroke = "none", jump = 100, cycles = 20000, distance = "none",
   loading = { t = { 0, 0.5, 1 }, x = { 0, 0.01, 0 }, load = { 50, 100, 50 } } }

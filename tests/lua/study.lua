@@ -1,5 +1,5 @@
--- Tests studies: settings, running, resuming, shares, tables, results of cases; wear:save and wear.open.
--- Ordinary collector: long, and small steps make it 40 times slower under a sanitizer.
+-- Tests studies: settings, running, resuming, shards, tables, results of cases; wear:save and wear.open.
+-- Ordinary collector (see tests/run): continuous garbage collection would make this test 40 times slower.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails, holds = tap.is, tap.near, tap.fails, tap.holds
@@ -37,7 +37,7 @@ is(#grid, 4, "a grid has all combinations")
 is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
   "the last name changes fastest")
 
--- Tests that settings of a case override settings of base, whatever the form of both.
+-- Tests that settings of a case override settings of base, also if one is a number and the other a table.
 local function joined(base, over) return settings.nest(settings.join("test", base, over)) end
 is(joined({ k = { distance = { 0, 1 }, value = { 1, 2 } } }, { k = 3 }).k, 3, "a number for a series")
 is(joined({ k = 3 }, { k = { distance = { 0, 1 }, value = { 1, 2 } } }).k.value[2], 2,

@@ -1,7 +1,7 @@
 -- Tests wrong calls of every public function, made from the help entries. Each wrong value gives an error
 -- with the function, the argument, the expected and the given value, and with the position of the user's
 -- call.
--- Ordinary collector: only messages are tested.
+-- Ordinary collector (see tests/run): this test only checks error messages.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, names = require "archard.help", require "archard.names"

@@ -50,8 +50,8 @@ return function(folder)
 
   -- --- calls ---------------------------------------------------------------------------------------
 
-  -- Valid arguments of a call with one wrong field: the arguments before the table, and the other fields of
-  -- the table.
+  -- Valid values for calls in which one field is wrong: `before` are the arguments before the table, `beside`
+  -- the other fields of the table.
   local before = {
     ["plot.pressure"] = { w }, ["plot.profile"] = { w }, ["plot.history"] = { w }, ["plot.mesh"] = { m },
     ["plot.stress"] = { objects.contact }, ["plot.shear"] = { objects.contact }, ["plot.slip"] = { objects.contact },

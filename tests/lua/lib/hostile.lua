@@ -100,11 +100,11 @@ return function(world)
   -- --- values -------------------------------------------------------------------------------------
 
   local numbers = { 0, -1, 1, 2, 0.5, 3, 7, 12, 0 / 0, -(0 / 0), math.huge, -math.huge, 2^53, -2^61,
-    -- without small steps or fine meshes, which would only need time
+    -- no values that give small steps or fine meshes, which are slow
     math.maxinteger, math.mininteger, 1e300, -1e-300 }
   local texts = { "", "cylinder", "plate", "auto", "a\0b", ("x"):rep(300), "\27[31m", "%s%n", "100", "implicit" }
 
-  -- Returns values that a callback returns.
+  -- Returns random values for a callback to return.
   local function answer(...)
     local choice = random(10)
     if choice <= 3 then return 1e-8 end
