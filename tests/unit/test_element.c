@@ -131,9 +131,9 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* Returns the ratio of the element's strain energy to the exact one for the bending of a
- * rectangle, u = (x y, -x2/2 - nu/(1-nu) y2/2). CPE4I has the exact energy for every aspect
- * ratio; CPE4 is too stiff, increasingly so with the aspect ratio. */
+/* Returns the ratio of the element's strain energy to the exact one for the bending of a rectangle,
+ * u = (x y, -x^2 / 2 - nu / (1 - nu) y^2 / 2). CPE4I has the exact energy for every aspect ratio;
+ * the error of CPE4 increases with the aspect ratio. */
 static double bending_energy_ratio(arc_element kind, double half_length) {
   const double half_height = 1, nu = steel.nu;
   element e = {.corners = 4,
@@ -158,7 +158,7 @@ static void test_bending(void **state) {
   (void)state;
   for (double length = 1; length < 20; length *= 2) {
     check_near(bending_energy_ratio(ARC_CPE4I, length), 1, 1e-12);
-    /* parasitic shear adds G / E* times the square of the aspect ratio */
+    /* parasitic shear adds G / E* times the square of the aspect ratio to the ratio of energies */
     const double nu = steel.nu, shear = (1 - nu) / 2 * length * length;
     const double plane = (1 - nu) * (1 - nu) / (1 - 2 * nu);
     check_near(bending_energy_ratio(ARC_CPE4, length), plane + shear, 1e-9 * shear);

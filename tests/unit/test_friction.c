@@ -213,8 +213,8 @@ typedef struct ways {
   int most, bracketed;
 } ways;
 
-/* Compares two solutions of one increment: the default method, and sweeps alone with the plate's
- * position for a given force computed by bracketing. */
+/* Compares two solutions of one increment: by the default method, and by sweeps alone. For a given
+ * force the sweeps use bracketing to compute the plate's position. */
 static void compare_ways(history *quick, history *slow, ways *found) {
   const friction_step step = random_step(quick);
   go(quick, &step);

@@ -124,7 +124,7 @@ static void test_signals(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* Returns true if the process, which nobody has waited for, ends within a second. */
+/* Returns true if the process ends within a second. No waitpid() has been called for it. */
 static int ends_soon(long pid) {
   char path[40], state = '?';
   snprintf(path, sizeof path, "/proc/%ld/stat", pid);

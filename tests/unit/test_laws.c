@@ -29,8 +29,8 @@ static int is_parameter(const arc_setting *s) {
 
 typedef int (*seen_fn)(const law *l, const arc_wear_def *d, double p);
 
-/* Returns true if `seen` is true at some pressure [MPa] in a range far wider than the pressures
- * of contacts. */
+/* Returns true if seen(law, definition, p) is true at some pressure p from 1e-3 to 1e4 MPa, a range
+ * far wider than the pressures of contacts. */
 static int at_any_pressure(const law *l, const arc_wear_def *d, seen_fn seen) {
   for (double p = 1e-3; p < 1e4; p *= 1.01)
     if (seen(l, d, p)) return 1;

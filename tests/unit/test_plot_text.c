@@ -15,9 +15,9 @@ static void test_quote(void **state) {
   assert_quoted("a\nb\rc\033[31m\177", 0, "\"a b c [31m \"");
   assert_quoted("\302\233A", 0, "\" A\"");        /* a control character of two bytes */
   assert_quoted("\342\200\256A", 0, "\" A\"");    /* reverses the order of the following text */
-  assert_quoted("\302\265m", 0, "\"\302\265m\""); /* the letter micro */
+  assert_quoted("\302\265m", 0, "\"\302\265m\""); /* the micro sign */
   assert_quoted("\302\265m \316\261", 1, "\"um alpha\"");
-  assert_quoted("a\342\200\231\342\200\235", 1, "\"a'\\\"\""); /* quotes of ASCII */
+  assert_quoted("a\342\200\231\342\200\235", 1, "\"a'\\\"\""); /* ASCII quotes */
   assert_quoted("\377\302", 0, "\"??\"");                      /* not valid UTF-8 */
   assert_quoted("\300\247", 0, "\"??\"");                      /* a quote in an overlong encoding */
 }

@@ -73,8 +73,9 @@ static void test_constant(void **state) {
   }
 }
 
-/* Tests bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2, for which sigma_xx = E* y and all other
- * stresses and the pressure are 0. Stresses at the centres of elements of equal size are exact. */
+/* Tests bending, ux = x y, uy = -x^2 / 2 - nu / (1 - nu) y^2 / 2, for which sigma_xx = E* y and all
+ * other stresses and the pressure are 0. Stresses at the centres of elements of equal size are
+ * exact. */
 static void test_bending(void **state) {
   (void)state;
   arc_model *model = model_with(ARC_CPE4, 0.3);

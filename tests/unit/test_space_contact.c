@@ -184,9 +184,9 @@ static double wave_recess(void *context, double x, double z) {
   return w[0] * (1 - cos(q * (x + shift)) * cos(q * (z + shift)));
 }
 
-/* Tests waves of amplitude D and length 0.1 mm in both directions, whose pressure for full
- * contact is p* = sqrt 2 pi E* D / l. The shares of area in contact are compared with an
- * independent program whose first cell is on a crest. */
+/* Tests waves of amplitude D and length l = 0.1 mm in both directions. The mean pressure for full
+ * contact is p* = sqrt(2) pi E* D / l. The ratios of the contact area to the whole area are
+ * compared with an independent program whose first cell is on a crest. */
 static void test_waves(void **state) {
   (void)state;
   static const double share[6] = {.1, .2, .4, .6, .8, .9};
@@ -207,7 +207,8 @@ static void test_waves(void **state) {
   }
 }
 
-/* Tests waves pressed to full contact: the pressure is the mean pressure plus a wave. */
+/* Tests waves pressed to full contact: the pressure is the mean pressure plus a wave of the same
+ * length. */
 static void test_full_contact(void **state) {
   (void)state;
   double wave[2] = {1e-4, 0.05 / 64};

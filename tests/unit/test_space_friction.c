@@ -209,7 +209,7 @@ static double spence_error(arc_material hard, arc_material soft, double mu, int 
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[ARC_UPPER].material = hard;
   def.body[ARC_LOWER].material = soft;
-  double yield[2], couple[2]; /* both per body: (1 - nu) / G and (1 - 2 nu) / G */
+  double yield[2], couple[2]; /* (1 - nu) / G and (1 - 2 nu) / G of each body */
   for (int b = 0; b < 2; b++) {
     const arc_material m = def.body[b].material;
     yield[b] = 2 * (1 + m.nu) * (1 - m.nu) / m.E;
@@ -236,9 +236,9 @@ static double spence_error(arc_material hard, arc_material soft, double mu, int 
   return error;
 }
 
-/* Steel on PEEK, and a rigid ball on a body of nu = 0.2. A stick zone is a number of whole cells,
- * and eight of them are 0.4 % of its radius at 65 x 65 cells: the mean of five cell sizes is
- * compared. */
+/* Tests the stick radius of steel on PEEK and of a rigid ball on a body of nu = 0.2. The stick zone
+ * consists of whole cells. Eight cells change its radius by 0.4 % on a grid of 65 x 65 cells, so
+ * the mean error over five cell sizes is checked, too. */
 static void test_spence(void **state) {
   (void)state;
   const arc_material steel = elastic(200e3, 0.3), peek = elastic(3600, 0.4);
@@ -311,8 +311,8 @@ static void test_symmetries(void **state) {
   end(&exchanged);
 }
 
-/* In a round contact of like bodies a path along z equals the same path along x, as far as the
- * tolerance of the solver allows. */
+/* Tests that in a round contact of like bodies a path along z gives the same results as along x,
+ * within the tolerance of the solver. */
 static void test_round(void **state) {
   (void)state;
   static const double force[] = {3, -2, 4, 0, -4.5, 1};
@@ -371,7 +371,7 @@ static int random_leg(rubbing *r, double stuck) {
   return parts;
 }
 
-/* Every increment satisfies Coulomb's conditions and has converged.
+/* Tests that every increment of random paths satisfies Coulomb's conditions and has converged.
  * SPACE_PATHS sets the number of paths. */
 static void test_random_paths(void **state) {
   (void)state;

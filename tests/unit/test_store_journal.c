@@ -146,7 +146,7 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
-/* Tests that merging a share with a foreign journal is refused, too. */
+/* Tests that merging a shard that has a foreign journal is refused, too. */
 static void test_share(void **state) {
   (void)state;
   arc_error error = {0};

@@ -119,7 +119,7 @@ static void finish(const char *name, int id, const arc_wear *wear) {
   arc_store_close(&store);
 }
 
-/* Tests that cases share the text of their mesh and that merging a share also copies the text. */
+/* Tests that cases share the text of their mesh and that merging a shard also copies the text. */
 static void test_shared(void **state) {
   (void)state;
   arc_error error = {0};

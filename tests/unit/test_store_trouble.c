@@ -1,6 +1,6 @@
-/* Tests of error conditions of the run file: foreign and damaged files are refused and not
- * changed. Further conditions are a full disk, a killed writer, two writers at once, and shares
- * of different studies. */
+/* Tests of error conditions of the run file: foreign and damaged files are refused and not changed.
+ * Further conditions are a full disk, a killed writer, two writers at once, and shards of different
+ * studies. */
 #include "store_shared.h"
 
 /* --- foreign files ---------------------------------------------------------------------------- */
@@ -261,7 +261,7 @@ static void test_two_writers(void **state) {
 static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear *two) {
   const pid_t child = fork();
   if (child != 0) return child;
-  alarm(60); /* in case the parent fails */
+  alarm(60); /* ends this process if the parent fails to kill it */
   arc_store *store = opened(name, ARC_STORE_WRITE);
   for (int turn = 0;; turn++) {
     save_run(store, 1, turn % 2 ? one : two);
@@ -330,8 +330,8 @@ static void test_merge(void **state) {
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));
-  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* merges the same share
-                                                                       * again */
+  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* a second merge of the
+                                                                       * same shard */
   assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);

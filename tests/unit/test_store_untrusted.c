@@ -95,8 +95,8 @@ static void test_values_twice(void **state) {
   assert_damaged("twice", "load");
 }
 
-/* Tests that a share with duplicate values cannot be merged with a study; the error message does
- * not quote SQLite. */
+/* Tests that a shard with duplicate values cannot be merged with a study and that the error message
+ * is not a message of SQLite. */
 static void test_share_with_values_twice(void **state) {
   (void)state;
   arc_error error = {0};

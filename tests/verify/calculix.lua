@@ -1,5 +1,5 @@
 -- Solves exported decks with CalculiX and tests that CalculiX reproduces archard's pressures and stresses.
--- The test is skipped without CalculiX. It uses a coarse mesh for speed; make peer compares on the default
+-- The test is skipped without CalculiX. It uses a coarse mesh for speed; `make peer` compares on the default
 -- mesh.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")

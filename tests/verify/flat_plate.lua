@@ -36,7 +36,7 @@ for _, row in ipairs(rows) do
   check(w, row, "s = 2R, alpha = 0.8, k = 5e-8")
 end
 
--- A long run against the limit of a flat scar: b = (3 R k_c L d / 2)^(1/3), h = b2 / 2R, p = L / 2b.
+-- A long run against the limit of a flat scar: b = (3 R k_c L d / 2)^(1/3), h = b^2 / (2 R), p = L / (2 b).
 local last_off
 for _, times in ipairs{ 1, 4, 16 } do
   local distance = 1320 * times

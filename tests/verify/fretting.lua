@@ -9,7 +9,7 @@ local within, note, ok = figures.within, figures.note, figures.ok
 -- --- McColl -------------------------------------------------------------------------------------
 
 local cycles = { 1000, 5000, 10000, 18000 }
-local half_plane = { 0.3790, 1.1321, 1.8161, 2.7147 } -- um, with friction
+local half_plane = { 0.3790, 1.1321, 1.8161, 2.7147 } -- depths of the flat on half-planes with friction [um]
 
 local fretting = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
   stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
@@ -43,7 +43,7 @@ local function g(x, c)
   return t > 1 and c * c / 20 * (t * math.sqrt(t * t - 1) - math.log(t + math.sqrt(t * t - 1))) or 0
 end
 
--- Returns the sum of both wear depths by the position of the nodes; each body wears by half of the sum.
+-- Returns a table of the sum of both wear depths, indexed by x. Each body wears by half of the sum.
 local function depths(run, body)
   local depth = {}
   if not run then return depth end
@@ -69,7 +69,7 @@ end
 
 -- The slip annulus has few nodes on these meshes too, so the result is extrapolated with second order from
 -- two meshes.
-local c = 0.0675 -- between nodes of all meshes
+local c = 0.0675 -- edge of the stick zone [mm], halfway between two nodes of each mesh
 local function reduced_on(nodes)
   local size = c / (nodes + 0.5)
   return reduced(model{ mesh = { size = size, height = size / 2, zone = { cylinder = 0.5, plate = 0.6 } } }, c).volume.total

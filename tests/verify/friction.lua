@@ -72,7 +72,7 @@ do
   below(worst / (2 * 9.2606e-5), 0.005, "5 um, 30 N: slip of a half cycle, largest error / slip at the edge")
 end
 
--- --- dependence of the energy's error -----------------------------------------------------------
+-- --- error of the dissipated energy -------------------------------------------------------------
 
 local function energy_off(model, force, each, at, x)
   local f = force / (mu * load)
@@ -232,7 +232,7 @@ end
 
 -- --- load and force together --------------------------------------------------------------------
 
--- Jaeger: a slice at the load P moves the bodies by (const - ln P) / (pi E*).
+-- Jaeger: the compliance of a slice at the load P is (const - ln P) / (pi E*); the constant is omitted.
 local function compliance(normal) return -math.log(normal) / (math.pi * exact.E_star) end
 
 -- Returns the energy dissipated in the second cycle; path(t) returns load and force.

@@ -64,7 +64,7 @@ local jumping = run{ k = function(s) return s.p_center > 350 and 2e-8 or 2e-9 en
   scheme = "implicit", tolerance = 1e-3 }
 within(jumping.volume.total, 100 * (2e-8 * there + 2e-9 * (660 - there)), 3e-3, "k that jumps with the pressure: volume [mm3]")
 
--- Tests implicit steps without a tolerance, a twentieth of the run long, against steps an eighth as long.
+-- Tests implicit steps of fixed length, about a twentieth of the run, against steps an eighth as long.
 local steps = {}
 for i, jump in ipairs{ 150, 18.75 } do
   steps[i] = run{ k = measured[1][2].k, distance = 660, scheme = "implicit", jump = jump }.volume.total

@@ -36,11 +36,11 @@ compare(reference, fine, 0.01, "20 um against 10 um")
 compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I against CPE4")
 
 -- Tests the first cycle against its closed form with Hertz' pressure. At x = 0 the cylinder wears by k_c p_H
--- r s.
+-- times the sliding distance of a cycle, 0.22 mm.
 local first = wear{ alpha = 0.5, jump = 1 }
 first:step()
 within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3, "first cycle on the cylinder [mm]")
--- The middle of the plate is under the pressure p_H sqrt(1 - x2/a2) for |x| <= s/2 twice in a cycle.
+-- Twice in a cycle of stroke s the pressure p_H sqrt(1 - x^2/a^2), |x| <= s/2, passes over the plate's middle.
 local a, s = hertz{}.half_width, 0.11
 local t = s / 2 / a
 local passed = hertz{}.p_max * a * (t * math.sqrt(1 - t * t) + math.asin(t))

@@ -23,15 +23,15 @@ for _, row in ipairs{ { 0.05, 100, 8.60, 42.54, 6, 0.05 }, { 0.05, 1000, 24.87, 
     of .. "semi-angle, off by less than an element [degrees]")
   figures.ok(solved.normal_force > load, of .. "normal forces are more than the load")
 end
--- Tests a cup over a pin, which is the contact of a pin in a bush upside down.
+-- Tests a cup over a pin, which is a pin in a bush turned upside down.
 local cup = contact{ load = 1000, model = { upper = body.ring{ inner = 10.025, outer = 20.025 },
   lower = body.disc{ radius = 9.975 }, mesh = { size = 0.1, height = 0.1, far = 1, zone = { cylinder = 14, plate = 14 } } } }
 within(cup.p_center, pin(0.05, 1000, 14, 0.1).p_center, 2e-3, "a cup over a pin: the same upside down")
 
 -- --- worn ----------------------------------------------------------------------------------------
 
--- If only the bush wears under a fixed load, h = delta cos t - c and p = p0 cos t with cos e = c / delta. The
--- volume V = 2 R c (tan e - e) determines the angle e and thus the depth.
+-- Tests the cosine law of a bush that wears alone (see lib/bush.lua) under a fixed load. The worn volume V
+-- determines the half angle e of the contact and thus the depth.
 local R, gap, P, k = 10, 0.05, 1000, 1e-6
 local bush = model{ upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20 },
   mesh = { size = 0.25, height = 0.1, rows = 4, far = 1, zone = { cylinder = 26, plate = 26 } } }

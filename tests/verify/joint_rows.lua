@@ -67,7 +67,7 @@ end
 
 -- --- cross-shear in the direction of the load ----------------------------------------------------------
 local function cross_shear(g) return in_the_middle(run(springs, g, 1e-12, 0, 1, 1):map "cross shear") end
-local function rectangle(a, b) -- a pin on a disc that moves along a rectangle has the cross-shear b / (a + b)
+local function rectangle(a, b) -- a path along a rectangle with the sides a > b has the cross-shear b / (a + b)
   local turn_at = a / (2 * (a + b))
   return gait{ t = { 0, turn_at, 0.5, 0.5 + turn_at, 1 }, flexion = { 0, a, a, 0, 0 }, adduction = { 0, 0, b, b, 0 }, load = 2000, increments = 20 * (a + b) }
 end

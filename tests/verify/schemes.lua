@@ -50,8 +50,8 @@ for _, case in ipairs(cases) do
   below(asymmetry(w), 1e-9, what .. ": asymmetry")
 end
 
--- Returns the difference of two runs over the whole profile; the deepest nodes alone may agree by chance.
--- Tests that implicit steps of both orders converge to the same result at their rate.
+-- Tests that implicit steps of both orders converge to the same result at their rate. apart() compares whole
+-- profiles of two runs, because the deepest nodes alone may agree by chance.
 local function apart(w, other)
   local h, g, off, all = w:profile("cylinder").h, other:profile("cylinder").h, 0, 0
   for i = 1, #h do off, all = off + (h[i] - g[i]) ^ 2, all + g[i] ^ 2 end

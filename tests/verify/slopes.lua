@@ -76,8 +76,8 @@ local steady = wear{ alpha = 1, slip = "total", distance = 440, jump = 100 }:run
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
 figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
 
--- Tests sliding out of the plane: pairs of points stay together, so alpha-tilde equals alpha, and the sum of
--- depths equals that for alpha = 1.
+-- Tests sliding out of the plane: pairs of points stay together, so the partition of the depths (alpha-tilde)
+-- is alpha, and the sum of depths equals that for alpha = 1.
 local one = wear{ alpha = 1 }:run()
 for _, alpha in ipairs{ 0.25, 0.5 } do
   local w = wear{ alpha = alpha, slide = "z" }:run()
@@ -87,10 +87,10 @@ for _, alpha in ipairs{ 0.25, 0.5 } do
   within(w.p_center, one.p_center, 1e-3, "its centre pressure against alpha = 1 [MPa]")
 end
 
--- Tests an inclined plate, which has an exact solution by rotation: the cylinder touches the plate beside its
--- axis with the normal force L sqrt(1 + m2), so the largest pressure is Hertz' pressure times (1 + m2)^(1/4).
--- Forces along y would give the factor (1 + m2)^(3/4); the normals change the pressure only in second order,
--- by -m2 / 2.
+-- Tests a plate of slope m, which has an exact solution by rotation: the cylinder touches the plate beside its
+-- axis with the normal force L sqrt(1 + m^2), so the largest pressure is Hertz' pressure times (1 + m^2)^(1/4).
+-- Forces along y would give the factor (1 + m^2)^(3/4); the normals change the pressure only in second order,
+-- by -m^2 / 2.
 local function peak(c)
   local p, sum, top, at = c:pressure("cylinder"), {}, 0, 0
   for i, value in ipairs(p.p) do

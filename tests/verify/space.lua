@@ -69,7 +69,7 @@ for _, case in ipairs{ { 0, 0, 7.3231e-4 }, { 0.25, 8.5054e-4, 4.6460e-4 }, { 0.
 end
 
 -- Tests bodies a thousand times as stiff against rigid bodies, whose wear is integrated over the distance. If
--- only the flat wears, the section of the groove in its middle is V / s = 4/3 sqrt(2 R) h^(3/2).
+-- only the flat wears, the area of the groove's middle section is volume / stroke = 4/3 sqrt(2 R) h^(3/2).
 local rigid = model{ geometry = "3-D", upper = body.ball{ radius = 10, E = 2e8 }, lower = body.block{ E = 2e8 }, mesh = { size = 0.0125 } }
 local both = run(10, 1, 0.5, 1320, { model = rigid, procedure = "NSP" })
 within(both.depth.ball, 1.3621e-3, 0.002, "nearly rigid, stroke 1: ball")

@@ -83,9 +83,9 @@ within(few.depth.cylinder, many.depth.cylinder, 5e-4, "8 steps against 40: depth
 within(few.volume.total, many.volume.total, 5e-4, "8 steps against 40: volume")
 
 -- --- a long crowned roller -------------------------------------------------------------------------
--- McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a long roller, and the plane
--- engine under the load there with the same slip. The lag of slip behind the motion depends on the length of
--- the roller.
+-- Compares McColl's case (radius 6 mm, friction 0.9, stroke 50 um) in the middle of a long roller with the
+-- plane engine, under the same load per length and with the same slip. The lag of the slip depends on the
+-- length of the roller.
 do
   local fields = { friction = 0.9, stroke = 0.05, k_cylinder = 1.9e-8, k_plate = 2.9e-8 }
   local function run(changes)

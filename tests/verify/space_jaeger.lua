@@ -1,5 +1,5 @@
--- Random closed paths of load and tangential force on a ball of nu = 0, against Jaeger's superposition of slices of
--- load, which is exact for any path: motions at the ends of all legs, and the work of the second turn.
+-- Tests random closed paths of load and tangential force on a ball of nu = 0 against Jaeger's superposition of
+-- slices of load, which is exact for any path: motions at the ends of all legs, and the work of the second turn.
 --   ARCHARD_RUNS=200 tests/run -a verify/space_jaeger   more paths
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
@@ -15,10 +15,10 @@ local function half_width(load) return (3 * load * radius / (4 * E_star)) ^ (1 /
 
 -- --- slices -------------------------------------------------------------------------------------
 
--- 1 / (2 G a) is (2 - nu) / (8 G a) of either body.
+-- For nu = 0 the sum of (2 - nu) / (8 G a) of both bodies is 1 / (2 G a).
 local function compliance(load) return 1 / (2 * G * half_width(load)) end
 
--- Changes load and force in equal parts. Returns the work of the force.
+-- Changes load and force in 200 equal increments. Returns the work of the force.
 local function jaeger_leg(s, load, force)
   local parts, work, load0, force0 = 200, 0, s.n * s.step, s.force
   for k = 1, parts do
@@ -47,7 +47,7 @@ local pair = { geometry = "3-D", upper = body.ball{ radius = radius, material = 
 local function both_ways(path)
   local s, c = slices.new(4000, most, mu, compliance), contact{ model = pair, load = path[1].load, friction = mu }
   local motions, works, energies = {}, {}, {}
-  local scale = mu * most / (2 * G * half_width(most)) -- motion of all slices together, without slip
+  local scale = mu * most / (2 * G * half_width(most)) -- motion under the force mu * most without slip
   jaeger_leg(s, path[1].load, 0)
   for turn = 1, 2 do
     local work, energy = 0, c.energy
@@ -62,8 +62,8 @@ local function both_ways(path)
   return motions, energies[2] / works[2] - 1, works[2] / (mu * most * scale)
 end
 
--- The work of a turn is compared as a share of itself. Turns that dissipate less than 1/500 of the work in full slip
--- count for the mean only, and below 1/5000 they do not count.
+-- Errors of the work of a turn are relative to this work. Turns that dissipate less than 1/500 of the work in
+-- full slip are included in the mean only; turns that dissipate less than 1/5000 are excluded.
 local motion, worst, errors, largest, large = {}, 0, {}, 0, 0
 for i = 1, count do
   local motions, error, size = both_ways(corners())

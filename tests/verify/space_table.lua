@@ -72,9 +72,9 @@ for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 
   within(d.p_center, 254.648, 0.012, "its centre pressure [MPa]")
 end
 
--- Tests periodic waves D cos cos, which are in full contact above p* = sqrt 2 pi E* D / l. The shares of area
--- in contact are those of an independent program, whose first cell is on a crest. Above p* the pressure is
--- the mean pressure plus a wave of the amplitude p*.
+-- Tests waves D cos(2 pi x / l) cos(2 pi z / l), in full contact above the mean pressure p* = sqrt(2) pi E* D /
+-- l. The ratios of contact area to whole area are those of a program whose first cell is on a crest. Above p*
+-- the pressure is the mean pressure plus a wave of the amplitude p*.
 local length, modulus = 0.1, 200e3 / (1 - 0.09) / 2
 local q, points = 2 * math.pi / length, even(0, length * 127 / 128, 128)
 local crests = map{ x = points, z = points, y = function(x, z) return 1e-4 * math.cos(q * x) * math.cos(q * z) end }
@@ -85,7 +85,7 @@ for _, row in ipairs{ { 0.1, 0.19397 }, { 0.2, 0.341431 }, { 0.4, 0.622437 }, { 
   figures.about(d.area / length ^ 2, row[2], 1e-3, ("waves under %g p*: share in contact"):format(row[1]))
 end
 within(contact{ model = waves, load = 1.2 * full * length ^ 2 }.p_max, 2.2 * full, 1e-3, "waves in full contact: largest pressure [MPa]")
--- Tests the wear of waves in full contact: they decay as exp(-k E* q d / 2) with q = sqrt 2 2 pi / l.
+-- Tests the wear of waves in full contact: they decay as exp(-sqrt(2) pi k E* d / l).
 local worn = wear{ model = waves, load = 1.5 * full * length ^ 2, stroke = 0.05, alpha = 1, distance = 20, k = 1e-8 }
 worn:run()
 within(worn.p_max / full - 1.5, math.exp(-1e-8 * modulus * math.sqrt(2) * math.pi / length * 20), 0.003, "worn waves: amplitude left")

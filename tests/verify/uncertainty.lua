@@ -50,7 +50,7 @@ near(statistics.deviation(values_of(normal{ 100, 5 }, 4096)), 5, 2e-3, "normal b
 near(statistics.deviation(values_of(uniform{ 0.3, 0.7 }, 4096)), 0.4 / math.sqrt(12), 1e-3, "uniform")
 local cut = sampled.sorted(values_of(normal{ 100, 5, low = 98, high = 103 }, 512))
 ok(cut[1] >= 98 and cut[#cut] <= 103, "low and high cut")
--- The mean of a normal distribution that is cut below its mean is mu + sigma sqrt(2 / pi).
+-- A normal distribution that is cut off below its mean mu has the mean mu + sigma sqrt(2 / pi).
 near(statistics.mean(values_of(normal{ 100, 5, low = 100 }, 4096)), 100 + 5 * math.sqrt(2 / math.pi), 1e-4,
   "what is left keeps its shape")
 is(tostring(normal{ 100, 5 }), "normal{ mean=100, deviation=5 }", "a distribution prints")

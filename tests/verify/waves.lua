@@ -8,7 +8,7 @@ local length, height = 0.1, 1e-4
 local star = math.pi * 109890.1 * height / length -- mean pressure for full contact [MPa]
 
 -- Tests the default meshes, which have eight elements per wave and five in the width that touches on a crest.
--- For Westergaard's pressures, (p / cos)^2 is linear in sin^2 of pi x / l and becomes zero at the edge of the
+-- For Westergaard's pressures, (p / cos(pi x / l))^2 is linear in sin^2(pi x / l) and zero at the edge of the
 -- contact.
 local function wavy(radius, fineness, zone)
   return model{ upper = body.profile{ width = 4, height = 2,
@@ -64,6 +64,6 @@ flattened:run()
 local h = flattened:profile("profile").h
 middle = #h // 2 + 1
 local function dip(nodes) return h[middle] - (h[middle + nodes] + h[middle - nodes]) / 2 end
--- a wave has sixteen elements; over the distance of a whole wave only the form contributes to the dip
+-- a wave has sixteen elements, so dip(16) contains only the form, dip(8) the form and the wave
 local lost = (dip(8) - dip(16) / 4) / 2
 within(-math.log(1 - lost / height), 0.5, 0.01, "waves: exponent of their decay")

@@ -18,7 +18,7 @@ local rough = contact{ load = 50, average = 0, model = {
 local at = rough:pressure("cylinder")
 local force, touching = 0, 0
 for i, x in ipairs(at.x) do
-  -- share of the node's width inside the middle wave
+  -- fraction of the node's width inside the middle wave
   local share = math.max(0, math.min(1, (length / 2 - math.abs(x)) / 0.002 + 0.5))
   force = force + share * at.p[i] * 0.002
   if at.p[i] > 0 then touching = touching + share * 0.002 end

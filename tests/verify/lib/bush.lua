@@ -1,5 +1,5 @@
--- Closed form for a bush of radius R with the clearance c = gap if only the bush wears: depth h = delta cos t
--- - c and pressure p = p0 cos t with cos e = c / delta, and volume V = 2 R c (tan e - e).
+-- Closed form at the angle t from the load if only the bush, of radius R and clearance c = gap, wears: depth
+-- delta cos t - c and pressure p0 cos t for |t| < e, cos e = c / delta, and volume 2 R c (tan e - e).
 local bush = {}
 
 -- Returns the half angle e of the contact [rad] for a worn volume.

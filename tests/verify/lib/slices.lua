@@ -1,6 +1,6 @@
--- Jaeger's superposition: the contact under a load P(t) and a force Q(t) as slices of load. A slice between P and
--- P + dP carries the shear eta dP and moves the contact by eta dP compliance(P). Slices slip from the outermost
--- inwards, with eta = +-mu. This is exact for similar bodies and any path.
+-- Jaeger's superposition: the contact under a load P(t) and a force Q(t) is a sum of slices of load. A slice
+-- between P and P + dP carries the shear eta dP and moves the contact by eta dP compliance(P). Slices slip from
+-- the outermost inwards, with eta = +-mu. This is exact for similar bodies and any path.
 local slices = {}
 
 -- Returns slices without load. most: largest load; compliance(P): motion for each unit of shear of a slice at the
