@@ -67,8 +67,8 @@ for label, fields in pairs{ ["jump 50"] = { jump = 50 }, ["jump auto"] = { jump 
   fields.stroke, fields.law, fields.friction = 0.1, "energy", table_of_mu.friction
   near(run(fields):run{ progress = false }.volume.total, short.volume.total, 1e-3, label .. ": friction on the way of an update")
 end
--- Tests friction with a step or a decrease during the run: the volume agrees within 0.04 % with short
--- updates. The errors would be 12, 6.6 and 1.3 % if an update used a single value.
+-- Tests friction with a step or a decrease during the run: the volume agrees within 0.04 % with short updates.
+-- The errors would be 12, 6.6 and 1.3 % if an update used a single value of friction.
 local function step_up(state) return state.distance < 4 and 0.3 or 0.9 end
 local function falling(state) return 0.9 - 1.1 * math.min(state.distance, 0.5) end
 for label, case in pairs{

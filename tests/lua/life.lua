@@ -134,7 +134,7 @@ shape:step()
 local depth = setmetatable({}, { __index = function(_, name) shape:close() collectgarbage() return name == "h" and { 0, 0 } end })
 fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "a run closed while its shape is read")
 
--- Tests finalizers that step and close a run while rows are returned.
+-- Tests finalizers that step a run while its history and profile are read.
 local stepped = run_of{}
 stepped:step()
 collectgarbage("generational", 1)
@@ -151,7 +151,7 @@ collectgarbage "incremental"
 ok(refused > 0 and stepped.distance % 11 == 0, "a finalizer can step a run only between its calls")
 tap.note(("%d refused, at %g mm"):format(refused, stepped.distance))
 
--- Tests metatables of other classes.
+-- Tests objects with the metatable of another class.
 local steel, other = material{}, run_of{}
 debug.setmetatable(steel, getmetatable(other))
 fails(function() return steel.distance end, "expected a wear object", "a material with the metatable of runs")

@@ -100,7 +100,7 @@ fails(function() t:level("circle") end, 'field \'level\': expected "plane" or "s
 fails(function() t:level("plane", { -3, 5, 0, 2.5 }) end, "do not determine a plane outside the scar", "a scar all over")
 fails(function() t:level("plane", { 1, 0, 0, 1 }) end, "field 'scar': expected { x0, x1, z0, z1 } in mm", "a scar turned round")
 
--- --- parts and steps -------------------------------------------------------------------------------------
+-- --- cropping and resampling -----------------------------------------------------------------------------
 
 local part = t:crop{ x = { 0, 1 }, z = { 1.5 } }
 is(part.size[1], 11, "points from 0 to 1, ends included")

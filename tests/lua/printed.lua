@@ -58,7 +58,7 @@ for what, make in pairs{ ["the usual numbers"] = step{}, polyethylene = pair(700
   ok(not warned(make):find("meant", 1, true), what .. " pass without a warning")
 end
 
--- --- a text in an error ------------------------------------------------------------------------
+-- --- values quoted in error messages -----------------------------------------------------------
 local shown = require "archard.names".shown
 tap.is(shown(("a"):rep(200)), '"' .. ("a"):rep(200) .. '"', "a text of 200 characters is quoted whole")
 tap.is(shown(("é"):rep(150)), '"' .. ("é"):rep(100) .. '..." (300 characters)', "of a longer one whole characters")

@@ -53,7 +53,7 @@ w:step()
 is(w.saved, false, "a step makes it another")
 is(wear.open(path "w.archard").saved, true, "an opened run is in a file")
 
--- --- everything by name --------------------------------------------------------------------------
+-- --- all objects by name -------------------------------------------------------------------------
 
 base.k = function() return 2e-8 end
 driven = quickened{}

@@ -56,7 +56,7 @@ local function loop(pair)
 end
 near(loop(pair(body.map{ y = cap }, block)), loop(model{ geometry = "3-D" }), 1e-4, "friction on a map")
 
--- --- surfaces that repeat themselves ------------------------------------------------------------------
+-- --- periodic surfaces --------------------------------------------------------------------------------
 local points = even(0, 0.1 * 31 / 32, 32)
 local waved = map{ x = points, z = points, y = function(u, v) return 1e-4 * math.cos(20 * math.pi * u) * math.cos(20 * math.pi * v) end }
 local function repeated(upper, lower) return model{ geometry = "3-D", periodic = true, upper = upper, lower = lower } end

@@ -1,5 +1,5 @@
--- Tests a second kind of pair: a ball on springs, which has closed forms. Runs, files, studies, fits and
--- plots use only the interface of kinds.
+-- Tests a second kind of pair, a ball on springs, which has closed forms. Runs, files, studies, fits and plots
+-- must work with every kind.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 

@@ -143,7 +143,7 @@ local stability = w:stability()
 near(stability.jump_limit, 2 / stability.eigenvalue, 1e-12, "stability limit")
 ok(stability.jump_limit > 100, "jump = 100 is below the stability limit")
 
--- Tests running to an end.
+-- Tests a run to its end, and a clone.
 local bits = w:clone()
 is(bits.p_center, w.p_center, "a clone is the same state")
 bits:step()

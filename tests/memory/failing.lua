@@ -1,6 +1,6 @@
--- Runs typical uses with a failure at each call site, in its first and last call (or at ARCHARD_POINTS calls, evenly
--- spaced): the result must be an error that reports the failure, or success; afterwards the same use must succeed.
--- Prints TAP.
+-- Runs typical uses of archard with a failure at each call site, in its first and last call (or at
+-- ARCHARD_POINTS calls, evenly spaced): the result must be an error that reports the failure, or success;
+-- afterwards the same use must succeed. Prints TAP. Usage:
 --   failing.lua memory|system [piece]
 
 local what, only = arg[1], arg[2]
@@ -10,7 +10,7 @@ local counted = folder .. "/count"
 local pieces = assert(loadfile "tests/memory/pieces.lua")(folder)
 
 
--- Send commands to tests/memory/failing.c by allocations of special sizes.
+-- The next functions send commands to tests/memory/failing.c by allocations of special sizes.
 local function order(size) pcall(string.rep, "x", size) end
 local function arm(n) order((what == "memory" and 1 << 30 or 3 << 29) + n * 64) end
 local function disarm() -- repeated because the command itself may fail

@@ -1,6 +1,6 @@
 /* Simulates a disk without locks for a program that loads this library (LD_PRELOAD). Every lock
- * request fails with the error number ARCHARD_LOCKS. If this variable is "hang", the request
- * never returns, as without the lock daemon of a server. */
+ * request fails with the error number ARCHARD_LOCKS. If this variable is "hang", the request never
+ * returns, as on a network disk whose server has no lock daemon. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

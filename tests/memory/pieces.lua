@@ -1,5 +1,5 @@
--- Typical uses, each with a name and a function. The field `files` marks a use that writes files in the given
--- folder; the function `whole` fails if existing data are lost.
+-- Typical uses of archard, each with a name and a function. The field `files` marks a use that writes files in
+-- the given folder; the function `whole` fails if existing data are lost.
 
 local folder = ...
 local small = { radius = 10, mesh = { size = 0.08 } }

@@ -14,7 +14,7 @@ local function run(j, loading, k, alpha, cycles, updates)
 end
 local in_the_middle = figures.in_the_middle
 
--- --- exchange: alpha, R, F against 1 - alpha, R', R' F ------------------------------------------------
+-- --- head and cup exchanged: partition 1 - alpha, rotation R', load R' F ------------------------------
 local function exchanged(g)
   local list = {}
   for at = 0, 15 * (g.increments - 1), 15 do
@@ -77,7 +77,7 @@ within(cross_shear(rectangle(2, 1)), 1 / 3, 1e-3, "of a rectangle of 2 x 1")
 within(cross_shear(rectangle(3, 1)), 1 / 4, 1e-3, "of a rectangle of 3 x 1")
 within(1 + cross_shear(gait "iso"), 1.1063, 2e-3, "of the walk")
 
--- --- deep wear of the cup: p = D cos t / (k s(t)) where cos t > c / u, D = k F / integral of cos^2 / s dA --
+-- --- deep wear of the cup: p = D cos t / (k s(t)) at the angle t, D = k F / integral of cos(t)^2 / s dA ----
 local deep = run(springs, gait.rocking{ increments = 40 }, 1e-9, 0, 4e6, 60)
 local angle, R, many = math.rad(23), 14, 400
 local function sliding(t)  -- returns the sliding distance of a cycle [mm]

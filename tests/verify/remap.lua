@@ -73,9 +73,9 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
   end
 end
 
--- Tests measured profiles: points of a known scar 20 um apart, between the nodes, are transferred to meshes
--- of 20 to 5 um. The reference is the scar given as a function, which is evaluated at the nodes. Broken lines
--- through the points would give 2.4, 13 and 22 % too much pressure.
+-- Tests measured profiles: points of a known scar 20 um apart, between the nodes, are transferred to meshes of
+-- 20 to 5 um. The reference is the scar given as a function, which is evaluated at the nodes. Linear
+-- interpolation between the points would give pressures too high by 2.4, 13 and 22 %.
 local depth, reach = 2e-3, 0.25
 local function scar(x) return math.abs(x) < reach and depth * (1 - (x / reach) ^ 2) ^ 2 or 0 end
 local function points(spacing, offset)

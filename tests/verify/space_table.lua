@@ -126,8 +126,8 @@ within(few.depth.ball, tight.depth.ball, 0.001, "8 equal steps against graded on
 within(few.depth.block, tight.depth.block, 0.001, "flat")
 
 -- --- other solvers ---------------------------------------------------------------------------------------
--- Tests wear of the ball alone against finite elements of revolution. Bodies of 10 mm are stiffer by 0.9 % in
--- the approach.
+-- Tests wear of the ball alone against finite elements of revolution. Its bodies, 10 mm high, have an approach
+-- 0.9 % smaller than half-spaces.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,
   model = { geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 1.2, plate = 1.2 } } } }

@@ -40,8 +40,8 @@ end
 figures.ok(onset ~= nil, ("roughness sets in at N-bar = %.0f"):format(onset or 0 / 0))
 figures.about(onset / limit, 1.05, 0.1501, "that N-bar over the limit of the eigenvalue")
 
--- Tests that the limit of the sliding distance, r s N-bar, decreases with the element size: the shortest
--- ripple, of one element, grows first.
+-- Tests that the limit of the sliding distance between updates is proportional to the element size, because the
+-- shortest ripple, of one element, grows first.
 local halved = wear{ model = { mesh = { size = 0.01, height = 0.0125 } } }:stability().jump_limit
 figures.within(halved, unworn / 2, 0.02, "limit at half the element size, N-bar")
 

@@ -23,7 +23,7 @@ local function base()
   return { jump = 50, stroke = 0.22, model = { mesh = { size = 0.04, height = 0.05 } } }
 end
 
--- Returns profiles like measured ones: points between the nodes, shifted, tilted, displaced and noisy.
+-- Returns profiles that resemble measured ones: points between the nodes, shifted in x and h, tilted, noisy.
 local function measured(run, body)
   local shift, tilt, level = 0.004 * normal(), 1e-4 * normal(), 2e-4 * normal()
   local surface, x, h = run:profile(body), {}, {}
