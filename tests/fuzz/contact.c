@@ -59,8 +59,8 @@ static void solve(const arc_shape *shape, source *s) {
   arc_contact *contact = NULL;
   const int wild = take_byte(s) % 8 == 0;
   def.load = wild ? take_any(s) : take_in(s, 0.1, 200);
-  /* heights of 1e-3 mm have rounding errors of 1e-19 mm, equivalent to 1e-14 N at a node, which
-   * is more than 1e-9 of smaller loads */
+  /* heights of 1e-3 mm have rounding errors of 1e-19 mm, equivalent to 1e-14 N at a node. This is
+   * more than 1e-9 of loads below 1e-5 N. */
   if (fabs(def.load) < 1e-5) return;
   def.x = wild ? take_any(s) : take_in(s, -0.2, 0.2);
   def.friction = take_byte(s) % 2 ? take_in(s, 0, 1.5) : 0;

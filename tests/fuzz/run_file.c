@@ -154,7 +154,7 @@ static void change(sqlite3 *db, source *s) {
     bind_any(q, 2, s);
   else
     sqlite3_bind_int(q, 2, (int)(take_byte(s) % 64));
-  sqlite3_step(q); /* changes that constraints of the tables refuse have no effect */
+  sqlite3_step(q); /* a change that violates a constraint of the tables has no effect */
   sqlite3_finalize(q);
 }
 
@@ -207,7 +207,7 @@ static void go_on(arc_store *store, int id, arc_stored_run *run) {
   arc_model *model = NULL;
   arc_wear *wear = NULL;
   if (run->model.mesh.size > 0 && run->model.mesh.size < 0.05)
-    return; /* such a run is too slow for fuzzing */
+    return; /* a run with small elements is too slow for fuzzing */
   if (model_of(run, &model) == ARC_OK &&
       arc_store_restore(store, id, model, &run->def, &wear, &error) == ARC_OK)
     arc_wear_step(wear, NULL, &error);

@@ -217,7 +217,7 @@ is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
 local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
 near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
 
--- Tests a load near zero, which gives an arbitrarily narrow contact without wear.
+-- Tests loads that are zero or almost zero, under which nothing wears.
 local function swing(t) return 0.1 * math.sin(2 * math.pi * t) end
 local function lifting(least)
   return run_of{ load = 100, distance = 2, jump = 5, loading = { x = swing,

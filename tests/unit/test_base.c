@@ -1,4 +1,4 @@
-/* Tests of status codes, error messages, and functions that measure arrays. */
+/* Tests of status codes, error messages, and the functions of measure.h. */
 #include "archard/measure.h"
 #include "check.h"
 

@@ -192,8 +192,8 @@ static double cusp(const contact_edge *edge, double x) {
   return 2 * edge->out * (1 - s / 9) * sqrt(s);
 }
 
-/* Tests the part of the cusp that a node's two mean values miss, against integration with small
- * steps, for unevenly spaced nodes. */
+/* Tests the correction of nodal values near a cusp: the value of the cusp at a node minus the
+ * weighted mean of its averages over both adjacent elements, for unevenly spaced nodes. */
 static void test_cusp(void **state) {
   (void)state;
   enum { n = 20, steps = 20000 };

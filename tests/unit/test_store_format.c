@@ -185,7 +185,7 @@ static void test_newer_meanwhile(void **state) {
   arc_store_close(&store);
 }
 
-/* surfaces in SQL */
+/* --- surfaces read by SQL --------------------------------------------------------------------- */
 
 enum { MOST_NUMBERS = 20000 };
 

@@ -1,7 +1,7 @@
 -- Tests wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against a
--- reduced law without a friction solver. The reduced law is dw/dN = 4 mu k p (g + w) outside a stick zone
--- with constant edge c. In this law g is half the slip of Cattaneo and Mindlin's half cycle divided by mu, w
--- the wear of both bodies and p the pressure on the worn surfaces.
+-- reduced law without a friction solver. The reduced law is dw/dN = 4 mu k p (g + w) per cycle outside a stick
+-- zone with constant edge c. In this law g is half the slip of Cattaneo and Mindlin's half cycle divided by mu,
+-- w the wear of both bodies and p the pressure on the worn surfaces.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, note, ok = figures.within, figures.note, figures.ok

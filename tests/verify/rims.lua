@@ -11,7 +11,7 @@ local function worn(case, fineness)
   return w:run{ progress = false }
 end
 
--- Returns an alternating force with a load that varies a quarter of a cycle later.
+-- Returns an alternating force and a load that is out of phase by a quarter of a cycle.
 local function under(swing)
   return { increments = 40, tangential = function(t) return 30 * math.sin(2 * math.pi * t) end,
     load = function(t) return 100 + swing * math.cos(2 * math.pi * t) end }

@@ -1,9 +1,9 @@
 -- Hostile values and actions: metamethods, callbacks and finalizers that act during a call. All values and
 -- actions are drawn by math.random, so a seed reproduces them.
 
--- Returns the hostile values and actions for a world. world.objects: objects to attack, by class;
--- world.target: the object of the call; world.again(class): creates a new object; world.closed: list of
--- closed objects; world.path(name): returns a file name.
+-- Returns hostile values and actions for the given world. world.objects: objects to attack, by class;
+-- world.target: the object of the call; world.again(class): creates a new object; world.closed: list of closed
+-- objects; world.path(name): returns a file name.
 return function(world)
   local hostile = {}
   local random, objects = math.random, world.objects
