@@ -25,7 +25,7 @@ local function untouched(w, parts, what)
   return err
 end
 
--- functions of the state ---------------------------------------------------------------------------
+-- --- functions of the state -----------------------------------------------------------------------
 
 local function half(_) return 0.5 end
 local plain = run_of{}:run()
@@ -153,7 +153,7 @@ do
   ok(ring[1] == nil, "a run and its function that know each other are collected")
 end
 
--- local factors --------------------------------------------------------------------------------------
+-- --- local factors ----------------------------------------------------------------------------------
 
 local asked = { cylinder = 0, plate = 0 }
 local one = run_of{ local_factor = function(body, x, p, s)
@@ -189,7 +189,7 @@ fails(function() run_of{ law = "threshold", scheme = "implicit", tolerance = 1e-
 near(run_of{ law = "threshold", law_pressure = 300, scheme = "implicit", distance = 440, increments = 20 }:run().distance,
   440, 1e-12, "without one it falls back on explicit steps where it must")
 
--- loading ------------------------------------------------------------------------------------------
+-- --- loading --------------------------------------------------------------------------------------
 
 local function position(t) return 0.055 * math.cos(2 * math.pi * t) end
 local calls = 0
@@ -262,7 +262,7 @@ fails(function() run_of{ cycles = 3, loading = { x = position, cycles = 2 } } en
 fails(function() run_of{ stroke = 0.1, loading = { x = position } } end, "'stroke' and 'loading': expected one", "two motions")
 fails(function() cosine:run{ cycles = 3 } end, "a run with loading needs a distance", "run by cycles")
 
--- changes ------------------------------------------------------------------------------------------
+-- --- changes --------------------------------------------------------------------------------------
 
 local w = run_of{}
 w:step(2)
@@ -329,7 +329,7 @@ is(w.k.value[2], 1e-8, "changes nothing")
 fails(function() w:set{ loading = { x = function(at) w:close() return 0.05 * at end } } end, "has been closed",
   "closed within a change")
 
--- ends of a run ------------------------------------------------------------------------------------
+-- --- ends of a run --------------------------------------------------------------------------------
 
 w = run_of{}
 local again, why = w:run{ depth = { cylinder = 1e-3 } }

@@ -256,7 +256,7 @@ static void test_texts_of_strangers(void **state) {
                     "* FROM texts; DROP TABLE texts; ALTER TABLE t RENAME TO texts");
     run_sql("text", wrong[i]);
     assert_damaged("text", "text");
-    if (i == 0) continue; /* without its text only this case is unreadable; the file is valid */
+    if (i == 0) continue; /* without the mesh text this case is unreadable, but the file is valid */
     arc_store *store = opened("text", ARC_STORE_READ);
     assert_int_equal(arc_store_check(store, &error), ARC_FORMAT);
     arc_store_close(&store);

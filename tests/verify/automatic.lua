@@ -24,8 +24,8 @@ for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 10
   if half then below(off_elements(c, half), 1, of .. "half width off [elements]") end
 end
 
--- Layers much thinner than the contact, against the Winkler foundation: a^3 = 3 P R C / 2 and p0 = a^2 / (2 R
--- C) with C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
+-- Layers of thickness t, much thinner than the contact is wide, against the Winkler foundation: a^3 = 3 P R C /
+-- 2 and p0 = a^2 / (2 R C) with C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
 for _, t in ipairs{ 1e-4, 1e-3 } do
   local C = t * 0.4 * 1.3 / (1000 * 0.7)
   local a = (1.5 * 10 * 10 * C) ^ (1 / 3)

@@ -5,7 +5,7 @@ local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
 local metres = { 5, 50, 800, 1600, 3600 }
-local radius, load, k = 20, 65 / 6, 2e-9 -- mm, N/mm, mm2/N
+local radius, load, k = 20, 65 / 6, 2e-9 -- units: mm, N/mm, mm2/N
 
 local function ring(fields, stops)
   fields.model, fields.load, fields.k_cylinder, fields.k_plate = { radius = radius }, load, 0, k

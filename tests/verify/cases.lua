@@ -17,7 +17,7 @@ for _, settings in ipairs(paper.cases()) do
   case[settings.alpha][settings.stroke] = w
 end
 
--- all cases ---------------------------------------------------------------------------------------
+-- --- all cases -----------------------------------------------------------------------------------
 
 local function off_volume(w, alpha)
   local total = k * load * distance
@@ -58,7 +58,7 @@ for _, alpha in ipairs(paper.alphas) do
   end
 end
 
--- Final values -------------------------------------------------------------------------------------
+-- --- Final values ---------------------------------------------------------------------------------
 
 local function depth(got, expected, what)
   if expected == 0 then
@@ -82,7 +82,7 @@ for _, row in ipairs(dofile(here .. "/lib/finals.lua")) do
   end
 end
 
--- findings -----------------------------------------------------------------------------------------
+-- --- findings -------------------------------------------------------------------------------------
 
 local function partition_range(w)
   local low, high = math.huge, -math.huge

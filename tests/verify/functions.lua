@@ -11,12 +11,12 @@ local function merged(a, b)
   return all
 end
 
--- of distance and cycle: the volume is the integral of k L --------------------------------------------
+-- --- k by distance and cycle: the volume is the integral of k L --------------------------------------
 
 local function wave(length)
   return function(s) return 1e-8 * (1 + 0.5 * math.sin(2 * math.pi * s.distance / length)) end
 end
-local courses = { -- name, k, its integral over 1320 mm [mm3/N], more fields
+local courses = { -- each row: name, k, its integral over 1320 mm [mm3/N], other fields
   { "tenfold in 5 of every 100 cycles", function(s) return s.cycle % 100 < 5 and 1e-7 or 1e-8 end, 1320 * 1.45e-8 },
   { "the same, fixed jumps of 150", function(s) return s.cycle % 100 < 5 and 1e-7 or 1e-8 end, 1320 * 1.45e-8,
     { jump = 150, model = { mesh = { size = 0.04, height = 0.05 } } } },
@@ -34,11 +34,11 @@ for _, course in ipairs(courses) do
   within(run(fields).volume.total, 100 * integral, 1e-4, name .. ": volume [mm3]")
 end
 
--- functions of results ----------------------------------------------------------------------------------
+-- --- k and alpha by results ----------------------------------------------------------------------------
 
 -- The references are small explicit steps extrapolated to length zero, because their error in these cases is
 -- of first order.
-local measured = { -- name, fields, compared columns, tolerances: auto, implicit
+local measured = { -- each row: name, fields, compared result, tolerances of auto and implicit
   { "k of the pressure", { k = function(s) return 1e-8 * (s.p_center / 500) ^ 2 end },
     function(w) return w.volume.total end, 4e-3, 5e-4 },
   { "alpha of the pressure", { alpha = function(s) return math.min(1, s.p_center / 600) end },

@@ -29,7 +29,7 @@ local function same_bits(a, b, what)
   return ok(same, what .. ": the same bits")
 end
 
--- k in time ------------------------------------------------------------------------------------------
+-- --- k in time --------------------------------------------------------------------------------------
 
 -- Tests a ramp of k from 0: with k = 2e-8 d / 1320 the product k_c d is 1e-8 d^2 / 1320.
 local ramps = {
@@ -62,7 +62,7 @@ end
 local function switched_k(below_d, above_d, at)
   return function(s) return s.distance < at and below_d or above_d end
 end
-local histories_of_k = { -- name, k, its integral [mm3/N], tolerance, more fields
+local histories_of_k = { -- each row: name, k, its integral [mm3/N], tolerance, other fields
   { "0, then 1e-8 at 600 mm", switched_k(0, 1e-8, 600), 7.2e-6, 1e-6 },
   { "the same by a table", steep(0, 1e-8, 600), 7.2e-6, 1e-9 },
   { "the same by two values at 600 mm", { distance = { 0, 600, 600, 1320 }, value = { 0, 0, 1e-8, 1e-8 } }, 7.2e-6, 1e-9 },
@@ -86,7 +86,7 @@ for _, row in ipairs(histories_of_k) do
   end
 end
 
--- alpha over the distance ----------------------------------------------------------------------------
+-- --- alpha over the distance ------------------------------------------------------------------------
 
 -- Tests alpha switched from 1 to 0.25 at 440 mm with a stroke over the whole plate: k_c d is 1e-8 d, then
 -- increases by 0.25e-8 d.
@@ -112,7 +112,7 @@ local by_worn = wear{ alpha = 0.75, jump = 100, worn = wear{ alpha = 0.25, jump 
 ok(by_worn.p_center == by_set.p_center and by_worn.depth.plate == by_set.depth.plate,
   "alpha switched by set and by a new run that starts worn: the same bits")
 
--- load and motion over the cycle ---------------------------------------------------------------------
+-- --- load and motion over the cycle -----------------------------------------------------------------
 
 local function triangle(t) return 0.055 * (4 * math.abs(t - 0.5) - 1) end
 local function saw(t) return 100 + 60 * math.sin(2 * math.pi * t) end
@@ -176,7 +176,7 @@ local scar = long:profile("plate").h
 within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
 within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "largest depth of the plate [mm]")
 
--- blocks -----------------------------------------------------------------------------------------------
+-- --- blocks of loading --------------------------------------------------------------------------------
 
 local first = { x = triangle, load = 120, cycles = 1500, increments = 40 }
 local second = { x = function(at) return 1.6 * triangle(at) end, load = saw, cycles = 700, increments = 60 }
@@ -195,7 +195,7 @@ within(both.volume.total, 1e-8 * (1500 * integral(both.loading[1]) + 700 * integ
   "two blocks: volume [mm3]")
 ok(both.cycle == 2200, "two blocks: cycles")
 
--- updates at every increment ---------------------------------------------------------------------------
+-- --- updates at every increment -----------------------------------------------------------------------
 
 local wave = { t = {}, x = {}, load = {} }
 for i = 0, 20 * 50 do
@@ -214,7 +214,7 @@ for _, body in ipairs{ "cylinder", "plate" } do
 end
 within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
 
--- local factors ------------------------------------------------------------------------------------------
+-- --- local factors --------------------------------------------------------------------------------------
 
 -- Tests a power of the pressure as a law and as a local factor. The law is computed for pairs of points with
 -- a common pressure. A factor uses the nodal pressures of each body; the plate's nodal pressures are means

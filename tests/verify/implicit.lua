@@ -79,9 +79,9 @@ local function mesh(um)
   return meshes[um]
 end
 
--- cases of the paper with several element sizes ------------------------------------------------------
+-- --- cases of the paper with several element sizes --------------------------------------------------
 
--- element size [um], stroke [mm], alpha, longest explicit update, largest number of solutions and of updates
+-- each row: element size [um], stroke [mm], alpha, longest explicit update, most solutions, most updates
 local cases = {
   { 20, 0.11, 0.5, 10, 14e3, 20 }, { 20, 0.22, 0.75, 5, 13e3, 20 }, { 20, 0.44, 0.25, 2.5, 9e3, 15 },
   { 20, 20, 0.5, 0.1, 250, 18 }, { 10, 0.11, 0.5, 10, 21e3, 25 }, { 10, 0.44, 0.75, 2.5, 19e3, 25 },
@@ -100,13 +100,13 @@ for _, case in ipairs(cases) do
   ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
 end
 
--- other cases: a soft cylinder, moving nodes, a smaller tolerance -------------------------------------
+-- --- other cases: a soft cylinder, moving nodes, a smaller tolerance ---------------------------------
 
 check("soft cylinder, moving", { model = { radius = 5, cylinder = { E = 3e3, nu = 0.35 } }, load = 8, stroke = 0.3,
   alpha = 0.8, k = 3e-7, distance = 400 }, 2, 1e-3)
 check("tolerance 2e-4", { model = mesh(20), geometry = "frozen", stroke = 0.22, alpha = 0.5 }, 2.5, 2e-4)
 
--- a stored run continues with identical bits ----------------------------------------------------------
+-- --- a stored run continues with identical bits ------------------------------------------------------
 
 local fields = { stroke = 0.22, scheme = "implicit", tolerance = 1e-3, distance = 300 }
 local whole, file = wear(fields):run{ progress = false }, os.tmpname()

@@ -9,7 +9,7 @@ local function pulsing(t) return 50 + 30 * math.cos(4 * math.pi * t) end
 local function sine(t) return 0.11 * math.sin(2 * math.pi * t) end
 local pulses = { x = sine, load = pulsing, increments = 8 }
 
-local cases = { -- name, fields, tolerance of the volume (nil if elastic slip contributes to the volume)
+local cases = { -- each row: name, fields, tolerance of the volume (nil if elastic slip contributes to the volume)
   { "explicit, condensed anew at each", { refresh = 0, jump = 1 }, 1e-12 },
   { "explicit, a plate that wears more", { refresh = 0, jump = 1, alpha = 0.25 }, 1e-12 },
   { "implicit", { scheme = "implicit", jump = 10 }, 1e-12 },

@@ -33,9 +33,9 @@ local function extrapolated(fields, jump)
   return { cylinder = 2 * depth[2].cylinder - depth[1].cylinder, plate = 2 * depth[2].plate - depth[1].plate }
 end
 
--- implicit: the error is within the tolerance, with few steps -------------------------------------------
+-- --- implicit: the error is within the tolerance, with few steps ---------------------------------------
 
-local cases = { -- stroke [mm], alpha, N-bar of Table 1, largest number of steps
+local cases = { -- each row: stroke [mm], alpha, N-bar of Table 1, largest number of steps
   { 0.11, 0.5, 100, 50 }, { 0.22, 0.25, 40, 50 }, { 0.44, 0.75, 20, 50 }, { 20, 0.5, 1, 50 },
 }
 for _, case in ipairs(cases) do
@@ -78,7 +78,7 @@ below(w.update, 60, "running-in k: steps")
 within(run{ k = running_in, scheme = "implicit", tolerance = 1e-4 }.volume.total, exact, 3e-4,
   "running-in k, tolerance = 1e-4: volume [mm3]")
 
--- implicit: stable where explicit updates fail --------------------------------------------------------------
+-- --- implicit: stable where explicit updates fail ----------------------------------------------------------
 
 for _, jump in ipairs{ 200, 300, 1000 } do
   for _, order in ipairs{ 1, 2 } do
@@ -93,7 +93,7 @@ local ended, problem = pcall(rough.run, rough)
 ok(not ended and problem.message:find "ripples" ~= nil, "N-bar = 300, explicit: ends in ripples")
 figures.above(roughest(rough) / calm, 100, "times as rough before as at 100")
 
--- automatic explicit updates without a given number ------------------------------------------------------------
+-- --- automatic explicit updates without a given number --------------------------------------------------------
 
 for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
   for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
@@ -133,7 +133,7 @@ for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 }, { 200, 
 end
 
 local aluminium = material{ E = 70e3, nu = 0.33 }
--- name, fields, jump of the coarser reference; the last three cases are not from the paper
+-- each row: name, fields, jump of the coarser reference; the last three cases are not from the paper
 local whole_runs = {
   { "s = a, alpha = 0.5", { stroke = 0.11, alpha = 0.5 }, 4 },
   { "s = a, alpha = 0", { stroke = 0.11, alpha = 0 }, 4 },
