@@ -1,6 +1,6 @@
--- Names of numbers in wear{}, model{} and bodies, for studies, samples, fits and sensitivities. A name is a
--- path in wear{}, such as "load", "model.radius" or "model.lower.layers.1.thickness". "model." may be
--- omitted, and layer1 means layers.1. E or nu alone means the value of both bodies.
+-- Resolves the names of numeric fields of wear{}, model{} and bodies. Studies, samples, fits and sensitivities use
+-- these names. A name is a path in wear{}, such as "load", "model.radius" or "model.lower.layers.1.thickness".
+-- "model." may be omitted, and layer1 means layers.1. E or nu without a body means the value of both bodies.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -28,7 +28,7 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
--- Settings of numbers that only joints have, and the body that each number of a joint belongs to.
+-- Numeric settings that only joints have, and the body to which each setting of a joint belongs.
 local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 180 }
 local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
 local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
@@ -44,7 +44,7 @@ function number.setting(path)
   return named(known.model, inside)
 end
 
--- Raises an error if the setting is not a number.
+-- Raises an error if `setting` is nil or its type is not a number.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
     check.fail(where, ("field '%s': expected the name of a number in wear{} or model{}, "
@@ -57,15 +57,15 @@ end
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
 -- Returns the role ("upper" or "lower") of the only body with the kind `word`, or nil. If no body has this
--- kind, "cylinder" and "plate" are read as older names of the upper and the lower body. "cylinder"
--- therefore never means the lower body.
+-- kind, "cylinder" and "plate" are read as older names of the upper and the lower body. "cylinder" never
+-- means the lower body: the result is nil even if only the lower body is a cylinder.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end
   return not upper and role_of[word] or nil
 end
 
--- Returns the role of a body, given by its role, name, kind or older name; nil if no body fits.
+-- Returns the role of a body, given by its role, name, kind or older name; nil if there is no such body.
 local function role(flat, word)
   if field_of[word] then return word end
   for each in pairs(field_of) do
@@ -74,8 +74,8 @@ local function role(flat, word)
   return role_by_kind(flat, word)
 end
 
--- Returns the path of a material's number inside a body. The number can be a field of the body itself (E=)
--- or of the body's material.
+-- Returns the path of a material property (such as E) inside a body. The property can be a field of the
+-- body itself or of the body's material.
 local function in_material(flat, prefix, rest)
   local before, name = rest:gsub("^material%.", ""):gsub("^(layers%.%d+%.)material%.", "%1"):match("^(.-)([^.]+)$")
   for _, setting in ipairs(named(known.material, name) and known.material or {}) do

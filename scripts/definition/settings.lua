@@ -41,7 +41,7 @@ local function as_table(where, name, value)
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
-  if outside then flat.mesh = files.msh(value) end -- an imported mesh has no settings
+  if outside then flat.mesh = files.msh(value) end -- an imported mesh has no settings: store the mesh itself
   return flat
 end
 
@@ -120,7 +120,7 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases, most_values = 1000000, 4000000 -- limits for all cases of a study together
+local most_cases, most_values = 1000000, 4000000 -- limits of a study
 
 -- Raises an error if a study has too many cases. how: explanation of the number in the message.
 function settings.check_count(where, name, count, how)
@@ -251,7 +251,7 @@ function settings.difference(a, b)
   return names[1]
 end
 
--- Returns the names whose values differ between cases: first the names of `familiar`, then the others
+-- Returns the names whose values differ between cases: first the names in `familiar`, then the others
 -- alphabetically.
 local familiar = { alpha = 1, stroke = 2, load = 3, k = 4 }
 function settings.varied(cases)

@@ -9,8 +9,8 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Returns a JSON string. If the text is not valid UTF-8, each byte above 127 becomes the character with the
--- number of the byte.
+-- Returns a JSON string. If the text is not valid UTF-8, each byte above 127 is read as the Unicode
+-- character with this number (Latin-1).
 local function quoted(text)
   if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
   return '"' .. text:gsub('[%c"\\\x7F]', function(c)

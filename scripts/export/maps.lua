@@ -14,7 +14,7 @@ local maps = {}
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- Checks the path of a file and returns it. The ending is appended if the path has none.
+-- Checks the path of a file and returns it. A path without an extension gets the extension `ending`.
 local function checked_path(where, path, ending)
   local own = check.file.test(path) and path:match "%.[^./]*$"
   if not check.file.test(path) or own and own ~= ending then

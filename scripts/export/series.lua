@@ -31,7 +31,7 @@ local function add_state(run, stem, parts, number)
   end
 end
 
--- Checks the path and returns it without the ending .pvd.
+-- Checks the path and returns it without the extension .pvd.
 local function stem_of(path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local stem, ending = path:match("^(.-)(%.[^./]*)$")

@@ -23,7 +23,7 @@ local function turned(R, n)
 end
 
 -- Returns the corners of the lattice, [rows + 1][2 rows], as texts of their coordinates [mm]. The last
--- argument is a function that converts a direction to the frame of the cup.
+-- argument is a function that rotates a direction into the frame of the cup.
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows
   for i = 0, rows do
@@ -88,7 +88,7 @@ end
 
 local function everywhere() return true end
 
--- Returns the values of a map of the cup at the sites of the head, which is rotated by R.
+-- Returns the values of a map of the cup at the cell centres of the head, which is rotated by the matrix R.
 local function on_head(rows, values, R)
   local list, d = {}, math.pi / rows
   for i = 0, rows - 1 do

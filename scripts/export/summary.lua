@@ -14,8 +14,8 @@ local written = require "archard.lib.written"
 
 local where = "export.json"
 
--- Settings that a run stores under another name, because the plain name is a present value: w.distance is
--- the distance up to now.
+-- Settings that a wear object stores under another name, because the field with the same name contains
+-- the current value: w.distance is the sliding distance so far.
 local held_as = { distance = "total_distance", update = "update_at" }
 
 -- Converts a value for JSON; a function becomes the string "function".
@@ -41,8 +41,8 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
--- Adds the units of the fields of a body or layer to `units`. A coefficient k of 0 means that none was
--- given, and becomes null.
+-- Adds the units of the fields of a body or layer to `units`. k = 0 means that no wear coefficient was
+-- given; it is replaced by null.
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
     for _, setting in ipairs(known[class]) do

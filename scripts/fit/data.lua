@@ -136,8 +136,8 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the shift [mm] at which a search starts: the middle of the scar if the profile names the scar or
--- if the depths show a scar away from x = 0, else 0.
+-- Returns the shift [mm] at which a search starts: the middle of the scar if the profile contains the ends
+-- of its scar, or if a scar is detected in the depths and does not include x = 0; else 0.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}
@@ -148,7 +148,7 @@ local function start_of(x, h, named)
 end
 
 -- Returns the components of the unknown position of a profile (shift, tilt and level), with their start
--- values and typical sizes.
+-- values and typical magnitudes.
 local function free_of(x, h, named)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
@@ -183,7 +183,7 @@ local function read_profile(where, prefix, given)
   local x, h = as_list(from.x), as_list(from.h)
   same_count(where, prefix, "h", h, #x)
   local own = given.profile and from.error
-  if own and not sizes.test(own) then own = nil end -- a trace without noise has no error
+  if own and not sizes.test(own) then own = nil end -- an error list with zeros (no noise) is ignored
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
   local item = { kind = "profile", body = given.body, surface = observe.surface(given.body, given.section),
@@ -254,9 +254,9 @@ function data.item(where, prefix, given, motion)
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Returns true if all data have errors, and false if none has and all have the same unit. Other data are
--- refused: residuals show the size of the errors, but not the weights between quantities of different
--- units.
+-- Returns true if all data have errors, and false if no data have errors and all have the same unit. All
+-- other cases are refused: residuals can be used to estimate the errors, but not the weights of
+-- quantities with different units.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -282,7 +282,7 @@ function data.read(where, given, motion)
   for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)
   for _, item in ipairs(told and {} or items) do
-    item.error = as_list(1e-3, #item.x) -- equal errors of any size, as only their ratios matter
+    item.error = as_list(1e-3, #item.x) -- equal errors of any size, as only their ratios affect the fit
   end
   return items, told
 end
@@ -379,7 +379,7 @@ end
 
 -- --- implausible units -----------------------------------------------------------------------------
 
-local function guess(ratio) -- returns the probable unit of lengths
+local function guess(ratio) -- returns the probable unit of measured lengths; ratio: measured / simulated
   if ratio < 1e-2 then return ratio < 1e-2 and ratio > 1e-4 and "m" or "other units" end
   return ratio < 1e4 and "um" or "nm"
 end

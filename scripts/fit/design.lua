@@ -109,8 +109,8 @@ local function prior_rows(problem)
   return rows
 end
 
--- Returns the columns of the derivatives for the chosen items, followed by the rows of the prior. Position
--- parameters of other items are omitted.
+-- Returns the columns of the derivatives for the chosen items, followed by the rows of the prior. The
+-- position parameters of all other items are omitted.
 local function columns_of(self, chosen)
   local columns = {}
   for j, one in ipairs(self.problem.parameters) do

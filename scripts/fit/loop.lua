@@ -1,6 +1,6 @@
--- Friction loops as data of a fit. A loop is the tangential force over the motion in one cycle, as points
--- in the order of time. Each half of a loop is compared with the same half of the simulated loop: forces at
--- the measured positions or, if a force drives the run, positions at the measured forces.
+-- Friction loops as data of a fit. A loop is the tangential force as a function of the displacement in one cycle,
+-- given as points in the order of time. Each half of a loop is compared with the same half of the simulated loop:
+-- forces at the measured positions or, if a force drives the run, positions at the measured forces.
 
 local check = require "archard.lib.check"
 local statistics = require "archard.lib.statistics"
@@ -58,8 +58,8 @@ end
 
 -- --- simulated values ----------------------------------------------------------------------------
 
--- Returns the points of a loop from index `from` to index `to`, past the end of the list if needed, sorted
--- by `along`.
+-- Returns the points of a loop from index `from` to index `to`, continued at the start of the list if its
+-- end is reached, and sorted by `along`.
 local function half(along, value, from, to)
   local points, n = {}, #along
   for step = 0, (to - from) % n do

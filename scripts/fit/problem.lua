@@ -73,7 +73,7 @@ local function changed(values, i, by)
   return copy
 end
 
--- Returns the two steps of a difference quotient: one to each side, or one step and 0 near a bound.
+-- Returns the two steps of a difference quotient: one up and one down if central, else one step and 0.
 local function stencil(self, values, i, central)
   local one = self.parameters[i]
   local step = self.step[central and "central" or "forward"] * one.span
@@ -90,17 +90,17 @@ local function column_between(high, low, width)
   return column
 end
 
--- Returns the derivative of the simulated values by a position parameter. It needs no further run.
+-- Returns the derivative of the simulated values by a position parameter. No new run is needed.
 local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
   return column_between(self:predict(readings, up), self:predict(readings, down), 2 * step)
 end
 
--- Values that change in steps from node to node depend on a parameter visibly only over a wide range.
--- `widest`: half of this range as a share of the value; `many`, `few`: number of intervals for the standard
--- errors and during the search. Near a bound, the range is on one side. A design has no data and uses a
--- wider range.
+-- The derivatives of values that change in steps from node to node are computed over a wide range of the
+-- parameter. `widest`: half of this range relative to the parameter's value; `many`: number of intervals
+-- for the standard errors; `few`: number of intervals during the search. Near a bound, the range lies on
+-- one side of the value. A design has no data and uses a wider range.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -119,10 +119,10 @@ local function spread(low, high, intervals)
   return list
 end
 
--- Computes the derivatives of values that change in small steps with an unknown (widths, counted in nodes),
--- for which difference quotients are useless. The rows of column i are filled with slopes of regression
--- lines over a range. The value of each line in the middle of the range, averaged over the unknowns, is
--- added to self.rippled.
+-- Computes the derivatives of values that change in small steps with an unknown (such as widths, which are
+-- multiples of the node spacing). Difference quotients of such values are meaningless. The rows of column i
+-- are filled with slopes of regression lines over a range. The value of each line in the middle of the
+-- range, averaged over the unknowns, is added to self.rippled.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
   local points, list, rows = spread(low, high, central and self.many or few), {}, {}
@@ -208,7 +208,7 @@ end
 -- --- values that change in steps ------------------------------------------------------------------
 
 -- Limits for values that change in steps: smallest jump between neighbours, relative to the slope; smallest
--- scatter that counts, relative to the error.
+-- scatter that is added to the error, relative to the error.
 local jumps_above, counts = 0.03, 0.2
 
 -- Computes runs over a wide range, with all unknowns changed at once. Returns the positions in the range

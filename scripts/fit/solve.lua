@@ -7,7 +7,7 @@ local unknown = require "archard.fit.unknown"
 
 local solve = {}
 
--- Largest number of iterations, and tolerance of the last step relative to the typical size of the
+-- Largest number of iterations, and tolerance of the step relative to the typical range of the
 -- parameter.
 local most, small = 60, 1e-4
 
@@ -40,8 +40,8 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Singular values below this share of the largest one are treated as 0, since derivatives by differences
--- are not more accurate.
+-- Singular values below this fraction of the largest one are treated as 0, since derivatives by finite
+-- differences are not more accurate.
 local blind = 1e-5
 
 -- Returns the covariance of the parameters for unit errors, and the list of directions that the data do not

@@ -35,7 +35,7 @@ local function slopes(knots, value)
   return list
 end
 
--- Returns the value of the cubic Hermite polynomial at the share t (0 to 1) of an interval.
+-- Returns the value of the cubic Hermite polynomial at the relative position t (0 to 1) in an interval.
 local function at(t, length, from, to, slope, next_slope)
   local s = 1 - t
   return from * s * s * (1 + 2 * t) + to * t * t * (1 + 2 * s)

@@ -158,11 +158,11 @@ end
 -- The search changes one variable for each parameter. The variable is 1 at the start value and changes by
 -- about 1 over the typical range of the parameter.
 
-local function phase(one) -- returns the phase of the start value between both bounds
+local function phase(one) -- start value as an angle between the bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
 end
 
--- Returns the value of a parameter at the variable u, and its derivative by u.
+-- Returns the value of a parameter at the search variable u, and its derivative with respect to u.
 function unknown.value(one, u)
   if one.low and one.high then
     local half, angle = (one.high - one.low) / 2, u - 1 + phase(one)
@@ -177,7 +177,7 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
--- Returns the value after a step. The step is limited to nine tenths of the distance to a bound.
+-- Returns the value after a step. The step is limited to 0.9 of the distance to a bound.
 function unknown.inside(one, value, step)
   if one.low then step = math.max(step, 0.9 * (one.low - value)) end
   if one.high then step = math.min(step, 0.9 * (one.high - value)) end

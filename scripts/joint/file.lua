@@ -17,7 +17,7 @@ local counted = { "updates", "solutions" }
 
 -- --- runs ---------------------------------------------------------------------------------------
 
--- Returns the definition of a run as flat fields. Functions are replaced by the word "function".
+-- Returns the definition of a run as flat fields. A function is replaced by the string "function".
 local function flat_definition(run)
   local definition = run:definition()
   for _, name in ipairs(callable) do
@@ -48,7 +48,7 @@ local function part(results, prefix)
   return found
 end
 
--- Inserts the user's functions into a definition that was saved with the word "function" in their fields.
+-- Inserts the user's functions into a saved definition, in the fields with the string "function".
 local function with_functions(definition, functions)
   for _, name in ipairs(callable) do
     local f = type(functions) == "table" and functions[name]

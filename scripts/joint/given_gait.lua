@@ -21,7 +21,7 @@ given.fields = { gait = given.kind, name = check.text, instants = check.list } -
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
   increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true), period = check.positive }
 
--- Returns the times divided by the period. They must run from 0 to the period.
+-- Returns the times divided by the period. The first time must be 0 and the last one the period.
 local function over_cycle(t, period)
   local shares = {}
   for i, time in ipairs(t) do shares[i] = time / period end

@@ -63,7 +63,7 @@ local function new(given)
     cup = { clearance = cup.clearance or 0.06, inclination = cup.inclination or 0, cover = cup.cover or 90,
       layers = plain_layers(cup.layers or usual, "cup.layers") } }
   made.engine = sphere.create(made)
-  made.upper, made.lower = bodies.upper, bodies.lower -- for results that are named by body
+  made.upper, made.lower = bodies.upper, bodies.lower -- names of the bodies in results
   made.bodies = measure.bodies(bodies)
   return strict.object(made, class)
 end

@@ -215,8 +215,8 @@ local function block_at(run)
   return run.blocks[#run.blocks], math.huge
 end
 
--- Returns a value that restores the present state of the joint when it is closed. A contact computed for a
--- picture therefore does not change the run.
+-- Returns a to-be-closed value that restores the present state of the joint at the end of its block. A
+-- contact computed in the block therefore does not change the run.
 local function unchanged(run)
   local state = sphere.state(run.engine)
   return setmetatable({}, { __close = function() sphere.set_state(run.engine, state) end })
@@ -246,8 +246,8 @@ local function begin_block(run, block)
   run.checked = block
 end
 
--- Returns the number of cycles to the next update if the user gave the number of updates, m. Update j ends
--- at the cycle goal (j/m)^1.5.
+-- Returns the number of cycles to the next update if the user gave the number m of updates. Update j ends
+-- at the cycle n (j/m)^1.5 of n cycles.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycle / run.cycles) ^ (2 / 3) + 1e-6) + 1
   return run.cycles * (j / run.updates) ^ 1.5 - run.cycle
@@ -305,7 +305,7 @@ end
 
 local ended = setmetatable({}, { __close = function() process.report "" end })
 
--- Adds the progress to the error message of Ctrl-C until the returned value is closed.
+-- Adds the progress to the error message of Ctrl-C until the returned to-be-closed value is closed.
 local function report(run, goal)
   process.report(("joint_wear:run: %.6g of %.6g cycles are computed and kept, w:run() continues"):format(run.cycle, goal))
   return ended

@@ -25,7 +25,7 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
-check.plain = names.plain -- removes control codes for terminals from a text of a file
+check.plain = names.plain -- removes terminal control codes from text of a file
 check.shown = names.shown -- formats a value for a message: "dumb", 3, a wear object, a table
 
 -- --- kinds of values: a test and a text of the expected value ----------------------------------

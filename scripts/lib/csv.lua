@@ -14,7 +14,7 @@ local function refuse(path, number, text, ...)
     "FORMAT")
 end
 
--- Removes blanks at both ends, in linear time.
+-- Removes blanks at both ends of a text, in linear time.
 local function trimmed(text)
   local first = text:find("%S")
   return first and text:match(".*%S", first) or ""

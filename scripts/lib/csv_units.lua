@@ -14,8 +14,8 @@ local smaller = { um = 1000, ["µm"] = 1000, ["μm"] = 1000, nm = 1e6, mN = 1000
 
 local units = {}
 
--- Returns the name and the unit of a header: "h" and "um" for "h [um]". A header without a unit is returned
--- alone.
+-- Returns the name and the unit of a header: "h" and "um" for "h [um]". For a header without a unit, only
+-- the header is returned.
 function units.split(header)
   local name, unit = header:match("^(.-)%s*%[%s*(.-)%s*%]$")
   if not name then name, unit = header:match("^(.-)%s*%(%s*(.-)%s*%)$") end

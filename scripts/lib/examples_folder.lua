@@ -58,8 +58,8 @@ function folder.entries()
   return list
 end
 
--- Returns a function part(each) that loads the file `each` in the folder `name` of the examples once and
--- returns its result. The file gets the same function as its argument, to load other parts.
+-- Returns a function part(each), which loads the file `each` in the folder `name` of the examples on the first
+-- call and returns the file's result. The file receives the same function as its argument, to load other parts.
 function folder.parts(where, name)
   local loaded = {}
   local function part(each)

@@ -1,6 +1,6 @@
 -- hertz_of(model, load) returns the Hertz contact of the unworn bodies. model: a model, or a table of its
--- fields; load: in N. A ring of revolution is treated as a line contact with the length of its
--- circumference.
+-- fields; load: in N. An axisymmetric model with axis > 0 (a ring) is treated as a line contact with the
+-- length 2 pi axis.
 local archard = require "archard"
 
 return function(model, load)

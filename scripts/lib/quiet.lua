@@ -1,6 +1,6 @@
 -- quiet(f, ...) calls f with the engine's warnings switched off and returns the results of f. Searches use
--- it for contacts and runs that the user did not write. After an error of f, the warnings are switched on
--- again too.
+-- it for contacts and runs that the user did not request. After an error of f, the warnings are switched
+-- on again too.
 
 return function(f, ...)
   warn "@off"

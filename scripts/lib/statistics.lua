@@ -26,7 +26,7 @@ function statistics.deviation(list)
   return math.sqrt(sum / (#list - 1))
 end
 
-statistics.known = 10000 -- degrees of freedom if the deviation is known (normal distribution)
+statistics.known = 10000 -- degrees of freedom for a known standard deviation (normal distribution)
 
 -- Returns the two-sided quantile of Student's distribution. confidence: in (0, 1); freedom: degrees of
 -- freedom.

@@ -10,7 +10,7 @@ local function is_callable(value)
   return type(value) == "function" or type(metatable) == "table" and metatable.__call ~= nil
 end
 
--- Prints the times since `clock` and `busy` [s], and returns the results of the call.
+-- Prints the elapsed and the processor time since `clock` and `busy` [s], and returns the results of the call.
 local function report(clock, busy, ...)
   print(("time: %s, processors %s"):format(shown(term.clock() - clock), shown(os.clock() - busy)))
   return ...

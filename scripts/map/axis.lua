@@ -23,8 +23,8 @@ function axis.even(first, step, count)
 end
 
 -- Returns the index of the point before a value, and the distance between this point and the value as a
--- share of the step. Returns nil if the value is outside the points. A value that is beyond an end by less
--- than 1e-6 of a step (the error of single precision) is treated as the end.
+-- fraction of the step. Returns nil if the value is outside the points. A value that is beyond an end by
+-- less than 1e-6 of a step (the error of single precision) is treated as the end.
 function axis.locate(list, value)
   local n, step = #list, axis.step(list)
   local beyond = 1e-6 * step

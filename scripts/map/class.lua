@@ -75,7 +75,7 @@ local function outside(where, t, name, value)
 end
 
 -- Returns the value of a map by bilinear interpolation between the points i, i + 1 along x and j, j + 1
--- along z. u, v: shares of the steps, 0 to 1.
+-- along z. u, v: position between these points, as fractions (0 to 1) of the steps.
 local function bilinear(t, i, u, j, v)
   local y, n = t.y, #t.z
   local k = (i - 1) * n + j
@@ -238,8 +238,8 @@ function class.__add(a, b) return combined("map + map", a, b, 1) end
 
 -- --- volume -----------------------------------------------------------------------------------------
 
--- t:volume([level]) returns the volumes above and below a level. The cell of each point has the size of one
--- step along each axis.
+-- t:volume([level]) returns the volumes above and below a level (default 0), their difference, and the area
+-- above the level. The cell of each point has the size of one step along each axis.
 function methods:volume(level)
   local where = "map:volume"
   map.self(where, self)

@@ -77,8 +77,8 @@ local function advance(self, points, a, b, rr)
   end
 end
 
--- Returns the points in units of half the map's length, measured from its middle, without their mean
--- height. Only points with is_used(x, z) are included.
+-- Returns the points in units of half the map's length, measured from its middle. The mean height is
+-- subtracted. Only points with is_used(x, z) are included.
 local function scaled(self, x, z, y, is_used)
   local points, sum = { u = {}, v = {}, y = {}, g = {} }, 0
   for i = 1, #x do

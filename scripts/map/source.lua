@@ -78,8 +78,8 @@ function source:checked(value, i, j)
   return value
 end
 
--- grid and words check nx and nz against the size of the file. Callers therefore make the lists of x and z
--- only after reading the values.
+-- The functions grid and words check nx and nz against the size of the file. Callers therefore make the
+-- lists of x and z only after reading the values.
 
 -- Reads nz rows of nx values in the binary format `item` and returns a flat list by rows of x.
 -- options.from_top: true if rows start at the largest z; options.row: bytes from one row to the next;

@@ -1,5 +1,5 @@
--- Reduces the points and the noise of traces by means over cells of equal length and by means of several
--- traces.
+-- Reduces the number of points and the noise of traces: means over cells of equal length, and means of
+-- several traces.
 
 local average = {}
 

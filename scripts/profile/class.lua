@@ -234,7 +234,7 @@ function methods:cut(from, to)
   return profile.derived(self, x, z)
 end
 
--- Copies the list part of a table; values that are not tables give an empty list.
+-- Returns a copy of the list part of a table, or an empty list if the value is not a table.
 local function copied(given)
   local list = {}
   for i, item in ipairs(type(given) == "table" and given or {}) do list[i] = item end
@@ -272,7 +272,7 @@ end
 
 -- --- printing -----------------------------------------------------------------------------------------
 
-local uneven = 30 -- ratio of the scatter about a line to the noise above which the surface may be round
+local uneven = 30 -- the surface may be round if the scatter about a line exceeds this multiple of the noise
 
 local function um(value) return ("%.4g um"):format(1000 * value) end
 

@@ -53,8 +53,8 @@ end
 
 local volume_fields = { scar = profile.range, length = check.positive }
 
--- Width on each side of a scar, as a share of the scar's width, where material may be piled up. The form is
--- fitted outside this width.
+-- Piled-up material is integrated over this fraction of the scar's width on each side of the scar. It
+-- equals scar.margin; the form is fitted outside this margin.
 local piled_share = 0.2
 
 local function dot(weights, values)
@@ -172,11 +172,11 @@ function methods:roughness(given)
     length = #z * step, noise = self.error }), "profile:roughness")
 end
 
--- --- initial surface of a run
--- ------------------------------------------------------------------------------
+-- --- initial surface of a run --------------------------------------------------------------------------
 
--- Returns the initial depths of a run. Heights are converted to depths below the highest point. If the
--- profile has depths, negative depths within the scatter become 0; larger negative depths are an error.
+-- Returns the list of initial depths [mm] of a run. Heights are converted to depths below the highest
+-- point. If the profile has depths, negative depths up to 5 times the scatter become 0; larger negative
+-- depths (piled-up material) are an error.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then

@@ -15,8 +15,8 @@ local function reorder(re, im, count)
   end
 end
 
--- Returns the cosines and sines of half a turn. Each is computed directly, so that rounding errors do not
--- accumulate.
+-- Returns the cosines and sines of sign 2 pi k / count for k = 0 to count/2 - 1. Each is computed
+-- directly, so that rounding errors do not accumulate.
 local function twiddles(count, sign)
   local c, s = {}, {}
   for i = 1, count // 2 do
@@ -27,7 +27,7 @@ local function twiddles(count, sign)
 end
 
 -- Replaces the numbers by their transform: number k is the sum over j of (re + i im)[j] exp(sign 2 pi i j k
--- / count). sign: 1 or -1. Transforms with both signs in turn give count times the input.
+-- / count). sign: 1 or -1. Two transforms with opposite signs give count times the input.
 return function(re, im, sign)
   local count = #re
   local cosines, sines = twiddles(count, sign)

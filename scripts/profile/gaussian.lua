@@ -64,8 +64,8 @@ function gaussian.long(z, step, cutoff)
   return result
 end
 
--- Computes the effect of the filter on noise. Returns the shares of the noise variance in the long and in
--- the short waves, and the correlation length of the long waves. length: correlation length before the
+-- Computes the effect of the filter on noise. Returns the fractions of the noise variance in the long and
+-- in the short waves, and the correlation length of the long waves. length: correlation length before the
 -- filter, which is one step for white noise.
 function gaussian.noise(length, is_white, cutoff)
   local own = math.sqrt(2) * gaussian.alpha * cutoff

@@ -6,11 +6,11 @@ local noise = require "archard.profile.noise"
 
 local scar = {}
 
-local ends = 0.15   -- share of the trace at each end that is assumed unworn at first
-scar.margin = 0.2   -- margin on each side as a share of the scar's width; material may be piled up there
-local least = 0.05  -- share of the trace at each end that is always treated as unworn
+local ends = 0.15   -- fraction of the trace at each end that is assumed unworn at first
+scar.margin = 0.2   -- margin on each side as a fraction of the scar's width; material may be piled up there
+local least = 0.05  -- fraction of the trace at each end that is always treated as unworn
 local clear = 5     -- smallest depth of a scar, in multiples of the scatter
-local blocks = 500  -- largest number of means in the search for a scar
+local blocks = 500  -- largest number of groups of points in the search for a scar
 
 -- Divides the points into at most `blocks` groups of neighbours. Returns the means of x and z of each
 -- group.

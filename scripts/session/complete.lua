@@ -87,8 +87,8 @@ local function chain_before(tokens, i)
   end
 end
 
--- Returns the frame opened by "{". `call` is the chain of the function that is called with the table, `path`
--- the names of the fields that contain the inner table.
+-- Returns the frame (bracket) opened by "{". `call`: chain of the function that is called with the table;
+-- `path`: names of the fields that contain the inner table.
 local function brace_frame(tokens, i, parent)
   local before = tokens[i - 1]
   local frame = { open = "{", used = {} }

@@ -1,5 +1,5 @@
--- Objects that a session saves by their parts. Results are tables of plain values and of other saved objects.
--- A contact is saved as the calls that created it.
+-- Results and contacts, which a session saves by their parts. A result is a table of plain values and of
+-- other saved objects. A contact is saved as the list of calls that created it.
 
 local check = require "archard.lib.check"
 local quiet = require "archard.lib.quiet"

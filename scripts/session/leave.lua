@@ -1,5 +1,5 @@
--- The question that the prompt asks on leaving if runs, results or contacts are unsaved. cli/repl.c calls
--- this module.
+-- The question that the prompt prints before it ends if runs, results or contacts are unsaved. cli/repl.c
+-- calls this module.
 
 local own = require "archard.session.own"
 local session = require "archard.session.file"
@@ -17,8 +17,8 @@ function leave.question()
     table.concat(names, ", "), session.suggested())
 end
 
--- Returns true if the answer means to leave, false to stay, nil if it means neither. The answer "yes" first
--- saves the session.
+-- Returns true if the answer means to end the program, false if it means to continue, and nil for an
+-- unknown answer. The answer "yes" first saves the session.
 function leave.answer(line)
   local letter = line:lower():match("^%s*(%a)")
   if letter == "n" then return true end

@@ -1,6 +1,6 @@
--- Computes k and alpha from measured wear. Volumes give them directly (Eqs. 1, 12), with the spread of
--- repeated measurements or as tables over the sliding distance (study/volumes.lua). Depths need repeated
--- simulations (study/depths.lua).
+-- Computes k and alpha from measured wear. Measured volumes determine both directly (Eqs. 1, 12): as
+-- numbers with the spread of repeated measurements, or as tables over the sliding distance
+-- (study/volumes.lua). Measured depths need repeated simulations (study/depths.lua).
 
 local check = require "archard.lib.check"
 local depths = require "archard.study.depths"
@@ -43,7 +43,7 @@ local function measurements(name, given)
 end
 
 -- Reads the measurements of both bodies as two lists, in which values with the same index belong to the same
--- test. The plain number 0 means that the wear of a body was too small to measure in every test.
+-- test. A single 0 instead of a list means that the wear of a body was too small to measure in every test.
 local function read_pair(name, given)
   check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
     name .. ".")

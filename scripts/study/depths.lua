@@ -38,8 +38,8 @@ end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Returns the initial inverse Jacobian of the two residuals. The logarithm of the depths grows as 2/3 ln k,
--- and the share is proportional to alpha. An unknown with a fixed value has a row and a column of zeros.
+-- Returns the initial inverse Jacobian of the two residuals, for depths that grow as k^(2/3) and a share
+-- that grows as alpha. An unknown with a fixed value has a row and a column of zeros.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end

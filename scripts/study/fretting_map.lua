@@ -2,11 +2,11 @@
 -- or slips grossly, and the borders between these regimes. The computation uses periodic cycles under an
 -- alternating tangential force. plot/fretting_map.lua draws the map.
 -- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin
--- when the slip annulus reaches a given share of the width. An annulus this small is usually narrower than
--- one element, so the border is found by a fit: the width of the stick zone is computed at forces up to
--- sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the force divided
--- by the sliding force. For the Hertz contact the fitted expression equals s, with n = 2 for cylinders and 3
--- for balls (Cattaneo and Mindlin).
+-- when the slip annulus reaches a given fraction of the contact width. An annulus this small is usually
+-- narrower than one element, so the border is found by a fit: the width of the stick zone is computed at
+-- forces up to sliding, and 1 - (stick width / contact width)^n is fitted by b1 s + b2 s^2, where s is the
+-- force divided by the sliding force. For the Hertz contact the fitted expression equals s, with n = 2 for
+-- cylinders and 3 for balls (Cattaneo and Mindlin).
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -16,7 +16,7 @@ local strict = require "archard.strict"
 local where = "study.fretting_map"
 
 local usual = { friction = 0.6, annulus = 0.1 }
--- Number of force levels of the fit; largest level as a share of the sliding force.
+-- Number of force levels of the fit; largest level as a fraction of the sliding force.
 local levels, last_level = 18, 0.9
 local sliding = 1 - 1e-6
 -- Increments of half a cycle; few are enough, since the shear has little effect on the pressure.
@@ -45,8 +45,8 @@ end
 -- --- steady cycles -------------------------------------------------------------------------------
 
 -- Returns the width of the stick zone at an end of a cycle, divided by the contact width. In 3-D it is the
--- root of the sticking share of the area. Returns nil if all nodes up to an edge stick, because the mesh then
--- cannot resolve the slip.
+-- square root of the stick area divided by the contact area. Returns nil if all nodes up to an edge stick,
+-- because the mesh then cannot resolve the slip.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
   if type(zones) == "number" then return zones < 1 and math.sqrt(zones) or nil end
@@ -55,8 +55,8 @@ local function share_of(contact)
   return sum / (edges.right - edges.left)
 end
 
--- Computes a cycle of the tangential force between +share and -share of the friction limit. Returns the
--- contacts at its two ends.
+-- Computes a cycle of the tangential force between +share and -share times the friction limit. Returns
+-- the contacts at its two ends.
 local function cycle(pressed, share)
   local force = share * pressed.friction * pressed.load
   local function go(from, to) return check.as(where, from.move, from, { tangential = to, increments = steps }) end
@@ -91,8 +91,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- Returns the force at which the slip annulus reaches the share `annulus` of the width, divided by the
--- sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
+-- Returns the force at which the slip annulus reaches the fraction `annulus` of the contact width,
+-- divided by the sliding force. Returns `sliding` if the annulus stays smaller until the contact slides.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do

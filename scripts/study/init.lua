@@ -13,7 +13,7 @@ local study = {}
 local methods = {}
 local class = { __name = "study", __methods = methods, __fields = { "name", "file" } }
 
--- Default of `snapshots`: how often the surfaces of a case are stored before the end of its run.
+-- Default of `snapshots`: number of times that the surfaces of a case are stored before the end of its run.
 local usual_snapshots = 6
 
 local open_file = lazy("archard.study.definitions", "open")
@@ -24,7 +24,7 @@ local definition_fields = merged({ base = check.table, vary = check.table, name 
   cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
   sample = check.table }, of_samples)
 
--- Returns the samples of a study, or nil. Without samples, the options of samples raise an error.
+-- Returns the samples of a study, or nil. Without samples, the fields that need samples, such as n, raise an error.
 local function read_sample(where, given)
   if given.sample then return require "archard.uncertainty.design".read(where, given) end
   for _, name in ipairs{ "n", "design", "seed", "indices" } do
@@ -137,8 +137,8 @@ local function read_shard(text)
   return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
--- Creates the first case to report a value out of range before any run starts. A study has no cases if its
--- file was written by a program that was killed during its start.
+-- Creates the run of the first case, so that a value out of range is reported before any run starts. A
+-- study has no cases if its file was written by a program that was killed during its start.
 local function try_first(self, where)
   if #self.flat == 0 then
     check.fail(where, ("%s has no cases: create the study again%s"):format(self.file or "the study",

@@ -17,9 +17,9 @@ paper.jumps = {
   { 100, 50, 30, 1 },
 }
 
--- Returns an upper estimate of the depth of the first update [mm], Eq. (28). `p` is in MPa, `k` in mm²/N,
--- `stroke` in mm. A cycle has two strokes, except for the last stroke, over the whole plate, where it has
--- one.
+-- Returns an upper estimate of the depth of the first update [mm], Eq. (28). jump: cycles per update; p:
+-- pressure [MPa]; k: [mm²/N]; stroke: [mm]. A cycle has two strokes, or one if the stroke is 2R (the last
+-- of paper.strokes).
 function paper.first_depth(jump, k, p, stroke)
   local strokes = stroke == paper.strokes[4] and 1 or 2
   return jump * k * p * strokes * stroke

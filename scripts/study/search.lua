@@ -9,15 +9,15 @@ local merged = require "archard.lib.merged"
 local quiet = require "archard.lib.quiet"
 
 local limits = {
-  pressure = 0.01,     -- mesh: error of the largest pressure against Hertz [share]
-  -- largest sawtooth of the pressure in the middle of the contact [share of p_center], beyond the
+  pressure = 0.01,     -- largest error of the contact pressure, as a fraction of the Hertz pressure
+  -- largest sawtooth of the pressure in the middle of the contact as a fraction of p_center, beyond the
   -- sawtooth that occurs with small steps
   smooth = 0.005,
-  symmetric = 1e-3,    -- largest difference between a profile and its mirror image [share of the depth]
-  -- largest difference from profiles with many increments per cycle [share of the depth]
+  symmetric = 1e-3,    -- largest difference between a profile and its mirror image, as a fraction of the depth
+  -- largest difference from profiles with many increments per cycle, as a fraction of the depth
   profile = 0.005,
   updates = 100,       -- largest number of updates of a trial
-  first_depth = 1e-4,  -- initial guess of the jump: depth of the first update, Eq. (28) [mm]
+  first_depth = 1e-4,  -- depth of the first update for the initial guess of the jump, Eq. (28) [mm]
 }
 
 local usual_increments = 200 -- increments per cycle during the search for the jump
@@ -70,7 +70,7 @@ end
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
 -- Returns the sawtooth of the pressure in the middle of the contact, divided by p_center; at most 1. The
--- edges are left out, because pressure peaks there are physical.
+-- edges are excluded, because pressure peaks there are physical.
 local function roughness(run)
   local pressure = run:pressure("upper")
   local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
@@ -113,7 +113,7 @@ end
 local trial = {}
 trial.__index = trial
 
-local stages = 5 -- how often the reference run evaluates the stability limit
+local stages = 5 -- number of times that the reference run evaluates the stability limit
 
 function trial:new_run(jump, increments)
   return wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
@@ -187,7 +187,7 @@ function trial:run(jump, increments)
   return run, worst
 end
 
--- Returns true if a jump gives smooth and symmetric surfaces. Returns false if it does not, or if the engine
+-- Returns true if a jump gives smooth and symmetric surfaces, and false if it does not or if the engine
 -- refuses a step. Also returns roughness, asymmetry and number of updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)

@@ -1,8 +1,8 @@
 -- Runs a study as a job array. The cases are split into shares; Slurm or GNU parallel starts a process for
 -- each share, which writes its own run file. The program follows the job, merges the shares into the study's
 -- run file and restarts interrupted shares. A folder beside the run file contains the script, the run files
--- and logs of the shares and a note of the job; it is removed after merging. If this program is killed, the
--- next submit of the same study follows the job, or merges its results and continues.
+-- and logs of the shares and a description of the job; the folder is removed after merging. If this program
+-- is killed, the next submit of the same study follows the job, or merges its results and continues.
 
 local check = require "archard.lib.check"
 local definitions = require "archard.study.definitions"
@@ -32,8 +32,8 @@ local engines = { slurm = require "archard.slurm.array", parallel = require "arc
 
 -- --- folder of a job -----------------------------------------------------------------------------
 
--- Returns a table with the properties and file names of a job. `name` is the engine's name of the job, or nil
--- before the start.
+-- Returns a table with the properties and file names of a job. `name`: name that the engine gave the job, or
+-- nil before the start.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
     script = folder .. "/share.sh", note = folder .. "/job", blank = folder .. "/blank.archard",

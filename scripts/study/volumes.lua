@@ -15,7 +15,7 @@ end
 
 -- --- one interval of distance ----------------------------------------------------------------------
 
--- Returns the standard deviation of each quantity over the tests. The deviation of alpha is of first order.
+-- Returns the standard deviation of each quantity over the tests. The deviation of alpha is a first-order estimate.
 local function deviations(cylinder, plate, c, p, work)
   local total = c + p
   local function of(f)

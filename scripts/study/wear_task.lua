@@ -6,8 +6,8 @@ local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 
 -- Returns a function(distance) that returns true at the updates at which surfaces are recorded. There are
--- `count` records: the unworn surfaces, then the first update at or after each share of the total distance.
--- The store records the final surfaces.
+-- `count` records: the unworn surfaces, then the first update at or after each multiple of 1/`count` of the
+-- total distance. The store records the final surfaces.
 local function recorder(count, total)
   local next_look = 0
   return function(distance)

@@ -110,7 +110,7 @@ function distributions.normal(given)
   return bell("normal", given, given.mean, spread_of("normal", given), same, same)
 end
 
-local widest = 10 -- largest deviation / mean; a larger value is probably a mistake for the variation
+local widest = 10 -- largest deviation / mean; a larger value was probably meant as the variation
 
 -- The mean and the deviation belong to the number itself, not to its logarithm.
 function distributions.lognormal(given)

@@ -1,5 +1,5 @@
 -- s:failure{} returns the probability that a result exceeds a limit, during the run or before a distance. It
--- is estimated as the share of samples that exceed the limit.
+-- is estimated as the fraction of samples that exceed the limit.
 
 local check = require "archard.lib.check"
 local history_at = require "archard.lib.history_at"

@@ -22,8 +22,8 @@ end
 -- Returns the half width of a two-sided confidence range, in standard deviations.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- Returns the two samples between which the true quantile lies with the confidence of `reach`, from the
--- binomial distribution of the ranks.
+-- Returns two samples: the limits of the confidence range of the quantile at `share`, from the binomial
+-- distribution of the ranks. reach: half width of the range, in standard deviations.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
   local margin = reach * math.sqrt(n * share * (1 - share))

@@ -53,10 +53,10 @@ end
 -- error estimate, but repeated steps are not. In other runs the distances of steps have rounding errors.
 local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 1e-9 end
 
--- Raises an error if the definition does not reproduce the run, because it is then useless for changed runs.
+-- Raises an error if the definition does not reproduce the run, as changed runs would not be comparable with it.
 local function check_repeats(run, definition, distances)
   local state = outcomes.usual(run)
-  if state[3] == "p_peak" then state[3] = nil end -- the largest pressure of a cycle changes from step to step
+  if state[3] == "p_peak" then state[3] = nil end -- p_peak is not compared: it changes from step to step
   local again, tolerance = repeated.run(definition, distances, state), tolerance_of(definition)
   for i, value in ipairs(values_of(run, state)) do
     if math.abs(value - again[i]) > tolerance * math.abs(value) then
@@ -101,8 +101,8 @@ local function with_parts(self, value, set, h, parts)
   end)(h)
 end
 
--- Numbers of parts for refined runs. Automatic steps cause an error of the derivative, which runs with
--- divided steps correct. The remaining error is bounded by twice the change of the last halving plus a
+-- Numbers of parts for refined runs. Automatic steps cause an error of the derivative. Runs with divided
+-- steps correct this error. The remaining error is bounded by twice the change of the last halving plus a
 -- quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
@@ -210,7 +210,7 @@ local function into_columns(self, name, value, found, there)
   end
 end
 
--- Returns the results of the unchanged run with their errors, to which elasticities refer. Only automatic
+-- Returns the results of the unchanged run to which elasticities refer, with their errors. Only automatic
 -- steps cause an error.
 local function results_of(self, run, definition)
   local there = values_of(run, self.of)

@@ -35,7 +35,7 @@ end
 -- Factor on the standard error, because the deviations of neighbouring runs are correlated.
 local doubt = 2
 
-local rounding = 1e-10 -- a relative scatter below this limit is rounding
+local rounding = 1e-10 -- a relative scatter below this limit is rounding error
 
 -- slope(points, values) returns { value =, error =, middle =, scatter =, ripple = }. points: evenly spaced,
 -- on one or both sides of 0, in units of their range. middle: result at 0. scatter: scatter of a result.
