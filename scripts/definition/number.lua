@@ -47,8 +47,8 @@ end
 -- Raises an error if `setting` is nil or its type is not a number.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
-    check.fail(where, ("field '%s': expected the name of a number in wear{} or model{}, "
-      .. "got %s"):format(field, setting and "one of type " .. setting.type or "an unknown name"))
+    check.fail(where, ("field '%s': expected the name of a numeric field of wear{} or model{}, "
+      .. "got %s"):format(field, setting and "a field of type " .. setting.type or "an unknown name"))
   end
 end
 

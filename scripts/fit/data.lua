@@ -19,7 +19,7 @@ local data = {}
 
 -- Quantities that are sums of columns of the history, each as { columns, factor, unit, meaning }.
 local made = {
-  volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
+  volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both bodies" },
   width = { { "half_width" }, 2, "mm", "contact width" },
 }
 local quantities = {}
@@ -79,7 +79,7 @@ end
 
 local function same_count(where, prefix, name, values, count)
   if #values ~= count then
-    check.fail(where, ("field '%s.%s': expected %d numbers, as many as there are values, got %d")
+    check.fail(where, ("field '%s.%s': expected %d numbers, one for each value, got %d")
       :format(prefix, name, count, #values))
   end
   return values
@@ -410,7 +410,7 @@ local function check_position(where, number, item, surface, shift)
   local width = item.x[#item.x] - item.x[1]
   if inside < 3 or width < (high - low) / 300 or width > 50 * (high - low) then
     check.fail(where, ("field 'data[%d].x': values from %.3g to %.3g, %d of %d points on the fine part of "
-      .. "the surface, from %.3g to %.3g mm: expected x in mm, from the contact's centre"):format(number,
+      .. "the surface, from %.3g to %.3g mm: expected x in mm, measured from the contact's centre"):format(number,
       item.x[1], item.x[#item.x], inside, #item.x, low, high))
   end
 end

@@ -15,7 +15,7 @@ local function finite(list)
   return true
 end
 
-loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of one length, 8 points or more", function(v)
+loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of equal length, at least 8 points", function(v)
   return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
 end)
 

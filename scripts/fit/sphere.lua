@@ -7,7 +7,7 @@ local flat = require "archard.joint.flat"
 local sphere = {}
 
 local angles = check.list_of(check.number, "angles")
-sphere.kind = check.kind("a map of angles theta, phi [degree] and values [mm], phi fastest, as of w:map", function(v)
+sphere.kind = check.kind("a map of angles theta, phi [degree] and values [mm], with phi varying fastest, as returned by w:map", function(v)
   return type(v) == "table" and angles.test(v.theta) and angles.test(v.phi) and angles.test(v.values)
     and #v.values == #v.theta * #v.phi
 end)

@@ -27,7 +27,7 @@ local function over_cycle(t, period)
   for i, time in ipairs(t) do shares[i] = time / period end
   local first, last = shares[1], shares[#shares]
   if not first or math.abs(first) > 1e-9 or math.abs(last - 1) > 1e-9 then
-    check.fail("gait", ("field 't': expected times from 0 to the period %g, got %s; the period is that of the cycle in the unit of t, 100 for percent")
+    check.fail("gait", ("field 't': expected times from 0 to the period %g, got %s; period is the length of the cycle in the unit of t (100 for percent)")
       :format(period, first and ("%g to %g"):format(t[1], t[#t]) or "none"))
   end
   return shares

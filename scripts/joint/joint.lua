@@ -74,7 +74,7 @@ function class.__settings(j)
 end
 
 function class:__tostring()
-  return ("joint: %s\n  not in this model: edge loading, microseparation, lubrication, the rim"):format(text(self))
+  return ("joint: %s\n  not modelled: edge loading, microseparation, lubrication, the rim"):format(text(self))
 end
 
 -- --- methods for contacts, wear and files --------------------------------------------------------

@@ -41,7 +41,7 @@ function lattice.warn_of_rim(where, joint, margin, warned, share)
   least = least * (share or 1)
   if not warned.near and (is_soft or #layers > 1) and margin < least then
     warned.near = true
-    warn(("%s: the contact is %.3g degrees from the cup's rim; the model has complete spheres, with errors of some percent below %.3g degrees"):format(
+    warn(("%s: the contact is %.3g degrees from the cup's rim; the model assumes complete spheres, with errors of a few percent below %.3g degrees"):format(
       where, margin, least))
   end
 end

@@ -24,7 +24,7 @@ local function warn_of_few(name, count, track, work, finer)
   local fine_track, fine_work = sphere.path(finer, 14)
   local lost = 4 / 3 * math.max(1 - track / fine_track, math.abs(1 - work / fine_work))
   if lost > most_lost then
-    warn(("gait %s: %d increments change its path or work by about %.2g %%: use more, %d or so"):format(name, count, 100 * lost,
+    warn(("gait %s: %d increments change its path or work by about %.2g %%; use about %d"):format(name, count, 100 * lost,
       math.ceil(count * math.sqrt(2 * lost / most_lost))))
   end
 end

@@ -403,7 +403,7 @@ function class:__tostring()
   if self.cycle > 0 then
     lines[#lines + 1] = ("  depth     head %.4g, cup %.4g um\n  volume    head %.5g, cup %.5g mm3: %.4g mm3 per million cycles"):format(
       1000 * self.depth.head, 1000 * self.depth.cup, self.volume.head, self.volume.cup, self.volume.total / self.cycle * 1e6)
-    lines[#lines + 1] = ("  pressure  in a cycle %.4g MPa, contact up to %.4g mm2"):format(self.p_peak, self.area)
+    lines[#lines + 1] = ("  pressure  up to %.4g MPa in a cycle, contact up to %.4g mm2"):format(self.p_peak, self.area)
   end
   return table.concat(lines, "\n")
 end

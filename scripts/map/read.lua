@@ -117,7 +117,7 @@ local function repaired(file, t, given)
   local count, first = repair.count_missing(y)
   t.missing = count
   if count == 0 then return end
-  if count == #y then file:refuse("expected points with a value, got %d without", count) end
+  if count == #y then file:refuse("expected at least one point with a value, got %d points without", count) end
   if not given.fill then refuse_missing(file, t, count, first) end
   if given.fill == true then return repair.fill(y, nx, nz) end
   for k = 1, #y do if y[k] ~= y[k] then y[k] = given.fill end end

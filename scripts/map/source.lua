@@ -106,7 +106,7 @@ end
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
   if nx * nz > (left + 1) // 2 then -- at least a digit and a blank for each value
-    self:refuse("expected %d x %d values, got %d bytes of them", nx, nz, left)
+    self:refuse("expected %d x %d values, got only %d bytes of text", nx, nz, left)
   end
   local next_word, y = self.text:gmatch("%S+", self.at), {}
   for i = 1, nx * nz do y[i] = missing end

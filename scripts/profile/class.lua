@@ -286,7 +286,7 @@ function class.__tostring(p)
     local is_round = p.form == "line" and p.error > 0 and p.scatter.deviation > uneven * p.error
     lines[#lines + 1] = ("  minus a %s%s, scatter about it %s%s"):format(p.form,
       p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation),
-      is_round and ': of a round surface? level = "circle" subtracts one' or "")
+      is_round and ': is the surface round? level = "circle" subtracts a circle' or "")
   end
   if p.scar then lines[#lines + 1] = ("  worn from x %.4g to %.4g mm"):format(p.scar.from, p.scar.to) end
   if p.cutoff then lines[#lines + 1] = ("  Gaussian filter, cut-off %.4g mm"):format(p.cutoff) end

@@ -345,7 +345,7 @@ local function check_place(file, each, values, tables)
   local owner = given.of == nil or values[math.tointeger(given.of)] ~= nil
   if known and owner and is_sound(given) and each.name ~= "?" and not own.is_taken(path[1])
     and (#inside == 0 or tables[own.spoken(inside)]) then return end
-  check.fail("session.open", ("%s: the file is damaged: case %d is not the value %q of a session"):format(file.path,
+  check.fail("session.open", ("%s: the file is damaged: case %d (%q) is not a valid value of a session"):format(file.path,
     each.id, each.name), "FORMAT")
 end
 

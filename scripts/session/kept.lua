@@ -88,7 +88,7 @@ function kept.made(class, parts)
   if class == "joint_contact" then return quiet(function() return parts.model:contact(parts.given) end) end
   if class ~= "contact" then return made_result(class, parts) end
   if type(parts.given) ~= "table" or type(parts.moves) ~= "table" then
-    check.fail("contact", "expected the calls that made it", "FORMAT")
+    check.fail("contact", "expected the calls that created the contact", "FORMAT")
   end
   return quiet(made_contact, parts)
 end

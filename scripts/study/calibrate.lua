@@ -180,7 +180,7 @@ local shown = {
   { "k", "%.4g", "mm2/N, sum of both bodies" },
   { "k_cylinder", "%.4g", "mm2/N" },
   { "k_plate", "%.4g", "mm2/N" },
-  { "depth_partition", "%.4f", "measured alpha-tilde" },
+  { "depth_partition", "%.4f", "the cylinder's share of the measured depths" },
 }
 
 local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "k_cylinder", "k_plate",

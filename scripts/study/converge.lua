@@ -66,7 +66,7 @@ end
 local function find_mesh(flat, options)
   local model = settings.nest(flat).model
   if model and (model.cup or model.head) then
-    check.fail(where, 'expected a model of the plane, got a joint; use study{ vary = { ["mesh.size"] = { 4, 3, 2 } } }')
+    check.fail(where, 'expected a model{}, got a joint; use study{ vary = { ["mesh.size"] = { 4, 3, 2 } } }')
   end
   local limit = options.pressure or search.limits.pressure
   local steps, good = search.mesh(settings.nest(flat), limit)
@@ -129,7 +129,7 @@ local function falls(list, value)
 end
 
 local function mesh_lines(mesh)
-  local rows = { { "size [mm]", "across 2a", "p_max [MPa]", "off Hertz", "change" } }
+  local rows = { { "size [mm]", "elements in 2a", "p_max [MPa]", "off Hertz", "change" } }
   for _, step in ipairs(mesh.steps) do
     rows[#rows + 1] = { ("%g"):format(step.size), ("%.1f"):format(step.elements),
       ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
@@ -206,7 +206,7 @@ local function add_notes(notes, label, found)
       .. "finer mesh reduces it"):format(found.smooth))
   end
   if not falls(found.roughnesses, function(value) return value end) then
-    add("among the jumps with too rough surfaces, a smaller jump was not always smoother: once ripples have "
+    add("among the jumps whose surfaces are too rough, a smaller jump was not always smoother: once ripples have "
       .. "split the contact, their size does not depend on the jump, and the roughness caused by the mesh appears "
       .. "at other distances")
   end
@@ -235,7 +235,7 @@ local function paper_rows(rows)
   local paper = require "archard.study.paper"
   local result = { { "α" } }
   for _, name in ipairs(paper.stroke_names) do
-    for _, head in ipairs{ name .. ": paper", "ours", "n_c" } do
+    for _, head in ipairs{ name .. ": paper", "computed", "n_c" } do
       result[1][#result[1] + 1] = head
     end
   end

@@ -31,7 +31,7 @@ end
 function definitions.write(self, store) transaction(store, write, self, store) end
 
 local function other_study(where, store, what)
-  check.fail(where, ("%s holds another study (%s); give another file name, or remove the file")
+  check.fail(where, ("%s contains another study (%s); give another file name, or remove the file")
     :format(store.path, what), "ARGUMENT")
 end
 
