@@ -19,8 +19,8 @@ local field_of = { upper = "cylinder", lower = "plate" } -- model{} fields of th
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- Returns the setting at a path inside a body or one of its materials, or nil. A table over positions, such
--- as the heights of a profile, is not a number and gives nil.
+-- Returns the setting (type, unit and range of a field) at a path inside a body or one of its materials, or
+-- nil. A table over positions, such as the heights of a profile, is not a number and gives nil.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -91,7 +91,7 @@ local function is_joint(flat)
   return false
 end
 
--- Returns the path of a number of a joint, such as "clearance" or "cup.layer1.E".
+-- Returns the path of a joint's number, given by a name such as "clearance" or "cup.layer1.E".
 local function joint_path(flat, inside)
   local body, rest = inside:match("^(%l+)%.(.+)$")
   if not rest then return owners[inside] and ("model.%s.%s"):format(owners[inside], inside) or "model." .. inside end
@@ -99,8 +99,8 @@ local function joint_path(flat, inside)
   return prefix .. in_material(flat, prefix, (rest:gsub("^layer(%d+)%.", "layers.%1.")))
 end
 
--- Returns the path of a number of a body, such as "cylinder.E", or nil if the first word is not a
--- body.
+-- Returns the path of a body's number, given by a name such as "cylinder.E", or nil if the first word is
+-- not a body.
 local function body_path(flat, word, rest)
   local which = role(flat, word)
   if not which then return nil end

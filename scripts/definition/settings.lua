@@ -81,8 +81,8 @@ local function flatten(where, into, prefix, given)
   return into
 end
 
--- Returns a function that replaces the name of a mesh file in flat settings by the content of the file, since the file
--- may change before a case runs.
+-- Returns a function that replaces the name of a mesh file in flat settings by the content of the file, since the
+-- file may change before a case runs.
 function settings.carrier(where)
   local texts = {}
   return function(flat)
@@ -209,9 +209,9 @@ local function lay_over(where, base, over)
 end
 
 -- Merges two tables of settings and returns the flat result. The settings of `over` have priority and can
--- have any name of a number.
+-- have any name that number.paths accepts.
 function settings.join(where, base, over)
-  local names = settings.flatten(where, over) -- flattened first, so that errors contain the full name
+  local names = settings.flatten(where, over) -- flattened first, so that error messages contain the full name
   local joined = settings.nest(settings.flatten(where, base))
   lay_over(where, joined, over)
   return number.rename(settings.flatten(where, joined), names)

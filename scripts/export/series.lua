@@ -46,7 +46,7 @@ end
 
 -- export.pvd(run, path, { every= }) writes the present state and returns a function that adds further
 -- states. Called without arguments, the function always adds the present state. As the progress function of
--- w:run, it adds a state at every `every` updates and at the end of the run.
+-- w:run, it adds a state after every n-th update (n = every) and at the end of the run.
 return function(run, path, options)
   if check.shown(run) ~= "a wear object" and not joint_file.is_joint(run) then
     check.fail(where, "expected a wear object, got " .. check.shown(run))

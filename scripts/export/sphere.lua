@@ -62,8 +62,8 @@ local function add_whole(lines, name, kind, values)
   lines[#lines + 1] = ('<DataArray type="%s" Name="%s" format="ascii">\n%s\n</DataArray>'):format(kind, name, table.concat(values, "\n"))
 end
 
--- Returns the text of a .vtu file. arrays: a list of { name, unit, values by site }; time: the
--- sliding distance [mm].
+-- Returns the text of a .vtu file. arrays: a list of { name, unit, values by index of the cell }; time:
+-- the sliding distance [mm].
 local function text_of(points, cells, arrays, time)
   local lines = { '<?xml version="1.0"?>', '<VTKFile type="UnstructuredGrid" version="0.1">', "<UnstructuredGrid>",
     ('<FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">%s</DataArray></FieldData>'):format(

@@ -90,7 +90,7 @@ local function column_between(high, low, width)
   return column
 end
 
--- Returns the derivative of the simulated values by a position parameter. No new run is needed.
+-- Returns the derivative of the simulated values with respect to a position parameter. No new run is needed.
 local function position_column(self, readings, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)

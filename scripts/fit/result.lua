@@ -1,4 +1,4 @@
--- The result of a fit: values, standard errors, bands, residuals, notes on undetermined unknowns, and the final run.
+-- Result of a fit: values, standard errors, bands, residuals, notes on undetermined unknowns, and the final run.
 
 local data = require "archard.fit.data"
 local statistics = require "archard.lib.statistics"
@@ -9,7 +9,7 @@ local result = {}
 
 -- --- numbers -------------------------------------------------------------------------------------
 
--- Returns a table from the names of unknowns to their values. The value of a curve is the list of its knot
+-- Returns a table of the values of the unknowns by name. The value of a curve is the list of its knot
 -- values.
 local function by_path(problem, list)
   local named = {}

@@ -1,6 +1,6 @@
--- Runs of joints in run files. A case has the fields of wear{} that make the run again. Its results include
--- the state, the history and the last record. The functions `save`, `wear`, `history` and `surfaces` also
--- accept runs of the engine.
+-- Runs of joints in run files. The settings of a case are the fields of wear{} from which the run can be
+-- created again. Its results include the state, the history and the last record. The functions `save`,
+-- `wear`, `history` and `surfaces` also accept runs of the engine.
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"

@@ -107,7 +107,7 @@ end
 
 function given.is(value) return strict.is(value, "gait") end
 
--- Returns a gait object unchanged, or creates one from its fields or from the fields of a run file (name and instants).
+-- Returns a gait object unchanged, or creates a gait from its fields or from a run file (name and instants).
 function given.of(it)
   if given.is(it) then return it end
   if rawget(it, "instants") ~= nil then return made(it.name, table.move(it.instants, 1, #it.instants, 1, {})) end

@@ -68,7 +68,7 @@ local function new(given)
   return strict.object(made, class)
 end
 
--- Returns the fields of joint{} that make an equal joint.
+-- Returns the fields of joint{} from which an equal joint can be made.
 function class.__settings(j)
   return { head = j.head, cup = j.cup, foundation = j.foundation, order = j.order, mesh = j.mesh }
 end

@@ -1,4 +1,4 @@
--- Makes gaits. A gait is stored as a list of instants with fifteen numbers each.
+-- Makes gaits: lists of instants with fifteen numbers each (rotation matrix, rotation vector and load).
 
 local check = require "archard.lib.check"
 local sphere = require "archard.sphere"

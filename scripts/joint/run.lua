@@ -192,7 +192,7 @@ function runs.new(model, given)
   return strict.object(run, class)
 end
 
--- Returns the fields of wear{} that make an equal run. Initial shapes are not included.
+-- Returns the fields of wear{} from which an equal run can be made. Initial shapes are not included.
 function methods:definition()
   local blocks = {}
   for i, block in ipairs(self.blocks) do

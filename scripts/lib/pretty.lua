@@ -11,7 +11,7 @@ local term = require "archard.term"
 
 local pretty = {}
 
--- Limits of the output. "..." replaces the rest.
+-- Limits of the output. "..." replaces omitted items.
 local limits = {
   depth = 5,        -- levels of nested tables
   list = 40,        -- items of the outermost list

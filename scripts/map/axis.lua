@@ -52,7 +52,7 @@ local function linear(list, value)
 end
 
 -- Returns the weights for the mean over a cell of width `size` about a value. The weight of a point is the
--- overlap of its own cell with this cell.
+-- overlap of its own cell with this cell, divided by the sum of all overlaps.
 local function mean(list, value, size)
   local step, total = axis.step(list), 0
   local low, high = value - size / 2, value + size / 2
@@ -68,9 +68,9 @@ local function mean(list, value, size)
   return weights
 end
 
--- Returns points with the step `size`, centred in the same length, and for each of them the weights of the
--- old points. If the new step is smaller, the weights interpolate linearly; else they compute means over
--- cells of the new size.
+-- Returns points with the step `size`, centred in the range of the old points, and for each of them the
+-- weights of the old points. If the new step is smaller, the weights interpolate linearly; else they
+-- compute means over cells of the new size.
 function axis.resampled(list, size)
   local whole = list[#list] - list[1]
   local count = math.floor(whole / size + 1e-9) + 1

@@ -7,12 +7,12 @@ local solve = require "archard.lib.linear"
 local form = { kinds = { "plane", "sphere" } }
 local models = {}
 
--- Returns the height of a plane at (u, v) and its derivatives by p. Lengths are in units of half the map's
--- length; u and v are measured from the middle of the map.
+-- Returns the height of a plane at (u, v) and its derivatives with respect to p. Lengths are in units of
+-- half the map's length; u and v are measured from the middle of the map.
 function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
 
--- Returns the height of a sphere at (u, v) and its derivatives by p, or nil outside the sphere. p: height,
--- sines of both slopes in the middle, and curvature.
+-- Returns the height of a sphere at (u, v) and its derivatives with respect to p, or nil outside the
+-- sphere. p: height, sines of both slopes in the middle, and curvature.
 function models.sphere(u, v, p)
   local t, s, k = p[2], p[3], p[4]
   local q, r = t + k * u, s + k * v

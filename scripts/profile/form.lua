@@ -9,14 +9,14 @@ local form = { kinds = { "line", "circle" } }
 local shape = {} -- methods of a form
 local class = { __name = "form", __methods = shape, __fields = {} }
 
--- Functions that return the height of a form at u and its derivatives by the parameters p. Lengths are in
--- units of half the trace's length; u is measured from the middle of the trace.
+-- Functions that return the height of a form at u and its derivatives with respect to the parameters p.
+-- Lengths are in units of half the trace's length; u is measured from the middle of the trace.
 local models = {}
 
 function models.line(u, p) return p[1] + p[2] * u, 1, u end
 
--- Returns the height of a circle at u and its derivatives by p. p: height and sine of the slope at u = 0,
--- curvature. Returns nil outside the circle.
+-- Returns the height of a circle at u and its derivatives with respect to p. p: height and sine of the
+-- slope at u = 0, curvature. Returns nil outside the circle.
 function models.circle(u, p)
   local t, k = p[2], p[3]
   local q = t + k * u

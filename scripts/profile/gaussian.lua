@@ -2,8 +2,8 @@
 -- wave with the length of the cut-off to half its amplitude.
 --
 -- Near the ends of a trace, a part of the weights is outside it. There, a line is fitted with the remaining
--- weights, and its value is used (moments of order 0 and 1 are preserved, ISO 16610-28). In the middle this
--- equals the plain filter. A straight line is unchanged everywhere.
+-- weights, and its value is used (moments of order 0 and 1 are preserved, ISO 16610-28). Far from the ends
+-- this is the filter of ISO 16610-21. A straight line is unchanged everywhere.
 
 local fft = require "archard.profile.fft"
 
@@ -24,7 +24,7 @@ local function one_sided(ratio, count)
 end
 
 -- Returns the Fourier transform of w (1 + i u), sampled in steps, at the frequency f [1/step]. The
--- transform is real. Aliases above 1e-15 are included.
+-- transform is real. Aliases larger than 1e-15 are included.
 local function response(f, ratio)
   local sum, repeats = 0, ratio < 3 and 3 or 1
   for shift = -repeats, repeats do

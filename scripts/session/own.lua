@@ -21,8 +21,8 @@ local function is_ours(name) return there[name] or (require "archard")[name] ~= 
 -- Returns true if the name is reserved for a global of the program.
 own.is_taken = is_ours
 
--- Returns the class of a value: the class of an object of archard, such as "wear" or "study", "program" for
--- parts of the program, or else the Lua type.
+-- Returns the class of a value: the class name, such as "wear" or "study", for an object of archard;
+-- "program" for parts of the program; else the Lua type.
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)

@@ -7,8 +7,8 @@ paper.strokes = { 0.11, 0.22, 0.44, 20 }
 paper.stroke_names = { "a", "2a", "4a", "2R" }
 paper.increments = 100
 
--- Cycles per update, a row for each alpha and a column for each stroke. The missing number belongs to the
--- case that needs no finite elements.
+-- Cycles per update, a row for each alpha and a column for each stroke. The case with alpha 0 and stroke
+-- 2R needs no finite elements and has no number.
 paper.jumps = {
   { 75, 50, 30 },
   { 100, 40, 25, 1 },

@@ -33,7 +33,7 @@ function progress:finish(i, case, failure)
   if failure then self.failed = self.failed + 1 end
   if self.mode == "lines" then
     print(("%d/%d  case %d  %s%s"):format(self.done, self.total, case.id, case.label,
-      failure and "  failed" or "")) -- the reason is printed once, after the run
+      failure and "  failed" or "")) -- the reason of a failure is printed after the run
     io.flush()
   elseif type(self.mode) == "function" then
     self.mode{ case = case, failure = failure, done = self.done, total = self.total }

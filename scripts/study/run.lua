@@ -20,8 +20,8 @@ end
 local run = {}
 run.__index = run
 
--- Sends worker `i` the next case. If no case is left, it requests the worker to store the cases it has
--- computed.
+-- Sends worker `i` the next case. If no case is left, sends the command to store the computed
+-- cases.
 function run:feed(i)
   local case = self.queue[self.next]
   self.busy[i] = case

@@ -60,8 +60,8 @@ local function remove_store(path)
   for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
 end
 
--- Removes all files of this and earlier jobs from the folder, also journals without a run file, and then the
--- folder. Other files in the folder are not removed.
+-- Removes all files of this and earlier jobs from the folder, including journals without a run file, and
+-- then the folder. Other files in the folder are not removed.
 local function clear(job)
   local names = process.files(job.folder) or {}
   for _, name in ipairs(names) do

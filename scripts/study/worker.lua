@@ -1,5 +1,5 @@
 -- A worker process of a study. It reads lines "case ID" from standard input, computes the case and stores the
--- results in the run file; the line "store" requests to store all computed cases. It prints "at ID SHARE"
+-- results in the run file; the line "store" makes it store all computed cases. It prints "at ID SHARE"
 -- (finished fraction of the case) and "computed ID" (ready for the next case). After storing it prints "done
 -- ID" or "failed ID TEXT", preceded by "warned ID TEXT" if the case has a warning. It prints "broken TEXT" if
 -- the file cannot be written.

@@ -28,7 +28,7 @@ local function take_coefficients(definition)
   end
 end
 
--- Returns the definition of a run that the engine computed.
+-- Returns the definition of a run of the engine (for runs of joints see joint/run.lua).
 local function of_engine(run)
   local there = settings.nest(joint_file.definition(run))
   local definition = { model = run.model, loading = loading_of(there.loading) }

@@ -187,7 +187,7 @@ local function derivatives(self, name, value, set, definition)
     400 * step, why.message), why.code)
 end
 
--- Returns the elasticity. It is 0 for a result that is always 0.
+-- Returns the elasticity, which is 0 if the derivative is 0 (the result may then be 0 too).
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end

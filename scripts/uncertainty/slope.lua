@@ -1,6 +1,6 @@
 -- Computes the slope of a result over many values of a number by least squares. Half widths and pressures
--- change in small steps when the contact edge moves from node to node. The mesh would determine a local
--- derivative; a line through runs over several nodes is not affected.
+-- change in small steps when the contact edge moves from node to node. A local derivative would therefore
+-- depend on the mesh; a line through runs over several nodes does not.
 
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
