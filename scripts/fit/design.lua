@@ -48,7 +48,7 @@ local function check_one(number, given)
   if given.distance == nil then check.refuse(where, field .. ".distance", own.distance.expected, nil) end
   if (given.error == nil) == (given.relative == nil or given.profile ~= nil) then
     check.fail(where, ("field '%s': expected the error of the measurement, error=%s"):format(field,
-      given.profile and " [mm]" or " in its unit or relative=, one of them"))
+      given.profile and " [mm]" or " in its unit, or relative= (exactly one of them)"))
   end
 end
 
