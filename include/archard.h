@@ -1,4 +1,5 @@
-/* Everything that libarchard offers. Each header under archard/ can be included by itself, too. */
+/* Includes all public headers of libarchard. Each header under archard/ can also be included
+ * alone. */
 #ifndef ARCHARD_H
 #define ARCHARD_H
 

@@ -1,6 +1,6 @@
-/* archard/array.h - named arrays over the sites of a surface (profiles, maps, states) in runs and
- * run files. The kind of the pair of bodies defines the names. Code that stores or compares arrays
- * does not depend on the names. */
+/* archard/array.h - named arrays of values at the sites (nodes or cells) of a surface, such as
+ * profiles, maps and states, in runs and run files. The names depend on the kind of model
+ * (arc_model_kind_name). Code that stores or compares arrays does not depend on the names. */
 #ifndef ARCHARD_ARRAY_H
 #define ARCHARD_ARRAY_H
 
@@ -11,13 +11,12 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* One array of one body at one moment. size is { sites, 1 } for values along a line, { sites, 2 }
- * for pairs of values, { sites along z, sites along x } for a map, and { 1, 1 } for a single
- * number. */
+/* One array of one body after one update. size is { sites, 1 } for one value at each site, { sites,
+ * 2 } for pairs of values, and { 1, 1 } for a single number. */
 typedef struct arc_array {
   const char *name; /* a word of letters, digits and _, such as "h" */
   arc_body body;
-  double update, distance; /* number of updates and sliding distance [mm] at this moment */
+  double update, distance; /* number of the update, and sliding distance [mm] after it */
   size_t size[2];          /* number of rows, numbers per row */
   const double *values;    /* [size[0] * size[1]] values row by row, without NaN */
 } arc_array;

@@ -2,7 +2,7 @@
  *
  * The new content is written to a temporary file in the same folder, which is renamed when
  * complete. A reader sees either the old or the new file, even if a program is killed or several
- * programs write (the last one wins). */
+ * programs write (the last written file remains). */
 #ifndef ARCHARD_ATOMIC_FILE_H
 #define ARCHARD_ATOMIC_FILE_H
 
@@ -36,8 +36,9 @@ const char *arc_atomic_file_name(const arc_atomic_file *file);
  * pointer to NULL. On ARC_IO (with the reason) the old file is unchanged. */
 arc_status arc_atomic_file_publish(arc_atomic_file **file, arc_error *error);
 
-/* Publishes the file unless another program has meanwhile created a file with the final name. Then
- * that file is kept, the temporary file is removed, and the function returns ARC_OK. */
+/* Publishes the file unless another program has meanwhile created a file with the final name. In
+ * that case the other file is kept, the temporary file is removed, and the function returns
+ * ARC_OK. */
 arc_status arc_atomic_file_publish_first(arc_atomic_file **file, arc_error *error);
 
 /* Removes the temporary file and frees the object. NULL and a pointer to NULL are allowed. */

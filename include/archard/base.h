@@ -1,4 +1,4 @@
-/* archard/base.h - status codes and errors, shared by every layer.
+/* archard/base.h - status codes, errors, files and callbacks, used by all other headers.
  *
  * Units are mm, N and MPa (N/mm2). Unless a name or comment says otherwise, the engine computes
  * plane strain, and its forces are per mm of thickness.
@@ -102,14 +102,14 @@ typedef struct arc_callbacks {
    * remains part of the run. */
   int (*progress)(void *context, const struct arc_wear *wear);
   /* Reports the construction of an object about twenty times a second: its name `what` (such as
-   * "model"), the estimated share that is done (0 to 1) and the elapsed time [s]. */
+   * "model"), the estimated completed fraction `share` (0 to 1) and the elapsed time [s]. */
   void (*working)(void *context, const char *what, double share, double seconds);
   void *context; /* first argument of each callback */
 } arc_callbacks;
 
-/* Sets BLAS and OpenMP of this process to one thread, as more threads are slower at these sizes and
- * a child of fork() would hang. Call it once at the start. Returns a description of the BLAS, or
- * NULL if it is unknown. */
+/* Sets BLAS and OpenMP of this process to one thread, because more threads are slower for matrices
+ * of this size, and a child of fork() would hang. Call it once at the start. Returns a description
+ * of the BLAS, or NULL if it is unknown. */
 const char *arc_single_threaded(void);
 
 /* Makes BLAS allocate its workspace now. Call it before a memory limit of the process (RLIMIT_AS)

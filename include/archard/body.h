@@ -48,8 +48,8 @@ extern const char *const arc_solid_names[];
 typedef enum arc_rim { ARC_RIM_LIST(ARC_CHOICE_ENUM) } arc_rim;
 extern const char *const arc_rim_names[];
 
-/* Support of a cylinder. Fixed: its flat side is fixed. Free: this side is held along y only. Hub:
- * the body is a whole disc around a hub. */
+/* Support of a cylinder. Fixed: its flat side is fixed. Free: the flat side is fixed along y, and
+ * along x only in its middle part. Hub: the body is a whole disc around a rigid hub. */
 #define ARC_HOLD_LIST(X)                                                                           \
   X(HOLD_FIXED, "fixed")                                                                           \
   X(HOLD_HUB, "hub")                                                                               \
@@ -72,7 +72,7 @@ typedef struct arc_layer {
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
 
-extern const arc_setting arc_layer_settings[]; /* the material is a group of settings */
+extern const arc_setting arc_layer_settings[]; /* includes the material, as a group of settings */
 
 /* Description of a valid name of a body, for messages. */
 #define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
@@ -110,11 +110,11 @@ extern const arc_setting arc_layer_settings[]; /* the material is a group of set
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
-  double y; /* unused (0), as the series has the values */
+  double y; /* unused (0); y_series has the values */
   arc_series
-      y_series; /* heights [mm], positive out of the body. A profile has them over x [mm], linear
-                   between points and constant beyond them; a map over the index of the point, with
-                   z fastest. The caller owns the arrays; a model stores a copy */
+      y_series; /* heights [mm], positive out of the body. A profile has heights over x [mm], linear
+                   between points and constant beyond them; a map has heights over the index of the
+                   point, z fastest. The caller owns the arrays; a model stores a copy */
   double x, z;  /* unused (0) */
   arc_series x_series,
       z_series; /* positions [mm] of the points of a map, over the index of the point */
@@ -127,8 +127,8 @@ extern const arc_setting arc_body_settings[];
  * role of the body. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
-/* Checks a resolved body. ARC_ARGUMENT: the message has the field after `path` ("upper." or
- * "lower."), the expected and the actual value. */
+/* Checks a body from arc_body_resolve. ARC_ARGUMENT: the message has the field with the prefix
+ * `path` ("upper." or "lower."), the expected and the actual value. */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
 /* Returns the names of the settings that a kind of body has, ended by NULL. */
@@ -153,7 +153,7 @@ double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
 /* Returns the smallest dimension that limits the mesh [mm]: the radius of a cylinder or disc, the
- * half width or height of a block, the wall of a ring. */
+ * half width or height of a block, the wall thickness of a ring. */
 double arc_body_measure(const arc_body_def *def);
 
 /* Returns the width of the widest possible contact zone [mm]. */
@@ -169,8 +169,8 @@ double arc_body_inset(const arc_body_def *def, double crest, double x);
 int arc_body_is_map(const arc_body_def *def);
 /* Compute data of a map. The first function returns the height [mm] at (x, z), positive out of the
  * body, cubic between the points and constant beyond them. The second one writes the distances from
- * x = z = 0 to the nearest ends and the longest step between points [mm]. The third one writes the
- * curvatures of the best parabola [1/mm], positive for a ball. */
+ * x = z = 0 to the nearest ends and the largest spacing of the points [mm]. The third one writes
+ * the curvatures of the fitted parabola along x and z [1/mm], positive for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
@@ -179,9 +179,9 @@ void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *al
  * is NULL if the body has no series. On ARC_MEMORY the body has no series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* The first function returns the number of layers. The second one returns the depth of the lower
- * side of a layer that has a thickness [mm], and 0 for layer -1. The third one returns the material
- * of a layer, or `own` for an index that is not a layer. */
+/* The first function returns the number of layers. The second one returns the depth [mm] of the
+ * lower side of a layer that has a thickness, and 0 for layer -1 (the surface). The third one
+ * returns the material of a layer, or `own` for an index that is not a layer. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

@@ -2,8 +2,9 @@
  *
  * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load exactly. Here f are the components of
  * the nodal forces along the load. The surfaces are coupled by mortar elements in x with a dual
- * basis on the cylinder's side. The nodal forces f of the cylinder and B'f of the plate therefore
- * balance identically, also along x. Pressures act along the normals of the worn surface.
+ * basis on the cylinder's side. The nodal forces f of the cylinder and B'f of the plate, with the
+ * coupling matrix B, therefore balance identically, also along x. Pressures act along the normals
+ * of the worn surface.
  *
  * With Coulomb friction the solution is computed over increments of load and motion, each of which
  * depends on the previous one: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. Here q is
@@ -31,8 +32,9 @@ extern "C" {
 typedef enum arc_geometry { ARC_GEOMETRY_LIST(ARC_CHOICE_ENUM) } arc_geometry;
 extern const char *const arc_geometry_names[];
 
-/* Corrections of the elements. All: terms are added that correct errors of the elements at short
- * waves (theory.md, "Corrections"). None: the elements alone, to show the effect of these terms. */
+/* Corrections of the finite elements. All: terms are added that correct errors of the elements at
+ * short wavelengths (theory.md, "Corrections"). None: the elements alone, to show the effect of
+ * these terms. */
 #define ARC_CORRECTIONS_LIST(X)                                                                    \
   X(CORRECTIONS_ALL, "all")                                                                        \
   X(CORRECTIONS_NONE, "none")
@@ -42,18 +44,18 @@ extern const char *const arc_corrections_names[];
 /* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
 typedef struct arc_shape arc_shape;
 
-/* Creates unworn surfaces. The wear box is condensed again once a surface node has moved too far.
- * The limit is `refresh` [-] times the present height of its element, a fifth of `refresh` times
- * the remaining layer, or along x a hundredth of `refresh` times the width of an element. With
- * refresh 0 the box is condensed after every motion. Between two condensations the compliance of a
- * body without layers is updated to first order. */
+/* Creates unworn surfaces. The stiffness of the wear box (the elements at the surface) is condensed
+ * again when a surface node has moved beyond a limit. This limit is `refresh` [-] times the present
+ * height of its element, a fifth of `refresh` times the remaining layer, or along x a hundredth of
+ * `refresh` times the width of an element. With refresh 0 the box is condensed after every motion.
+ * Between two condensations the compliance of a body without layers is updated to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
 void arc_shape_destroy(arc_shape **shape);
 arc_model *arc_shape_model(const arc_shape *shape);
 
-/* Wears one body by `depth` [surface] at the candidate nodes [mm]. The nodes move along their
+/* Wears one body by depth [surface] [mm] at the candidate contact nodes. The nodes move along their
  * current normals (Eq. 8 of the paper), and the scalar sums of the depths are stored too. The nodes
  * of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an element of the wear box
  * would collapse; with frozen geometry a depth exceeds 1e6 mm), ARC_MEMORY, ARC_NUMERIC. On failure
@@ -67,8 +69,8 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
 
 /* Interpolates the worn surfaces of `from` to the unworn surfaces `to` on another model of the same
  * bodies. The splines are smooth inside a scar, keep the worn area and give no negative depths. If
- * both models have the same nodes, the depths are equal to rounding. Wear outside the zones of the
- * other model is lost. Errors: those of arc_shape_wear. On failure `to` must be destroyed. */
+ * both models have the same nodes, the depths are equal up to rounding. Wear outside the zones of
+ * the other model is lost. Errors: those of arc_shape_wear. On failure `to` must be destroyed. */
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
 
 /* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, depth
@@ -98,22 +100,22 @@ double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
 /* Returns the state of the worn surfaces for storage. The arrays of each body are: h [nodes, 1],
- * the wear depth with even wear [mm]; xy [nodes, 2], the present nodes without even wear [mm];
- * settled [nodes, 2], these nodes at the last condensation [mm]; even [1, 1], the even wear over
- * the whole width [mm]; and condensed [1, 1], which is 1 if the wear box was condensed since it was
- * unworn. The shape owns names and values. update and distance of the arrays are 0. */
+ * the wear depth including uniform wear [mm]; xy [nodes, 2], the present nodes without uniform wear
+ * [mm]; settled [nodes, 2], these nodes at the last condensation [mm]; even [1, 1], the uniform
+ * wear of arc_shape_wear_evenly [mm]; and condensed [1, 1], which is 1 if the worn wear box was
+ * condensed, else 0. The shape owns names and values. update and distance of the arrays are 0. */
 #define ARC_SHAPE_STATE 10
 void arc_shape_state(const arc_shape *shape, arc_array state[ARC_SHAPE_STATE]);
 
-/* Restores a shape from its state; all values are equal to the bit. ARC_ARGUMENT: an array is
- * missing, superfluous or of a wrong size, or depths or positions are impossible for a worn
- * surface. Other errors: ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
+/* Restores a shape from its state, bit for bit. ARC_ARGUMENT: an array is missing, superfluous or
+ * of a wrong size, or depths or positions are impossible for a worn surface. Other errors:
+ * ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
-/* Friction while the bodies are pressed together. Friction: it acts. Frictionless: it acts only
- * afterwards. */
+/* Friction while the bodies are pressed together. Friction: friction acts. Frictionless: friction
+ * acts only afterwards. */
 #define ARC_PRESS_LIST(X)                                                                          \
   X(PRESS_FRICTION, "friction")                                                                    \
   X(PRESS_FRICTIONLESS, "frictionless")
@@ -177,7 +179,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);
-/* Returns the definition of a contact (borrowed). */
+/* Returns the definition of a contact, which the contact owns. */
 const arc_contact_def *arc_contact_definition(const arc_contact *contact);
 /* Returns the memory of the contact in bytes, for a garbage collector. */
 size_t arc_contact_bytes(const arc_contact *contact);
@@ -211,36 +213,38 @@ extern const arc_setting arc_motion_settings[];
 arc_motion_def arc_contact_motion(const arc_contact *contact);
 
 /* Computes the contact after a motion. Points that stick remain opposite to the same points of the
- * other body. Under a given x the pairing of nodes follows the plate, which may slide as far as the
- * zones reach. Errors: those of arc_contact_solve; ARC_ARGUMENT for a tangential force above
- * friction times load. */
+ * other body. If x is given, the pairing of nodes follows the plate, which may slide until the
+ * contact reaches the edge of a zone. Errors: those of arc_contact_solve; ARC_ARGUMENT for a
+ * tangential force above friction times load. */
 arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
                             const arc_callbacks *callbacks, arc_contact **contact,
                             arc_error *error);
 
 typedef struct arc_contact_result {
-  double area;         /* [mm2] area in contact; 0 in the plane */
-  double half_width_z; /* [mm] half the width of the contact across the motion; 0 in the plane */
-  double p_center;  /* [MPa] pressure at the cylinder's node x = 0; in holes in the direction of the
-                       load */
-  double p_max;     /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
-  double p_average; /* [MPa] largest pressure averaged over the length `average`; this value
-                       converges with the mesh */
+  double area;         /* [mm2] contact area; 0 in 2-D */
+  double half_width_z; /* [mm] half the width of the contact along z; 0 in 2-D */
+  double p_center;     /* [MPa] pressure at the cylinder's node x = 0; in holes at the point in the
+                          direction of the load */
+  double p_max;        /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
+  double p_average;    /* [MPa] largest pressure averaged over the length `average`; this value
+                          converges with the mesh */
   double half_width;   /* [mm] half the contact width */
   double left, right;  /* [mm] contact edges in the cylinder's frame, computed between nodes; the
                           error is 0.03 elements for unworn and 0.07 for smooth worn surfaces, 0.6
                           (r.m.s. 0.2) at edges of scars */
-  double normal_force; /* [N] integral of the pressure over the area; equals the load, in hollow
-                          surfaces up to 4/pi of it */
-  double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
-  double tangential;   /* [N] force on the plate along x; without friction it results from slopes */
+  double normal_force; /* [N] integral of the pressure over the area; equals the load; in hollow
+                          surfaces it is up to 4/pi times the load */
+  double approach;     /* [mm] approach of the plate's rigid base and the cylinder's fixed top */
+  double tangential;   /* [N] force on the plate along x; without friction it results from slopes of
+                          the surfaces */
   double energy; /* [N mm] energy dissipated by friction since first contact, including slip between
                     nodes */
-  double z;      /* [mm] position of the lower body across x; 0 in the plane */
-  double tangential_z; /* [N] force on the lower body along z; 0 in the plane */
-  double energy_error; /* [N mm] difference from the energy computed with half as many increments */
-  double stick;        /* share of the area that stuck in the last increment [-]; 0 in the plane */
-  int iterations;      /* number of active sets */
+  double z;      /* [mm] position of the lower body along z; 0 in 2-D */
+  double tangential_z; /* [N] force on the lower body along z; 0 in 2-D */
+  double energy_error; /* [N mm] difference of `energy` from the energy computed with half as many
+                          increments */
+  double stick;   /* [-] fraction of the contact area that stuck in the last increment; 0 in 2-D */
+  int iterations; /* number of active-set iterations */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
@@ -271,18 +275,18 @@ arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
  * contact: *count values at the cylinder's nodes. Returns NULL without friction. */
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
-/* Writes the edges [mm] of zone `index` (from 0, from left to right) that stuck in the last
- * increment, and returns 1; returns 0 if there is no such zone. Edges lie between nodes, with an
- * error of 0.15 of an element, or 0.3 if fewer than six elements stick. */
+/* Writes the edges [mm] of stick zone `index` of the last increment (numbered from 0, left to
+ * right), and returns 1; returns 0 if there is no such zone. Edges lie between nodes, with an error
+ * of 0.15 of an element, or 0.3 if fewer than six elements stick. */
 int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
 
-/* Checks a solution, for tests and builds with checks. The forces of both bodies must balance the
- * load, no force may be tensile, no gap negative, and no force may act across a gap. ARC_NUMERIC:
- * the message has the violated condition and by how much. */
+/* Checks a solution, for tests and for builds with ARC_CHECKS. The forces of both bodies must
+ * balance the load, no force may be tensile, no gap negative, and no force may act across a gap.
+ * ARC_NUMERIC: the message has the violated condition and the amount of the violation. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
-/* Columns X(name, unit, text) of a field in the order of files: positions of the nodes, then
- * values.
+/* Columns X(name, unit, text) of a field, in the order of the columns of files: positions of the
+ * nodes, then values.
  *
  * Stresses are of second order in the element size. On the boundary they agree with the tractions
  * (pressure and shear of the node) and with the strain along the surface. Inside they are
@@ -318,14 +322,15 @@ arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_fiel
 void arc_field_destroy(arc_field **field);
 /* Returns the pressures as arrays, body by body: positions x and in 3-D z [mm], and pressures p
  * [MPa], each [sites, 1], in the frame of the upper body. Sites of maps are stored with z fastest.
- * With friction in 3-D, arrays of the upper body follow: shear along x and z and its magnitude, q,
- * qz, shear [MPa]; slip of the lower surface relative to the upper one, s, sz, slip [mm]. All
- * arrays are in one block, which the caller releases with free(). Errors: ARC_MEMORY. */
+ * With friction in 3-D, arrays of the upper body follow: q, qz and shear [MPa], the shear along x,
+ * along z and its magnitude; s, sz and slip [mm], the slip of the lower surface relative to the
+ * upper one along x, along z and its magnitude. All arrays are in one block, which the caller
+ * releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
-/* Returns the model of a contact (borrowed). */
+/* Returns the model of a contact, which the contact owns. */
 arc_model *arc_contact_model(const arc_contact *contact);
-/* Returns the shape of a contact (borrowed). */
+/* Returns the shape of a contact, which the contact owns. */
 const arc_shape *arc_contact_shape(const arc_contact *contact);
 
 #pragma GCC visibility pop

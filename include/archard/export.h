@@ -17,7 +17,8 @@ arc_status arc_export_csv(const char *path, size_t columns, const char *const na
                           const char *const units[], const double *const data[], size_t rows,
                           arc_error *error);
 
-/* Writes the mesh of one body as legacy VTK text, with a field unless it is NULL. */
+/* Writes the mesh of one body as legacy VTK text, with the displacements and stresses of `field`
+ * (NULL: without). */
 arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
                           arc_error *error);
 

@@ -9,10 +9,10 @@
  *   p g = 0,
  *   integral p n dA = F
  *
- * with the head's displacement u and the radial compliance C of complete concentric spheres and
- * shells, which is exact for each degree of spherical harmonics. `second_order` adds (|u|^2 - (u .
- * n)^2) / (2 radius). The model does not include shear, the cup's rim, edge loading,
- * microseparation and lubrication.
+ * with the wear depths h_cup and h_head, the head's displacement u and the radial compliance C of
+ * complete concentric spheres and shells, which is exact for each degree of spherical harmonics.
+ * `second_order` adds (|u|^2 - (u . n)^2) / (2 radius). The model does not include shear, the cup's
+ * rim, edge loading, microseparation or lubrication.
  *
  * Maps are on a lattice of cells over the complete sphere, [rows][2 rows], phi fastest: theta = (i
  * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. The map of each body is in the frame of this
@@ -28,8 +28,8 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* Compliance of the bodies. Elastic: full compliance of layered spheres. Winkler: independent
- * springs for the cup's first layer, exact for a uniform pressure on a shell. Column: springs of a
- * confined column. */
+ * springs for the cup's first layer, exact for a uniform pressure on a shell. Column: springs with
+ * the stiffness of a laterally confined layer. */
 #define ARC_FOUNDATION_LIST(X)                                                                     \
   X(FOUNDATION_ELASTIC, "elastic")                                                                 \
   X(FOUNDATION_WINKLER, "winkler")                                                                 \
@@ -61,9 +61,9 @@ arc_joint_def arc_joint_default(void);
  * value. */
 arc_status arc_joint_check(const arc_joint_def *def, arc_error *error);
 
-/* Returns the radial displacement [mm/MPa] of a body under a unit pressure with the shape of one
- * degree of spherical harmonics; 0 for degree 1 of the head, which is a rigid motion. NaN if the
- * layers give no solution. */
+/* Returns the radial displacement [mm/MPa] of a body under a unit pressure that is distributed as a
+ * spherical harmonic of the given degree; 0 for degree 1 of the head, which is a rigid motion. NaN
+ * if the layers give no solution. */
 double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree);
 
 /* --- gaits ------------------------------------------------------------------------------------ */
@@ -75,9 +75,9 @@ typedef struct arc_gait_instant {
   double load[3];     /* [N] force on the cup, in the frame of the cup */
 } arc_gait_instant;
 
-/* Computes instants [n] of a cycle. `rotation` [2n + 1][9] has the rotations at the times 0, 1/2n,
- * 2/2n, ... 1; `load` [n][3] has the loads [N] in the middle of each interval. ARC_ARGUMENT if the
- * gait is not periodic; the message has the difference in degrees. */
+/* Computes the n instants of a cycle. `rotation` [2n + 1][9] has the rotations at the times 0,
+ * 1/2n, 2/2n, ... 1; `load` [n][3] has the loads [N] in the middle of each interval. ARC_ARGUMENT
+ * if the gait is not periodic; the message has the difference in degrees. */
 arc_status arc_gait_from_rotations(int n, const double *rotation, const double *load,
                                    arc_gait_instant *instant, arc_error *error);
 /* Computes instants from angles [2n + 1][3] instead of rotations: flexion, adduction, internal
@@ -92,8 +92,9 @@ arc_status arc_gait_from_angles(int n, const double *degrees, const double *load
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
-/* The first function returns the length of the force's track over the head in a cycle [mm]. The
- * second one returns the friction work of a cycle divided by the coefficient of friction [N mm]. */
+/* The first function returns the length of the path of the load over the surface of the head in a
+ * cycle [mm]. The second one returns the friction work of a cycle divided by the coefficient of
+ * friction [N mm]. */
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
@@ -109,7 +110,8 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
 int arc_joint_rows(const arc_joint *joint); /* number of rows of the lattice */
-/* Returns the wear depths [mm] of a body in its own frame, [rows][2 rows] (borrowed). */
+/* Returns the wear depths [rows][2 rows] [mm] of a body in its own frame. The joint owns the
+ * array. */
 const double *arc_joint_depth(const arc_joint *joint, arc_body body);
 /* Sets the wear depths [rows][2 rows] [mm] of a body, for an initial shape. ARC_ARGUMENT: a depth
  * is not finite. */
@@ -120,9 +122,9 @@ const double *arc_joint_creep(const arc_joint *joint);
 /* Returns the pressures [MPa] of the last contact, in the frame of the cup; 0 before the first
  * contact. */
 const double *arc_joint_pressure(const arc_joint *joint);
-/* Writes share [rows][2 rows]: for each cell of the cup, the share (0 to 0.5) of the friction work
- * of the last cycle that was done across the principal direction of sliding. The share is 0 without
- * sliding. */
+/* Writes the cross-shear ratio share [rows][2 rows]: for each cell of the cup, the fraction (0 to
+ * 0.5) of the friction work of the last cycle that was done across the principal direction of
+ * sliding. It is 0 without sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* area of a cell [mm2] */
 
@@ -143,12 +145,13 @@ arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const dou
                            arc_error *error);
 
 /* Returns the wear coefficient [mm2/N] of a cell of the cup at the middle of an update, after
- * `cycles`; p_mean [MPa] is the mean pressure of a cycle. */
+ * `cycles` cycles. cross_shear is the ratio of arc_joint_cross_shear, p_mean [MPa] the mean
+ * pressure of a cycle. */
 typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean, double cycles);
-/* Returns the head's share of the wear at the middle of an update. */
+/* Returns the head's share of the wear at the middle of an update, after `cycles` cycles. */
 typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
-/* Returns the creep [mm] of a cell of the cup after `cycles`; p_mean [MPa] > 0 is the mean pressure
- * since the first cycle. Creep opens the gap and is not wear volume. */
+/* Returns the creep [mm] of a cell of the cup after `cycles` cycles; p_mean [MPa] > 0 is the mean
+ * pressure since the first cycle. Creep opens the gap and is not wear volume. */
 typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles);
 
 typedef struct arc_joint_wear_def {
@@ -159,11 +162,11 @@ typedef struct arc_joint_wear_def {
   arc_joint_alpha_fn alpha_function; /* used instead of alpha unless NULL */
   arc_joint_creep_fn creep;          /* NULL: no creep */
   void *context;
-  int explicit_scheme; /* 1: all instants use one geometry; 0: the contact of each instant includes
-                          its wear */
+  int explicit_scheme; /* 1: all instants of an update use the geometry at its start; 0: the contact
+                          of each instant includes the wear of this instant */
 } arc_joint_wear_def;
 
-/* Sums over all updates, and measures of the last cycle. */
+/* Sums over all updates, and results of the last cycle. */
 typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
@@ -173,7 +176,7 @@ typedef struct arc_joint_record {
   double rim_margin; /* [degree] smallest margin of the last cycle, as in arc_joint_contact */
   double
       penetration[3]; /* [mm] displacement of the head under the largest load of the last cycle */
-  double work;        /* [N mm] sum of p |s| dA over the last cycle */
+  double work;        /* [N mm] sum of p |s| dA over the last cycle, with the sliding distance s */
   double loss;        /* [mm3] sum over updates of cycles k p |s| dA, the volume of both bodies */
 } arc_joint_record;
 
@@ -191,9 +194,9 @@ arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, do
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
 
-/* Write and restore the state of a joint, which has [count] numbers. A joint of the same definition
- * then gives the same results to the bit. arc_joint_set_state checks the numbers: ARC_FORMAT,
- * ARC_MEMORY (initial pressures may be lost). */
+/* Write the state of a joint to an array of arc_joint_state_count numbers, and restore it. A
+ * restored joint of the same definition gives the same results to the bit. Errors of
+ * arc_joint_set_state: ARC_FORMAT (invalid numbers), ARC_MEMORY (initial pressures may be lost). */
 size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,

@@ -72,14 +72,14 @@ typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
   double zone[ARC_BODIES]; /* [mm] full width of the candidate contact zone with fine elements. The
                               depth and the margins of both nested partitions of the mesh are
-                              proportional to the cylinder's zone. The plate's zone is wider by the
-                              stroke */
+                              proportional to the cylinder's zone. The plate's zone is wider than
+                              the cylinder's by the stroke */
 } arc_mesh_def;
 
 extern const arc_setting arc_mesh_settings[];
 
-/* Returns the mesh of the paper's case: elements of 0.020 x 0.025 mm, far 1 mm, zones 1.0 and 1.2
- * mm. */
+/* Returns the mesh of the paper's case: elements of 0.020 x 0.025 mm at the contact and up to 1 mm
+ * elsewhere, and zones of 1.0 and 1.2 mm. */
 arc_mesh_def arc_mesh_default(void);
 
 /* A constant mesh, owned by the caller of arc_mesh_build. Indices are 0-based. Corners of elements

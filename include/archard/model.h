@@ -1,8 +1,9 @@
 /* archard/model.h - the two elastic bodies, condensed to their wear boxes, shared by runs.
  *
  * For each body the stiffness K is assembled from elements, and all unknowns outside the wear box
- * are eliminated with CHOLMOD. A worn shape then needs only a small dense update (S = S_far +
- * K_box, F = normal block of S^-1). */
+ * are eliminated with CHOLMOD. A worn shape then needs only a small dense update: the condensed
+ * stiffness is S = S_far + K_box, and the compliance F of the surface is the normal block of
+ * S^-1. */
 #ifndef ARCHARD_MODEL_H
 #define ARCHARD_MODEL_H
 
@@ -61,8 +62,8 @@ const char *arc_model_role_name(arc_body body);
  * always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p), in plane stress
- * with E instead of E*. */
+/* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p) with the
+ * plane-strain moduli E* (arc_material_E_star), in plane stress with E instead of E*. */
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]);
 
 /* Returns the line load [N/mm] that causes about the same pressure as a load [N]. It is the load
@@ -83,7 +84,7 @@ double arc_model_relative_radius(const arc_model_def *def);
  * layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
 
-/* Returns true if one body is hollow and the other one turns inside it. */
+/* Returns true if one body is hollow and the other one rotates inside it. */
 int arc_model_is_hole(const arc_model_def *def);
 /* Returns the sliding distance [mm] along the surfaces for a rotation by `degrees`; 0 without a
  * hole. */
@@ -148,7 +149,7 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
 arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
 /* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use the
- * same model at once, as stress fields share the workspace of the factor. */
+ * same model at once, because stress fields share the workspace of the factorisation. */
 typedef struct arc_model arc_model;
 
 /* Meshes, assembles, factorises and condenses both bodies. arc_model_fit_alone sets "auto" sizes.
@@ -186,7 +187,8 @@ arc_model *arc_model_retain(arc_model *model);
 void arc_model_release(arc_model **model);
 
 const arc_model_def *arc_model_definition(const arc_model *model);
-/* Returns the kind of the pair of bodies: "plane" for meshes in a plane or of revolution. */
+/* Returns the kind of model: "plane" (meshes, in a plane or of revolution), "space" (3-D) or
+ * "springs". */
 const char *arc_model_kind_name(const arc_model *model);
 /* Returns true if surfaces are maps over x and z (3-D). Each contact and run then chooses its own
  * cells. */
@@ -211,7 +213,7 @@ void arc_model_fit_friction(arc_model_def *def, double load);
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
 
 /* Sets all "auto" values of a model that is built without a contact or run. Sizes are set for the
- * load of the paper, and zones in proportion to them. */
+ * default load (100 N), and zones in proportion to the sizes. */
 void arc_model_fit_alone(arc_model_def *def);
 
 /* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] about the axis of

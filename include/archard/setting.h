@@ -3,10 +3,10 @@
  * Each definition struct (arc_material, arc_mesh_def, arc_model_def, arc_contact_def, arc_wear_def)
  * has a list of rows, from which its members and an array of arc_setting are made. Defaults,
  * checks, messages, readers of tables and files, help and manual use this array, so a new setting
- * is one row.
+ * needs only one row.
  *
- * In a row, unit is "" for a pure number, range is for example ABOVE(0), `forms` are from the list
- * below, and `text` is for users.
+ * In a row, unit is "" for a pure number, `usual` is the default, range is for example ABOVE(0),
+ * `forms` are from the list below, and `text` is for users.
  *
  *   NUMBER(name, unit, usual, range, forms, text)      double
  *   WHOLE(name, unit, usual, range, forms, text)       int
@@ -31,7 +31,7 @@ typedef enum arc_setting_kind {
   ARC_CHOICE,
   ARC_TEXT,  /* text of less than ARC_TEXT_SIZE bytes */
   ARC_GROUP, /* a struct with its own list of settings */
-  ARC_OTHER  /* value that special code reads */
+  ARC_OTHER  /* value of another type, which separate code reads */
 } arc_setting_kind;
 
 /* Size of a text including its final zero. */
@@ -63,7 +63,7 @@ typedef struct arc_setting {
   size_t function, series; /* offsets of the members for a function and for a table; 0: the setting
                               does not accept this form */
   double usual, low, high;
-  int open;     /* flags ARC_LOW_OPEN, ARC_HIGH_OPEN: the end of the range is itself excluded */
+  int open;     /* flags ARC_LOW_OPEN, ARC_HIGH_OPEN: the bound does not belong to the range */
   int multiple; /* a whole number must be a multiple of this number; 0: no such condition */
 } arc_setting;
 

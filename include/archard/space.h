@@ -20,8 +20,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Returns the distance of an unworn surface at (x, z) [mm] below the outermost point of its body
- * [mm]. */
+/* Returns the distance [mm] of an unworn surface at (x, z) [mm] below the outermost point of its
+ * body. */
 typedef double (*arc_recess_fn)(void *context, double x, double z);
 
 typedef struct arc_halfspace_body {
@@ -38,14 +38,14 @@ typedef struct arc_halfspace_def {
   arc_halfspace_body body[ARC_BODIES];
   double size_x, size_z; /* [mm] size of a cell */
   int nx, nz;            /* number of cells of the window */
-  int track;             /* number of rows of the lower body, nx plus an even number; 0: nx */
+  int track;             /* number of cells of the track along x, nx + an even number; 0: nx */
   double groove; /* [mm] length over which the wear of the lower body is spread, for long strokes
                     and circles. If > 0, this body is uniform along x and has one row of sites */
   int turned;   /* 1: the lower body moves along z. Then size_x, nx and track apply to the direction
                    z, and size_z and nz to x. Radii, recess, sites and extents are not exchanged */
-  int periodic; /* 1: the window repeats in x and z; the lower body must have a groove or no track
-                 */
-  int workers;  /* number of threads that share the positions; 0 or 1: only the calling thread */
+  int periodic; /* 1: the surfaces are periodic, and the window is one period; the lower body must
+                   have a groove or no track */
+  int workers;  /* number of threads that compute positions; 0 or 1: only the calling thread */
 } arc_halfspace_def;
 
 /* Returns a steel ball of 10 mm radius on a flat, with 63 x 63 cells of 0.02 mm. */
@@ -62,7 +62,7 @@ arc_status arc_halfspace_create(const arc_halfspace_def *def, arc_halfspace **ma
                                 arc_error *error);
 void arc_halfspace_destroy(arc_halfspace **h);
 const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h);
-/* Returns the memory [bytes] that a stage over `positions` positions needs. */
+/* Returns the memory [bytes] that a computation with this number of positions needs. */
 double arc_halfspace_bytes(const arc_halfspace_def *def, int positions);
 
 /* These functions return the number of sites of a body, the area of a site [mm2], and the position
@@ -92,7 +92,7 @@ typedef struct arc_halfspace_options {
   const arc_callbacks *callbacks; /* callbacks that may stop the solver; NULL: none */
 } arc_halfspace_options;
 
-/* Work done for a solution, and its largest pressure. */
+/* Computing effort of a solution, and its largest pressure. */
 typedef struct arc_halfspace_report {
   int iterations, applications, sets, guarded; /* numbers of conjugate gradient steps, applications
                                                   of K, active sets, and fallback steps */
@@ -119,7 +119,7 @@ arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BO
  * q is the shear on the upper body along +x and +z (on the lower body along -x, -z). The lower body
  * moves by xi. The slip E of its surface relative to the upper one is
  *
- *   E = xi - C q + N p, |q| <= friction p, dE = 0 if |q| is less, else dE is along q,
+ *   E = xi - C q + N p, |q| <= friction p, dE = 0 if |q| < friction p, else dE is along q,
  *
  * and N q is added to the gap. C is the shear compliance of both bodies. N is the coupling of shear
  * and pressure, which is zero for equal materials. Results depend on the history, so a contact is
@@ -163,8 +163,7 @@ typedef struct arc_halfspace_effort {
   int flipping; /* number of active sets in which single cells alternated between stick and slip */
   int unfinished; /* number of increments of different materials that ended before the pressures
                      converged */
-  int unresolved; /* number of parts of legs that were not halved further although halving still
-                     changed them */
+  int unresolved; /* number of parts of legs whose results still changed at the last halving */
 } arc_halfspace_effort;
 
 /* Allocates a state in which all values are zero. Errors: ARC_MEMORY. */
@@ -200,10 +199,10 @@ typedef struct arc_halfspace_leg {
 /* Advances a state along a leg. Halving ends when it changes the shear by less than 1e-3 and the
  * motion by less than 1e-4 of their values in full slip, and the work by less than 1e-3 of the work
  * of the leg or 3e-3 of itself. `coarser` (NULL: none) follows the same history in half as many
- * increments, for an error estimate: the difference of both energies is about the error where the
- * error falls with the length of the increments, as where the direction of slip turns, and more
- * than the error elsewhere. A fixed number of increments does not change `coarser`. Errors: those
- * of arc_halfspace_slide. On failure the states are unchanged. Adds to *effort. */
+ * increments, for an error estimate. The difference of both energies is about the error if the
+ * error is proportional to the length of the increments, as at changes of the direction of slip,
+ * and larger than the error otherwise. A fixed number of increments does not change `coarser`.
+ * Errors: those of arc_halfspace_slide. On failure the states are unchanged. Adds to *effort. */
 arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_leg *leg, const arc_halfspace_options *options,
                                 arc_halfspace_friction *state, arc_halfspace_friction *coarser,
@@ -221,17 +220,17 @@ typedef struct arc_halfspace_extent {
 /* Computes the extent of the positive pressures. At the edge the square of the pressure is
  * extrapolated linearly to zero. */
 arc_halfspace_extent arc_halfspace_contact_extent(const arc_halfspace *h, const double *pressure);
-/* Computes the extent of the depths above `share` times the largest depth. Depths are linear
- * between sites. */
+/* Computes the extent of the depths above `share` times the largest depth. Depths are interpolated
+ * linearly between sites. */
 arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, const double *depth,
                                         double share);
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
 /* Computes rate [body][sites], the sum over positions of weight times pressure [MPa mm] on the
- * present depths. pressure [count][window] [MPa] is the result of the contacts, and also their
- * start if options->warm is set; NULL: it is not returned. On failure rate and pressure are
- * unchanged. */
+ * present depths. pressure [count][window] [MPa] receives the pressures of all contacts (NULL: not
+ * returned). If options->warm is set, it also contains the initial pressures. On failure rate and
+ * pressure are unchanged. */
 arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *position, int count,
                               const arc_halfspace_options *options, double *pressure,

@@ -90,7 +90,7 @@ typedef struct arc_value {
 typedef enum arc_value_use {
   ARC_SETTINGS,   /* settings given by the user */
   ARC_DEFINITION, /* all settings of a run; written by arc_store_save */
-  ARC_RESULTS     /* results of a task */
+  ARC_RESULTS     /* results of a finished case */
 } arc_value_use;
 
 #define ARC_CASE_STATUS_LIST(X)                                                                    \
@@ -127,7 +127,7 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
                           double seconds, arc_error *error);
 
-/* Sets the running cases of killed programs to waiting. */
+/* Sets the status of running cases of killed programs to waiting. */
 arc_status arc_store_release(arc_store *store, arc_error *error);
 
 /* Replaces the values of a case. */

@@ -14,8 +14,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Procedures of Fig. 7: SP simulates the sliding plate; NSP does not, for a plate that stays
- * flat. */
+/* Procedures of Fig. 7 of the paper. SP: the sliding plate is simulated. NSP: the motion is not
+ * simulated, which is correct if the plate stays flat. */
 #define ARC_PROCEDURE_LIST(X)                                                                      \
   X(AUTO, "auto")                                                                                  \
   X(SP, "SP")                                                                                      \
@@ -301,7 +301,7 @@ arc_wear_def arc_wear_default(void);
 /* Default tolerance of implicit runs without a jump. */
 #define ARC_USUAL_TOLERANCE 1e-3
 
-/* Sets the default steps: the implicit scheme in 3-D, jump = "auto" in 2-D. */
+/* Sets the default step control: the implicit scheme in 3-D, jump = "auto" in 2-D. */
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the
@@ -329,27 +329,26 @@ double arc_wear_reach(const arc_model_def *model, double load);
 /* Returns the number of increments in a full cycle without a loading: the number set by
  * the user, or the automatic one. */
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
-/* Returns the stroke [mm], which is half a revolution for a circular track. */
+/* Returns the stroke [mm], which is half the circumference of a circular track. */
 double arc_wear_def_stroke(const arc_wear_def *def);
 /* Returns the number of strokes in a cycle, r of Eq. (21): 2, or 1 if the stroke is the
  * width of the plate. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of the history: the state after an update (row 0: before the first update).
- * Pressures and widths are given in the reference configuration, which is the plate at x =
- * 0 under the nominal load. load, load_low, travel and p_peak are values of the update's
- * cycle. If a loading block runs once, they are values of the update's increment (row 0:
- * of the first increment). p_peak is the largest pressure on the surfaces of the row under
- * the loads of the cycle; without a loading it is at least p_max. With updates at every
- * increment it is the largest pressure over the increments solved, and in row 0 it equals
- * p_max. Columns missing in older files are NaN.
+/* One row of the history: the state after an update (row 0: before the first update). Pressures and
+ * widths are given in the reference configuration, which is the plate at x = 0 under the nominal
+ * load. load, load_low, travel and p_peak are values of the update's cycle. If a loading block runs
+ * once, they are values of the update's increment (row 0: of the first increment). p_peak is the
+ * largest pressure under the loads of the cycle on the surfaces of this row; without a loading it
+ * is at least p_max. With updates at every increment it is the largest pressure over the increments
+ * solved, and in row 0 it equals p_max. Columns missing in older files are NaN.
  *
  * Each column is X(name, unit, range, rule, text). A value outside the closed range
- * (archard/setting.h) makes the step fail with ARC_NUMERIC; in a file it counts as damage.
- * The rule is one of these: */
+ * (archard/setting.h) makes the step fail with ARC_NUMERIC; a file with such a value is reported as
+ * damaged. The rule is one of these: */
 typedef enum arc_column_rule {
-  ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it
-                        is NaN  until the first number, but not after it */
+  ARC_COLUMN_LATER,  /* the column may be missing in older files or undefined at first; it is NaN
+                        until the first number, but not after it */
   ARC_COLUMN_ALWAYS, /* the column is in all files */
   ARC_COLUMN_GROWS   /* the column is in all files, and its values never decrease */
 } arc_column_rule;
@@ -440,17 +439,17 @@ arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
 
-/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. The zones
- * are wide enough for the whole run. If element sizes follow the contact (mesh.fineness),
- * the zones are wide enough for a scar of six unworn half widths, as such meshes grow. */
+/* Computes the zones [mm] (arc_mesh_def.zone) that a model needs for this run. The zones are wide
+ * enough for the whole run. If element sizes follow the contact (mesh.fineness), the zones are only
+ * wide enough for a contact of six unworn half widths, because such meshes are rebuilt when the
+ * contact reaches their edge. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
-/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the
- * distance. After the end it makes no update and returns ARC_OK. Returns ARC_STOPPED if a
- * callback requested a stop. On failure the run is unchanged. The progress callback is not
- * called. The function warns before the first step of a definition if the mesh is too
- * coarse for the contact, and once if an explicit jump exceeds the limit of
- * arc_wear_stability. */
+/* Makes one geometry update of `jump` cycles, or of fewer cycles at the end of the distance. After
+ * the end it makes no update and returns ARC_OK. Returns ARC_STOPPED if a callback requested a
+ * stop. On failure the run is unchanged. The progress callback is not called. The function warns
+ * before the first step with a definition if the mesh is too coarse for the contact, and once if an
+ * explicit jump exceeds the limit of arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
 /* Makes steps until the run has the total `distance` [mm], which a shorter last step
@@ -547,10 +546,10 @@ arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, do
  * 1e-4 on the default mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
-/* Checks a run, for tests and builds with checks. All numbers must be finite, distances
- * must grow along the history, the wear volume must be k L d by Archard's law, Jacobians
- * must be positive, and the contact in the reference configuration must be valid. Errors:
- * ARC_NUMERIC (the check that failed, and by how much), ARC_MEMORY. */
+/* Checks a run, for tests and for builds with ARC_CHECKS. All numbers must be finite, distances
+ * must grow along the history, the wear volume must be k L d by Archard's law, Jacobians must be
+ * positive, and the contact in the reference configuration must be valid. Errors: ARC_NUMERIC (the
+ * message has the failed check and the amount), ARC_MEMORY. */
 arc_status arc_wear_validate(const arc_wear *wear, arc_error *error);
 
 #pragma GCC visibility pop
