@@ -179,7 +179,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);
-/* Returns the definition of a contact, which the contact owns. */
+/* Returns the definition of a contact. The contact owns it. */
 const arc_contact_def *arc_contact_definition(const arc_contact *contact);
 /* Returns the memory of the contact in bytes, for a garbage collector. */
 size_t arc_contact_bytes(const arc_contact *contact);
@@ -328,9 +328,9 @@ void arc_field_destroy(arc_field **field);
  * releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
-/* Returns the model of a contact, which the contact owns. */
+/* Returns the model of a contact. The caller must not release it. */
 arc_model *arc_contact_model(const arc_contact *contact);
-/* Returns the shape of a contact, which the contact owns. */
+/* Returns the shape of a contact. The caller must not destroy it. */
 const arc_shape *arc_contact_shape(const arc_contact *contact);
 
 #pragma GCC visibility pop

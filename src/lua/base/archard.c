@@ -9,7 +9,8 @@
 
 #include <lauxlib.h>
 
-/* Classes written in C: name of the global, and the function that pushes its value. */
+/* Classes written in C: name of the global, and the function that pushes the value of this
+ * global. */
 static const luaL_Reg classes[] = {
     {"material", luaopen_archard_material},
     {"hertz", luaopen_archard_hertz},
@@ -41,7 +42,8 @@ static const luaL_Reg modules[] = {
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"
 
-/* Classes written in Lua: name of the global, and the module in scripts/ that returns its value. */
+/* Classes written in Lua: name of the global, and the module in scripts/ that returns the value of
+ * this global. */
 static const char *const scripted[][2] = {
     {"help", "archard.help"},         {"plot", "archard.plot"},
     {"study", "archard.study"},       {"fit", "archard.fit"},
@@ -102,7 +104,7 @@ static void open_functions(lua_State *L) {
 int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
-  lua_warning(L, "@on", 0); /* on, although standard Lua starts with warnings off */
+  lua_warning(L, "@on", 0); /* switches warnings on, which are off in standard Lua */
   script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);

@@ -17,8 +17,8 @@
 
 /* Registers the scripts and modules in package.preload, sets the globals, and pushes the module
  * table (also stored in package.loaded.archard). The standard libraries must be open. Switches
- * warnings on, and the threads of BLAS and OpenMP off. The standard interpreter calls this function
- * for `require "archard"` from archard.so and then handles Ctrl-C itself. */
+ * warnings on and limits BLAS and OpenMP to one thread. The standard interpreter calls this
+ * function for `require "archard"` from archard.so and then handles Ctrl-C itself. */
 int luaopen_archard(lua_State *L);
 
 /* The module `archard.term`: properties of the terminal. */
@@ -40,7 +40,8 @@ int luaopen_archard_warnings(lua_State *L);
 /* The module `archard.files`: writes texts and numbers in the format of all exports. */
 int luaopen_archard_files(lua_State *L);
 
-/* The module `archard.random`: sample points for a design and a seed, and quantiles. */
+/* The module `archard.random`: sample points of a design (such as Sobol points) for a seed, and
+ * quantiles. */
 int luaopen_archard_random(lua_State *L);
 
 /* The module `archard.least_squares`: nonlinear least squares. */
@@ -49,14 +50,14 @@ int luaopen_archard_least_squares(lua_State *L);
 /* The module `archard.measure`: measures of wear profiles. */
 int luaopen_archard_measure(lua_State *L);
 
-/* The module `archard.names`: shows values in messages, searches the most similar valid name,
- * raises errors. */
+/* The module `archard.names`: shows values in messages, searches for the most similar valid name,
+ * and raises errors. */
 int luaopen_archard_names(lua_State *L);
 
 /* The module `archard.strict`: raises errors for unknown names. */
 int luaopen_archard_strict(lua_State *L);
 
-/* The module `archard.sphere`: ball joints, used by scripts/joint. */
+/* The module `archard.sphere`: ball-and-socket joints, used by scripts/joint. */
 int luaopen_archard_sphere(lua_State *L);
 
 /* The module `archard.settings`: all settings of definitions, and all columns of the history. */

@@ -91,7 +91,7 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 
 /* --- reading arguments ------------------------------------------------------------------------ */
 
-enum { LONGEST_TEXT = 240 }; /* longest description of the values of a setting [bytes] */
+enum { LONGEST_TEXT = 240 }; /* [bytes] largest length of the description of a setting's values */
 
 static void refuse(lua_State *L, args_location location, const arc_setting *s)
     __attribute__((noreturn));

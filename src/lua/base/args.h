@@ -10,7 +10,7 @@
 #include <lua.h>
 #include <math.h>
 
-/* The function and the field that error messages name, as in "wear: field 'mesh.size': ...". */
+/* The function and the field in error messages, as in "wear: field 'mesh.size': ...". */
 typedef struct args_location {
   const char *where;  /* name of the function, such as "wear" */
   const char *prefix; /* prefix of the field's name, such as "mesh.", or "" */
@@ -35,11 +35,11 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 /* Raises an error if the value at `index` is not a table. */
 void args_check_table(lua_State *L, int index, const char *where);
 
-/* Raises the error for a table entry whose key is not a field name, such as a list item. The key
- * is below the top of the stack. */
+/* Raises the error for a table entry whose key is not a text, such as a list item. The key is below
+ * the top of the stack. */
 void args_refuse_position(lua_State *L, args_location location) __attribute__((noreturn));
 
-/* Raises the error for a name that is not in the list. */
+/* Raises the error for a field name that is not in the list of settings. */
 void args_unknown(lua_State *L, args_location location, const arc_setting *list, const char *name)
     __attribute__((noreturn));
 

@@ -11,7 +11,7 @@
  * by this function. */
 size_t array_length(lua_State *L, args_location location, const char *name, size_t most);
 
-enum { ARRAY_MOST = 100000000 }; /* greatest length of a list */
+enum { ARRAY_MOST = 100000000 }; /* largest allowed length of a list */
 
 /* Reads the list of finite numbers on top of the stack into a buffer, which is pushed above the
  * list. Errors name the field and the index. */

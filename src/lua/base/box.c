@@ -1,4 +1,4 @@
-/* Implements boxes: their metatables, methods, fields and closing. */
+/* Implements boxes (lua/base/box.h): metatables, methods, fields and close(). */
 #include "lua/base/box.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -216,7 +216,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
-  lua_pushfstring(L, "archard.%s", class->name); /* registry key, used by the help on methods */
+  lua_pushfstring(L, "archard.%s", class->name); /* registry key for the help on methods */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
@@ -239,8 +239,8 @@ box *box_push(lua_State *L, const box_class *class) {
   return made;
 }
 
-/* Also compares the metatable, because a script may have set the metatable of a box on another
- * userdata. */
+/* Compares the class and the metatable, because a script may have set the metatable of a box on
+ * another userdata. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
   if (!found || lua_rawlen(L, index) < sizeof *found || found->class != class ||

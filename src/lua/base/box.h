@@ -39,14 +39,14 @@ typedef struct box {
   const box_class *class;
   const void *metatable; /* metatable of the class, kept alive by the registry */
   void *thing;           /* NULL: the box is empty */
-  int tag;               /* number for use by the class */
+  int tag;               /* number whose meaning the class defines */
   int busy;              /* true while the engine changes the thing; other calls are errors */
   int closing;           /* true if close() was called during use; the last user empties the box */
   call_held held;
 } box;
 
-/* Pushes an empty box with two user values: a parent object that the box keeps alive, and a
- * value for use by the class. If the class stores the thing inside the box, `thing` points to
+/* Pushes an empty box with two user values: a parent object that the box keeps alive, and a value
+ * whose meaning the class defines. If the class stores the thing inside the box, `thing` points to
  * zeroed memory. */
 box *box_push(lua_State *L, const box_class *class);
 

@@ -5,11 +5,11 @@
 
 #include <assert.h>
 
-enum { MOST_HELD = 16 }; /* most objects used by one function */
+enum { MOST_HELD = 16 }; /* largest number of objects that one function may use */
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* first argument, which exists as long as the frame */
+  const void *first; /* first argument of the function; it exists as long as the frame */
   int count, keeps;  /* keeps: true if the registry has a table of values for this frame */
   call_held *held[MOST_HELD];
 } frame;
@@ -80,7 +80,7 @@ static void release(lua_State *L, const frame *f) {
 /* --- calls ------------------------------------------------------------------------------------ */
 
 void call_now(lua_State *L, int arguments, int results) {
-  frame own; /* set below without memset, for speed: each read of a field calls this function */
+  frame own; /* set below without memset for speed, as each read of a field calls call_now */
   own.outer = current;
   own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
   own.count = own.keeps = 0;

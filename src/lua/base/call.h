@@ -16,11 +16,11 @@ void call_wrap(lua_State *L);
 /* Pushes the wrapped version of the C function `function`. */
 void call_push(lua_State *L, lua_CFunction function);
 
-/* Calls a function as lua_call does, with the protection of a wrapped function. The first
- * argument must stay on the caller's stack. */
+/* Calls a function like lua_call, with the protection of a wrapped function. The first argument
+ * must stay on the caller's stack. */
 void call_now(lua_State *L, int arguments, int results);
 
-/* These functions work as luaL_setfuncs and luaL_newlib do, but wrap each function. */
+/* These functions work like luaL_setfuncs and luaL_newlib, but also wrap each function. */
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 

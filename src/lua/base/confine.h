@@ -13,7 +13,7 @@ arc_status confine_files(const char *read, const char *write, arc_error *error);
 /* Returns the folder of readable files, or NULL without restriction. */
 const char *confine_folder(void);
 
-/* Returns the free bytes on the disk of the folder `write`; 0 if unknown. */
+/* Returns the number of free bytes on the disk of the folder `write`; 0 if unknown. */
 double confine_free(void);
 
 /* Prevents writing of files while the disk has fewer than `least` free bytes. */

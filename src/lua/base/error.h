@@ -33,9 +33,9 @@ void error_callback(lua_State *L, const char *where, const char *name) __attribu
  * with the error value on top of the stack. */
 int error_pcall(lua_State *L, int arguments, int results);
 
-/* Returns the stack level of the innermost function of the user. A function in C is not one of
- * the user, and a function of a built-in script only if this script is the main chunk. Returns 0
- * if the stack has no function of the user; messages then have no position. */
+/* Returns the stack level of the innermost function of the user. Functions in C do not count as
+ * functions of the user. A function of a built-in script counts only if this script is the main
+ * chunk. Returns 0 if the stack has no function of the user; messages then have no position. */
 int error_user_level(lua_State *L);
 
 #endif

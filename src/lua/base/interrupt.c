@@ -1,5 +1,5 @@
-/* Implements the request flag, the hook, and the tracking of coroutines. While a request is
- * pending, the hook raises the error "interrupted" at every instruction. */
+/* Implements interrupts: the request flag, the hook, and the tracking of coroutines. While a
+ * request is pending, the hook raises the error "interrupted" at every instruction. */
 #include "lua/base/interrupt.h"
 
 #include <lauxlib.h>
@@ -18,12 +18,13 @@ static void (*limit_reached)(void);
 static const char *volatile exceeded;
 enum { PERIOD = 10000 }; /* instructions between two checks */
 
-/* Texts of the error of an interrupt. `explained` is set outside the signal handler. */
+/* Error texts of an interrupt: `plain` without and `explained` with the progress of the run.
+ * `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
-/* Text for the progress of a search over many runs. In the error it replaces the progress of the
- * present run. */
+/* Text that describes the progress of a search over many runs. In the error it replaces the
+ * progress of the present run. */
 static char report[240];
 
 static void rest(lua_State *L);
@@ -45,7 +46,7 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* old hook: set before the coroutine yielded */
+  if (!interrupt_pending(NULL)) { /* hook of an earlier request, set before the coroutine yielded */
     rest(L);
     return;
   }

@@ -1,4 +1,4 @@
-/* Shows values in messages and searches the most similar valid name. C code calls the functions
+/* Shows values in messages and searches for the most similar valid name. C code calls the functions
  * directly; scripts use the module `archard.names`, which can also raise errors. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
@@ -35,8 +35,8 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
-/* Returns the valid name for a symbol or term of textbooks and other programs, or "" if there is
- * none. */
+/* Returns the valid name that corresponds to a symbol or term of textbooks and other programs, or
+ * "" if there is none. */
 static const char *meaning_of(const char *name) {
   static const char *const pairs[][2] = {
       {"mu", "friction"},

@@ -1,5 +1,5 @@
-/* lua/base/names.h - shows values in messages and searches the most similar valid name. Lua scripts
- * use this file as the module `archard.names`. */
+/* lua/base/names.h - shows values in messages and searches for the most similar valid name. Lua
+ * scripts use this file as the module `archard.names`. */
 #ifndef LUA_NAMES_H
 #define LUA_NAMES_H
 

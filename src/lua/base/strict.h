@@ -13,7 +13,7 @@ void strict_lax(lua_State *L);
 
 /* Returns true if the user's code reads the field. It is called by __index functions in C. */
 int strict_reads(lua_State *L);
-int strict_reads_called(lua_State *L); /* the same for functions wrapped by call.h */
+int strict_reads_called(lua_State *L); /* like strict_reads, in a function wrapped by call.h */
 
 /* Raises the error "no field 'NAME'" for the object `where`. Valid names are the text keys and the
  * list values of the table at index `known`. */
@@ -31,7 +31,7 @@ void strict_metatable(lua_State *L, const char *where, int words);
 /* Returns true if the table at `index` was made strict with the name `where`. */
 int strict_is(lua_State *L, int index, const char *where);
 
-/* Works as strict_table for a table that already has a metatable. __index is set only if the
+/* Works like strict_table for a table that already has a metatable. __index is set only if the
  * metatable has none. */
 void strict_module(lua_State *L, const char *where);
 

@@ -25,10 +25,10 @@ int luaopen_archard_contact(lua_State *L);
 int luaopen_archard_contact_record(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
 
-extern const box_class model_class;   /* thing: arc_model, of which the box owns one reference */
-extern const box_class mesh_class;    /* thing: mesh_view (mesh_class.c) */
-extern const box_class contact_class; /* thing: arc_contact; user value 1: box of the model */
-extern const box_class wear_class;    /* thing: arc_wear; user value 1: box of the model */
+extern const box_class model_class;   /* box of an arc_model; owns one reference */
+extern const box_class mesh_class;    /* box of a mesh_view (mesh_class.c) */
+extern const box_class contact_class; /* box of an arc_contact; user value 1: box of its model */
+extern const box_class wear_class;    /* box of an arc_wear; user value 1: box of its model */
 
 /* --- bodies by name (by_body.c); a NULL definition means the default bodies ------------------- */
 
@@ -36,7 +36,7 @@ extern const box_class wear_class;    /* thing: arc_wear; user value 1: box of t
  * definitions and files. */
 extern const char *const body_names[];
 
-/* body_name returns the name of a body (as arc_model_body_name). body_find searches the body
+/* body_name returns the name of a body (as arc_model_body_name). body_find searches for the body
  * that a word names (as arc_model_find_body). */
 const char *body_name(const arc_model_def *def, arc_body body);
 int body_find(const arc_model_def *def, const char *word, arc_body *body);
@@ -103,10 +103,10 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
 
 /* --- models shared by runs (model_share.c) ---------------------------------------------------- */
 
-/* Pushes a box with the model of the definition `def`. The model is from the cache if it exists
- * there, otherwise new. */
+/* Pushes a box with the model of the definition `def`. If the cache has this model, the model in
+ * the cache is used, otherwise a new one is built. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
-/* Works as model_push for a model with two imported meshes, indexed by arc_body. A new model
+/* Works like model_push for a model with two imported meshes, indexed by arc_body. A new model
  * becomes the owner of the meshes, and the pointers are set to NULL. */
 arc_model *model_push_given(lua_State *L, const arc_model_def *def, arc_mesh **given,
                             const char *where);
@@ -129,7 +129,7 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 
 /* --- worn shapes (worn.c) --------------------------------------------------------------------- */
 
-extern const box_class shape_class; /* thing: arc_shape; not for scripts */
+extern const box_class shape_class; /* box of an arc_shape; scripts cannot use it */
 
 /* Checks the field `worn` of the definition table at `index` and pushes its value. nil means an
  * unworn shape. Other valid values are a wear object, or a table by body of functions, profiles
@@ -140,7 +140,8 @@ void worn_check(lua_State *L, int index, const char *where);
  * index `worn` defines the wear of the shape. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
-/* Works as worn_push_shape for 3-D models. The value at `worn` is a table by body (worn_map.c). */
+/* Works like worn_push_shape for 3-D models. The value at `worn` is a table by body
+ * (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
 /* Returns true if the table at `index` is a map or has the fields of a map (worn_map.c). */

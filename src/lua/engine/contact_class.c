@@ -320,7 +320,7 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, dou
   def.refresh = 0;
   def.load = load;
   def.alpha = 1;
-  def.procedure = ARC_NSP; /* the contact has one position of the plate */
+  def.procedure = ARC_NSP; /* a contact has only one position of the plate */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
     return worn_push_shape(L, worn, model, &def, "contact");
@@ -341,8 +341,8 @@ typedef struct request {
   const arc_motion_def *motion;
 } request;
 
-/* Pushes a box with the requested contact. The value at `holder` keeps the contact's model
- * alive. */
+/* Solves the requested contact and pushes a box with it. The value at `holder` keeps the contact's
+ * model alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
   arc_contact *contact = NULL;

@@ -1,6 +1,6 @@
-/* Module `archard.sphere`: ball joints of the engine. It is used by scripts/joint, which checks
- * the user's arguments. A gait is a list of 15 numbers per increment: rotation matrix, rotation
- * vector, load. */
+/* Module `archard.sphere`: ball-and-socket joints of the engine. It is used by scripts/joint, which
+ * checks the user's arguments. A gait is a list of 15 numbers per increment: rotation matrix,
+ * rotation vector, load. */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
@@ -122,7 +122,7 @@ static int increments(lua_State *L, int index) {
   return (int)n;
 }
 
-/* named(name, increments, angle, load) returns a gait of the engine. */
+/* named(name, increments, angle, load) returns a built-in gait. */
 static int sphere_named(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 2);
@@ -165,7 +165,8 @@ static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
   return (const arc_gait_instant *)(const void *)list;
 }
 
-/* path(gait, radius) returns the length of the load track [mm] and the work [N mm]. */
+/* path(gait, radius) returns the path length of the load over the head [mm], and the friction work
+ * divided by the coefficient of friction [N mm], both for one cycle. */
 static int sphere_path(lua_State *L) {
   int n;
   const arc_gait_instant *gait = read_gait(L, 1, &n);
@@ -322,7 +323,7 @@ typedef struct worn {
   called functions;
   arc_joint_record record;
   double cycles;
-  size_t bytes; /* size of the joint before the update */
+  size_t bytes; /* memory of the joint before the update */
 } worn;
 
 static const arc_callbacks interruptible = {.stop = interrupt_pending};
@@ -349,7 +350,7 @@ static void begin_wear(lua_State *L, worn *w, int arguments) {
 static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
   const size_t bytes = arc_joint_bytes(w->holder->thing);
   w->holder->busy = 0;
-  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* the window has grown */
+  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* the arrays of the contact have grown */
   if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);

@@ -1,5 +1,5 @@
 /* Module `archard.measure`: measures of wear profiles for scripts, and functions that push these
- * measures for classes. */
+ * measures for the classes in C. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"

@@ -78,7 +78,7 @@ static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* nil: build without a display */
+  lua_pushnil(b->L); /* nil: the model is built without a display */
 }
 
 static void tell(building *b, int arguments) {

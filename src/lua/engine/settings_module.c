@@ -34,7 +34,7 @@ static void set_flag(lua_State *L, const char *name, int flag) {
   lua_setfield(L, -2, name);
 }
 
-/* Returns true if the values of a setting are words; true and false are not words. */
+/* Returns true if the values of a setting are texts, not true and false. */
 static int is_choice(const arc_setting *s) {
   return s->kind == ARC_CHOICE && s->choices != arc_switch_names;
 }

@@ -6,7 +6,7 @@
 #include "archard/store.h"
 #include "lua/engine/classes.h"
 
-extern const box_class store_class; /* thing: arc_store */
+extern const box_class store_class; /* box of an arc_store */
 
 /* Pushes a new box with an open run file. */
 arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const char *where);

@@ -200,7 +200,7 @@ static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const
   return run;
 }
 
-/* Lists the settings that may be functions. */
+/* Fills the list of the settings that may be functions. */
 static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)

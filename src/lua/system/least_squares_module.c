@@ -153,7 +153,7 @@ static int svd(lua_State *L) {
 
 int luaopen_archard_least_squares(lua_State *L) {
   static const luaL_Reg functions[] = {{"solve", solve}, {"svd", svd}, {NULL, NULL}};
-  gsl_set_error_handler_off(); /* otherwise GSL would abort instead of returning a status */
+  gsl_set_error_handler_off(); /* without this call GSL would abort instead of returning a status */
   luaL_newlib(L, functions);
   return 1;
 }

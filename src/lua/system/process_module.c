@@ -34,7 +34,7 @@ typedef struct worker {
   int input, output, errors;
   size_t filled; /* number of bytes in `line` */
   char line[LINE];
-  size_t said; /* number of bytes in `words`, the last output on standard error */
+  size_t said; /* number of bytes in `words`, the last part of the standard error */
   char words[WORDS];
 } worker;
 

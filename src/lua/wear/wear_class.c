@@ -166,7 +166,8 @@ static int wear_set(lua_State *L) {
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   wear_request request = wear_request_read(L, 2, 1);
-  box_self_idle(L, &wear_class, where); /* again: a function of the user may have closed the run */
+  /* repeated, because a function of the user may have closed the run */
+  box_self_idle(L, &wear_class, where);
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};

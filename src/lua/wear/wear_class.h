@@ -18,7 +18,7 @@ void wear_note_saved(box *made);
 typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* end of the run [cycles]; 0: the end is a distance */
-  double distance_before, cycle_before; /* [mm], [cycles] present position if wear:set changes it */
+  double distance_before, cycle_before; /* [mm], [cycles] present position of a run in wear:set */
   int own_steps; /* true if the user set scheme or jump, or wear:set changes the run */
   int own_k;     /* true if the user set k or alpha, or wear:set changes the run */
   int worn;      /* true if the run starts on worn surfaces */

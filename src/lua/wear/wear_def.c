@@ -148,7 +148,7 @@ static void read_cycles(lua_State *L, int index, args_location location, wear_re
   lua_pop(L, 1);
 }
 
-/* If the user changes the scheme but does not set the tolerance, resets the tolerance. */
+/* If the user sets the scheme but no tolerance, sets the default tolerance of this scheme. */
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;

@@ -33,7 +33,8 @@ typedef struct functions_call {
  * effect. While a function runs, `run` is marked as busy. Pushes values that must stay on the
  * stack until functions_leave. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
-/* Works as functions_enter for a run that is being constructed with the model definition `pair`. */
+/* Works like functions_enter for a run that is being constructed with the model definition
+ * `pair`. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
 /* Returns true if a function has raised an error, which functions_leave will raise again. */

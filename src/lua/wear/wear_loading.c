@@ -36,8 +36,8 @@ typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
   args_location location;
-  size_t given, count;    /* number of times in the user's arrays, and of sampled times */
-  const double *from, *t; /* times from 0 to 1 of the user's arrays, and sampled times */
+  size_t given, count;    /* number of time points in the user's arrays, and of sampled points */
+  const double *from, *t; /* time points (0 to 1) of the user's arrays, and sampled time points */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };

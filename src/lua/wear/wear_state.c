@@ -54,7 +54,8 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* 3-D has only the depth along y */
+  /* 3-D runs store only the depth along y */
+  if (arc_model_has_maps(pair_of(L))) return wear_depth(L);
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
