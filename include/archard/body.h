@@ -75,7 +75,8 @@ enum { ARC_MOST_LAYERS = 4 };
 extern const arc_setting arc_layer_settings[]; /* includes the material, as a group of settings */
 
 /* Description of a valid name of a body, for messages. */
-#define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
+#define ARC_BODY_NAME                                                                              \
+  "a word of letters, digits and _ that begins with a letter, at most 31 characters"
 
 #define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \
   TEXT(name, ARC_BODY_NAME, ARC_OPTIONAL,                                                          \
@@ -86,7 +87,7 @@ extern const arc_setting arc_layer_settings[]; /* includes the material, as a gr
          "the shape in the Gmsh file of the model.")                                               \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Radius of a cylinder or disc, or of the rounded edges of a punch; default: the "         \
-         "model's. For a map: radius of the ball that its heights are added to; default: none.")   \
+         "model's. For a map: radius of a ball to which the heights are added; default: none.")    \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
          "Radius of a ball across the motion (along z), for a crowned roller or an ellipsoid. "    \
          "Default: radius.")                                                                       \
@@ -96,17 +97,16 @@ extern const arc_setting arc_layer_settings[]; /* includes the material, as a gr
          "Height of a block, profile or punch. Default: the model's radius; for a punch at least " \
          "twice its own radius.")                                                                  \
   NUMBER(flat, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
-         "Full width of the flat of a punch, between its rounded edges, each a radius wide.")      \
+         "Full width of the flat face of a punch between its rounded edges; each edge is one "     \
+         "radius wide.")                                                                           \
   NUMBER(inner, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Inner radius of a ring.")                        \
   NUMBER(outer, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Outer radius of a ring.")                        \
-  CHOICE(fixed, rim, ARC_RIM_OUTER, 0,                                                             \
-         "Rim of a ring that is fixed. The other rim is in contact.")                              \
-  CHOICE(                                                                                          \
-      hold, hold, ARC_HOLD_FIXED, 0,                                                               \
-      "Support of a cylinder, which matters if the contact is nearly as wide as the cylinder. "    \
-      "\"fixed\": the flat of a half cylinder is rigid; \"free\": the flat slides along itself "   \
-      "without friction and is fixed sideways only in its middle 15 %; \"hub\": a whole disc "     \
-      "around a rigid hub of 0.15 radius, as body.disc.")
+  CHOICE(fixed, rim, ARC_RIM_OUTER, 0, "Fixed rim of a ring. The other rim is in contact.")        \
+  CHOICE(hold, hold, ARC_HOLD_FIXED, 0,                                                            \
+         "Support of a cylinder, which matters if the contact is nearly as wide as the cylinder. " \
+         "\"fixed\": the flat side of a half cylinder is rigid; \"free\": this side slides along " \
+         "itself without friction and is fixed sideways only in its middle 15 %; \"hub\": a "      \
+         "whole disc around a rigid hub of 0.15 radius, as body.disc.")
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)

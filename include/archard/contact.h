@@ -132,7 +132,7 @@ extern const char *const arc_press_names[];
          "towards +x.")                                                                            \
   NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
          "Length over which p_average averages the pressure, at least four elements. 0: no "       \
-         "average, p_average is p_max.")                                                           \
+         "averaging; p_average is then p_max.")                                                    \
   NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: no friction.")          \
   CHOICE(                                                                                          \
       press, press, ARC_PRESS_FRICTION, 0,                                                         \
@@ -144,10 +144,10 @@ extern const char *const arc_press_names[];
         "3-D they are chosen as in c:move.")                                                       \
   CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
          "\"none\": the finite elements alone, without the terms that correct their errors at "    \
-         "short waves (edges of contact, shear from node to node, slip between nodes); use it "    \
-         "to see the effect of these terms. No effect in 3-D.")                                    \
+         "short wavelengths (edges of contact, shear from node to node, slip between nodes); use " \
+         "it to see the effect of these terms. No effect in 3-D.")                                 \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
-        "The two bodies. Default: model{} with contact zones that fit.")                           \
+        "The two bodies. Default: model{} with contact zones wide enough for the contact.")        \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
         "Worn surfaces: a wear run, whose present surfaces are used, or for each body a "          \
         "function f(x) for the depth in mm or a measured profile { x={...}, h={...} }; in 3-D a "  \
@@ -296,8 +296,8 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
  * edges of scars the pressure of the node is used. */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
-  X(syy, "MPa", "stress across the surface")                                                       \
-  X(szz, "MPa", "stress out of the plane, of revolution around the axis")                          \
+  X(syy, "MPa", "stress normal to the surface")                                                    \
+  X(szz, "MPa", "stress out of the plane; for bodies of revolution the hoop stress")               \
   X(sxy, "MPa", "shear stress")                                                                    \
   X(mises, "MPa", "von Mises stress")                                                              \
   X(principal, "MPa", "largest principal stress, tension positive")                                \
@@ -306,7 +306,7 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
   X(x, "mm", "node as worn")                                                                       \
   X(y, "mm", "node as worn")                                                                       \
   X(ux, "mm", "displacement along the surface")                                                    \
-  X(uy, "mm", "displacement across the surface")                                                   \
+  X(uy, "mm", "displacement normal to the surface")                                                \
   ARC_FIELD_STRESSES(X)
 
 /* Displacements and stresses of one body, computed by back-substitution. The arrays have `nodes`

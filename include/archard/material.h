@@ -13,9 +13,8 @@ extern "C" {
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
   NUMBER(k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                     \
-         "Wear coefficient of the body, used by wear{} if k and alpha are not given there; it "    \
-         "is that of this body alone, not of the couple. A body without k does not wear if the "   \
-         "other body has one.")                                                                    \
+         "Wear coefficient of this body alone, not of the pair. wear{} uses it if k and alpha "    \
+         "are not given there. A body without k does not wear if the other body has a k.")         \
   TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL,                                        \
        "Name of the material in printed "                                                          \
        "output.")

@@ -41,19 +41,20 @@ extern const char *const arc_space_names[];
 /* Sizes of a mesh. The plate is twice the radius wide and one radius high. "auto" is stored as 0,
  * which arc_model_fit replaces by a number. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
-  NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
-         "Element size at the contact: model = { mesh = { size = 0.01 } } makes elements 10 um "   \
-         "wide, which grow outside. \"auto\": the half width of the unworn contact / (5.4 "        \
-         "fineness), which is 0.020 mm in the paper's case. The half width includes the effect "   \
-         "of layers and is computed for the load of the contact or wear run that builds the "      \
-         "model (100 N for model{} alone). For balls it is half as large. At rounded edges and "   \
-         "kinks, the width over which the pressure rises replaces the half width. For rough "      \
-         "profiles the size is at most an eighth of the wave length, but waves that change the "   \
-         "pressure by less than a thousandth do not count. In wear runs with partial slip it is "  \
-         "at most a fifth of the slip zone at either edge. A contact has at most 320 elements.")   \
+  NUMBER(                                                                                          \
+      size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                      \
+      "Element size at the contact: model = { mesh = { size = 0.01 } } makes elements 10 um wide " \
+      "at the contact and larger ones outside. \"auto\": the half width of the unworn contact / "  \
+      "(5.4 fineness), which is 0.020 mm in the paper's case. The half width includes the effect " \
+      "of layers and is computed for the load of the contact or wear run that builds the model "   \
+      "(100 N for model{} alone). For balls the size is half as large. At rounded edges and "      \
+      "kinks, the width over which the pressure rises replaces the half width. For rough "         \
+      "profiles the size is at most an eighth of the wavelength, but waves that change the "       \
+      "pressure by less than a thousandth are ignored. In wear runs with partial slip it is at "   \
+      "most a fifth of the slip zone at either edge. A contact has at most 320 elements.")         \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Factor by which the automatic size is divided; 2 halves the elements. Default: 1. "      \
-         "Refused together with a size.")                                                          \
+         "Factor by which the automatic size is divided; 2 halves the elements. Default: 1. Do "   \
+         "not give it together with size.")                                                        \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                 \
          "Height of the elements at the contact. \"auto\": 1.25 times the size, or less if soft "  \
          "layers with nu above 0.4 need two rows of elements.")                                    \

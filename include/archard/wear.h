@@ -116,26 +116,24 @@ typedef struct arc_loading {
       scheme, scheme, ARC_EXPLICIT, 0,                                                             \
       "Pressures that an update uses: \"explicit\", those at its start; \"implicit\", those at "   \
       "its end, which allows longer steps.")                                                       \
-  QUANTITY(                                                                                        \
-      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
-      "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). To convert "          \
-      "from mm3/(N m), divide by 1000. A coefficient measured on one body is k_cylinder "          \
-      "or k_plate, not k, which alpha divides (by default half for each body). k can also "        \
-      "be a function of the state (help \"state\"), or a table that is interpolated linearly "     \
-      "over the distance; two values at one distance are a jump, where an update ends. "           \
-      "Both are integrated over each update. A function is evaluated 1.6 times a cycle, at "       \
-      "most 3236 times a run; shorter peaks may be missed.")                                       \
+  QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
+           "Wear coefficient k of both bodies together: volume = k L_N d (Eq. 1). To convert "     \
+           "from mm3/(N m), divide by 1000. A coefficient measured on one body is k_cylinder or "  \
+           "k_plate, not k, which alpha divides (by default half for each body). k can also be a " \
+           "function of the state (help \"state\"), or a table that is interpolated linearly "     \
+           "over the distance; two values at the same distance define a jump, and an update ends " \
+           "there. Both are integrated over each update. A function is evaluated 1.6 times a "     \
+           "cycle, at most 3236 times a run; shorter peaks may be missed.")                        \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
-           "wears. Its value is "                                                                  \
-           "measured as the worn volume of the upper body over that of both bodies: "              \
-           "calibrate{ volume={...} }.")                                                           \
+           "wears. It is measured as the worn volume of the upper body divided by the worn "       \
+           "volume of both bodies: calibrate{ volume={...} }.")                                    \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \
-        "instead of k and alpha, or a k to each body: model = { cylinder = { k = ... }, plate = "  \
-        "{ k = ... } }.")                                                                          \
+        "instead of k and alpha, or give each body a k: model = { cylinder = { k = ... }, plate "  \
+        "= { k = ... } }.")                                                                        \
   OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
         "Wear coefficient of the plate alone, k_p = (1 - alpha) k; give k_cylinder too.")          \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
@@ -146,10 +144,10 @@ typedef struct arc_loading {
          "towards +x. With loading, the angle at which pressures and widths are reported.")        \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
          "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
-         "reciprocating test give "                                                                \
-         "cycles = frequency times time. The paper's cases are a, 2a, 4a "                         \
-         "(0.11, 0.22, 0.44 mm) and 2R (20 mm); in the last one the whole plate passes the "       \
-         "cylinder in one direction (r = 1 stroke per cycle instead of 2).")                       \
+         "reciprocating test give cycles = frequency times time. The strokes in the paper are a, " \
+         "2a, 4a (0.11, 0.22, 0.44 mm; a is the half width of the contact) and 2R (20 mm); with "  \
+         "2R the whole plate passes the cylinder in one direction (r = 1 stroke per cycle "        \
+         "instead of 2).")                                                                         \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
          "is the end of its last block.")                                                          \
@@ -162,12 +160,11 @@ typedef struct arc_loading {
       "pressures stay constant between two updates, as in the paper; too large a number is "       \
       "unstable and causes sawtooth ripples, see w:stability(). A function computes the number "   \
       "from the state before each update.")                                                        \
-  WHOLE(                                                                                           \
-      increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                           \
-      "Number n_c of increments in a full cycle. Only half of them are simulated, since both "     \
-      "strokes are alike (Eq. 22). \"auto\": 100, or more so that the plate moves by at most an "  \
-      "eighth of the contact's half width in one increment; a loading is divided between its "     \
-      "points likewise.")                                                                          \
+  WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
+        "Number n_c of increments in a full cycle. Only half of them are simulated, since both "   \
+        "strokes are alike (Eq. 22). \"auto\": 100, or more so that the plate moves by at most "   \
+        "an eighth of the contact's half width in one increment; the motion between two points "   \
+        "of a loading is divided by the same rule.")                                               \
   NUMBER(refresh, "", 0.05, FROM(0), 0,                                                            \
          "With moving geometry, the displacement of surface nodes by wear at which the stiffness " \
          "of the worn bodies is recomputed, as a fraction of the height of their elements. "       \
@@ -175,15 +172,15 @@ typedef struct arc_loading {
          "fraction is 0.2 times as large for the remaining thickness of a layer, and 0.01 times "  \
          "as large for displacements along the surface. Between two computations the stiffness "   \
          "is corrected to first order (not with layers). 0: it is recomputed at every update.")    \
-  CHOICE(corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                         \
-         "\"none\": the finite elements alone, without the terms that correct their errors at "    \
-         "short waves (edges of contact, shear from node to node, slip between nodes, stiffness "  \
-         "between two refreshes); use it to see the effect of these terms. No effect in 3-D.")     \
   CHOICE(                                                                                          \
-      procedure, procedure, ARC_AUTO, 0,                                                           \
-      "\"SP\" simulates the sliding plate (Eq. 22). \"NSP\" solves one contact per update, which " \
-      "is correct if the plate stays flat: for alpha = 1, or a stroke of 2 radius (Eqs. "          \
-      "24-27). \"auto\" chooses between them.")                                                    \
+      corrections, corrections, ARC_CORRECTIONS_ALL, 0,                                            \
+      "\"none\": the finite elements alone, without the terms that correct their errors at short " \
+      "wavelengths (edges of contact, shear from node to node, slip between nodes, stiffness "     \
+      "between two refreshes); use it to see the effect of these terms. No effect in 3-D.")        \
+  CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
+         "\"SP\" simulates the sliding plate (Eq. 22). \"NSP\" solves one contact per update, "    \
+         "which is correct if the plate stays flat: for alpha = 1, or a stroke of twice the "      \
+         "radius (Eqs. 24-27). \"auto\" chooses between them.")                                    \
   CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
          "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
          "is then k L_N d to rounding. \"total\": the motion plus the elastic displacements of "   \
@@ -193,26 +190,26 @@ typedef struct arc_loading {
       friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                         \
       "Coefficient of friction between the bodies: a number, a function of the state or a table "  \
       "over the distance; 0: no friction. With friction, wear and energy use the local slip: "     \
-      "both strokes are solved with stick and slip, from freshly pressed bodies on, until the "    \
-      "cycle is periodic; the last cycle is used. With jump = \"auto\" and implicit updates a "    \
-      "change of the coefficient within an update is integrated; updates of a fixed number of "    \
+      "both strokes are solved with stick and slip, starting from newly pressed bodies, until "    \
+      "the cycle is periodic; the last cycle is used. With jump = \"auto\" and implicit updates "  \
+      "a change of the coefficient within an update is integrated; updates of a fixed number of "  \
       "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\".")        \
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
          "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \
          "part of the contact never slips. If both bodies have the same material and Hertz' "      \
-         "formulas apply, pressing causes no shear, and friction is left out.")                    \
+         "formulas apply, pressing causes no shear and is computed without friction.")             \
   NUMBER(                                                                                          \
       tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-      "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "       \
+      "Amplitude of a tangential force that moves the plate back and forth, instead of stroke; "   \
       "needs friction, and must be less than friction times load. Since the slip is not known "    \
       "beforehand, a cycle counts as the distance 4 force / (E* thickness), in 3-D as 4 force / "  \
       "(2 a E*) with the half width a of the contact; give cycles rather than a distance.")        \
   CHOICE(slide, slide, ARC_SLIDE_X, 0,                                                             \
          "Direction of sliding: along x, or along z out of the plane. With \"z\" the contact "     \
          "stays at x = 0, stroke is the displacement along z, and alpha-tilde is alpha. Bodies "   \
-         "of revolution need \"z\" (all points slide alike, as on a pin on a disc), unless they "  \
-         "spin.")                                                                                  \
+         "of revolution need \"z\" (all points slide by the same distance, as for a pin on a "     \
+         "disc), unless they spin.")                                                               \
   NUMBER(spin, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
          "For bodies that rotate about their axis of revolution: the radius at which stroke and "  \
          "distance are measured. Slip is proportional to the radius. 1: distances are angles in "  \
@@ -221,7 +218,7 @@ typedef struct arc_loading {
          "For a pin on a disc: mean radius of its track, larger than the radius of the contact. "  \
          "A cycle is then a revolution, and stroke is not used. The disc stays flat; its depth "   \
          "is the mean over a track as wide as the present contact. In 3-D a track is worn into "   \
-         "the disc, with the same section all round.")                                             \
+         "the disc, with the same cross-section along the whole track.")                           \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0,                                                             \
          "Integration over the increments: \"simple\", Eq. (4); "                                  \
          "\"trapezoid\", Eq. (5).")                                                                \
@@ -248,11 +245,11 @@ typedef struct arc_loading {
          "Accepted error of the depths of an implicit run, relative to the largest depth, at "     \
          "every node deeper than a twentieth of it; the steps are chosen accordingly. Pressures "  \
          "have 10 times this error on average, and more at single nodes at the edge of the "       \
-         "contact. Default: 1e-3 if no jump is given; with a jump, its steps are used without a "  \
-         "check.")                                                                                 \
+         "contact. Default: 1e-3 if no jump is given; with a jump, the steps have this length "    \
+         "and their error is not checked.")                                                        \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
-        "The two bodies. Default: model{} with contact zones that fit the stroke, built on "       \
-        "first use.")                                                                              \
+        "The two bodies. Default: model{} with contact zones wide enough for the stroke, built "   \
+        "on first use.")                                                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \
         "Initial surfaces: a wear run, whose present surfaces are used, or for each body a "       \
         "function f(x) for the depth in mm or a measured profile { x={...}, h={...} }; in 3-D a "  \
@@ -260,23 +257,23 @@ typedef struct arc_loading {
         "alpha-tilde are measured from the unworn surfaces, volumes from the initial ones.")       \
   OTHER(loading, "a block { x=, load= } or a list of them", NULL, 0,                               \
         "A loading cycle instead of a stroke and a constant load. Its fields x and load are "      \
-        "functions of t, which runs from 0 to 1 over the cycle, or lists of sampled values. "      \
-        "Both strokes are simulated. Functions are called once, when the run is made. A list of "  \
-        "loadings defines blocks that follow each other, each with its number of cycles. "         \
-        "Without a distance the run ends with the last block; a last block without cycles lasts "  \
-        "to the end of the distance. Pressures and widths are reported at the field load of "      \
-        "wear{}, by default the largest load of the loading. \n\nIn a hole, rotation (degrees) "   \
-        "turns the lower body instead of x, and load_angle (degrees) is the direction of the "     \
-        "load. Meshes reach 80 degrees to either side: a narrow contact may turn by about 70 "     \
-        "degrees, a wide one by less, and none by a full turn. \n\ncsv.read(path) reads measured " \
-        "lists.")                                                                                  \
-  FUNCTION(                                                                                        \
-      local_factor, "a function(body, x, p, state, z) or { vector = function }", arc_local_fn, 0,  \
-      "Function for a factor on k at each node, for effects such as cross-shear. body is "         \
-      "\"cylinder\" or \"plate\", x the position of the node on its body in mm, p its pressure "   \
-      "in MPa, and z its position across the motion in mm (with geometry = \"3-D\" only). The "    \
-      "factor must be 0 or above. The function is called at every increment for nodes with "       \
-      "pressure, as others do not wear.")
+        "functions of t, which runs from 0 to 1 over the cycle, or lists of sampled values. Both " \
+        "strokes are simulated. Functions are called once, when the run is created. A list of "    \
+        "loadings defines blocks that follow each other, each with its number of cycles. Without " \
+        "a distance the run ends with the last block; a last block without cycles lasts to the "   \
+        "end of the distance. Pressures and widths are reported at the field load of wear{}, by "  \
+        "default the largest load of the loading. \n\nIn a hole, rotation (degrees) turns the "    \
+        "lower body instead of x, and load_angle (degrees) is the direction of the load. Meshes "  \
+        "reach 80 degrees to either side: a narrow contact can rotate by about 70 degrees, a "     \
+        "wide contact by less. A full rotation is not possible. \n\ncsv.read(path) reads "         \
+        "measured lists.")                                                                         \
+  FUNCTION(local_factor, "a function(body, x, p, state, z) or { vector = function }",              \
+           arc_local_fn, 0,                                                                        \
+           "Function for a factor on k at each node, for effects such as cross-shear. body is "    \
+           "\"cylinder\" or \"plate\", x the position of the node on its body in mm, p its "       \
+           "pressure in MPa, and z its position across the motion in mm (with geometry = \"3-D\" " \
+           "only). The factor must be >= 0. The function is called at every increment for nodes "  \
+           "with pressure, because other nodes do not wear.")
 
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,

@@ -34,7 +34,7 @@ do
     fails(function() pool:send(which, "x") end, "no such worker", "worker " .. which .. " of 2")
   end
   for _, text in ipairs{ ("x"):rep(1000), "one\ntwo" } do
-    fails(function() pool:send(1, text) end, "expected one short line", #text .. " letters")
+    fails(function() pool:send(1, text) end, "expected one line of less than 1000 bytes", #text .. " letters")
   end
   for _, seconds in ipairs{ -1, 2e6, 0 / 0 } do
     fails(function() pool:wait(seconds) end, "expected 0 to 1e6 seconds", seconds .. " seconds")

@@ -57,7 +57,8 @@ arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use
   const int inside = is_below(path, confined.write);
   if (inside && use == ARC_FILE_WRITE && confine_free() < confined.least)
     return arc_fail(error, ARC_IO,
-                    "cannot write '%.200s': the disk has lost all the space of the sandbox", name);
+                    "cannot write '%.200s': no free space remains on the disk for the sandbox",
+                    name);
   if (inside) return ARC_OK;
   if (use == ARC_FILE_WRITE)
     return arc_fail(error, ARC_IO,

@@ -118,7 +118,7 @@ static const arc_model_def *pair_of(lua_State *L, int index) {
 static int stress_tostring(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const arc_model_def *def = pair_of(L, 1);
-  lua_pushliteral(L, "stress: lists by node, of each body");
+  lua_pushliteral(L, "stress: lists of nodal values for each body");
   for (int body = 0; body < ARC_BODIES; body++) {
     const char *name = body_name(def, (arc_body)body);
     if (lua_getfield(L, 1, name) != LUA_TTABLE) {

@@ -138,7 +138,8 @@ static int svd(lua_State *L) {
   size_t count = 0;
   lua_getfield(L, 1, "a");
   double *a = array_read(L, (args_location){where, ""}, "a", &count);
-  if (count != rows * columns || rows < columns) return luaL_error(L, "svd: wrong shape");
+  if (count != rows * columns || rows < columns)
+    return luaL_error(L, "svd: expected rows >= columns and a list of rows * columns numbers");
   double *s = array_buffer(L, columns), *v = array_buffer(L, columns * columns);
   gsl_matrix_view of_a = gsl_matrix_view_array(a, rows, columns);
   gsl_matrix_view of_v = gsl_matrix_view_array(v, columns, columns);

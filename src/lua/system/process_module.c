@@ -241,7 +241,8 @@ static int pool_send(lua_State *L) {
   size_t length;
   const char *line = luaL_checklstring(L, 3, &length);
   luaL_argcheck(L, which >= 1 && which <= p->count, 2, "no such worker");
-  luaL_argcheck(L, length < 1000 && !strchr(line, '\n'), 3, "expected one short line");
+  luaL_argcheck(L, length < 1000 && !strchr(line, '\n'), 3,
+                "expected one line of less than 1000 bytes");
   worker *w = &p->workers[which - 1];
   int failed = w->process ? 0 : start(p, w);
   if (failed)
