@@ -51,7 +51,7 @@ const char *arc_status_text(arc_status status);
 /* Returns the name of a status without its prefix, such as "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Purpose for which a file is opened. */
+/* Whether a file is opened for reading or writing. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
 /* Resolves all links of a file name and writes the absolute path to path [PATH_MAX]. The file or at
@@ -63,7 +63,7 @@ arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_err
 
 /* Decides whether a file may be used. arc_file_find calls this function. `name` is used in
  * messages; `path` is absolute and has no links. This version allows all files; a program that is
- * restricted to some folders links its own function of this name. ARC_IO: the file is not
+ * restricted to some folders replaces it by a function of the same name. ARC_IO: the file is not
  * allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 

@@ -320,12 +320,12 @@ typedef struct arc_field {
 arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_field **field,
                              arc_error *error);
 void arc_field_destroy(arc_field **field);
-/* Returns the pressures as arrays, body by body: positions x and in 3-D z [mm], and pressures p
- * [MPa], each [sites, 1], in the frame of the upper body. Sites of maps are stored with z fastest.
- * With friction in 3-D, arrays of the upper body follow: q, qz and shear [MPa], the shear along x,
- * along z and its magnitude; s, sz and slip [mm], the slip of the lower surface relative to the
- * upper one along x, along z and its magnitude. All arrays are in one block, which the caller
- * releases with free(). Errors: ARC_MEMORY. */
+/* Returns the pressures of the upper body, then of the lower body, as arrays: positions x and in
+ * 3-D z [mm], and pressures p [MPa], each [sites, 1], in the frame of the upper body. Sites of maps
+ * are stored with z fastest. With friction in 3-D, arrays of the upper body follow: q, qz and shear
+ * [MPa], the shear along x, along z and its magnitude; s, sz and slip [mm], the slip of the lower
+ * surface relative to the upper one along x, along z and its magnitude. All arrays are in one
+ * block, which the caller releases with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
 /* Returns the model of a contact. The caller must not release it. */

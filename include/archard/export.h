@@ -38,19 +38,20 @@ arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_cont
 /* Writes an input deck of a contact on the worn surfaces, in the format of Abaqus. CalculiX runs
  * the deck unchanged. The bodies are slabs one element thick (C3D8, C3D8I for CPE4I, C3D6 for
  * triangles) with supports and a contact pair (linear penalty). The first step prescribes the
- * approach as a displacement, the second step the load on the plate's base. Output is requested.
- * Numbers have at most 20 characters and are accurate to 5e-13. In the deck each triangle has its
- * own dilatation, so near nu = 1/2 the deck is stiffer than the model. */
+ * approach as a displacement, the second step the load on the plate's base. The deck requests
+ * displacements, stresses and contact results. Numbers have at most 20 characters and are accurate
+ * to 5e-13. In the deck each triangle has its own dilatation, so near nu = 1/2 the deck is stiffer
+ * than the model. */
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error);
 
 /* Writes the mesh of one body in plane elements, with sets of nodes, elements, surface and
  * boundary. */
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
 
-/* Writes a Gmsh file (4.1, text, mm) of both bodies, or of one if the other pointer is NULL, with
- * the physical groups that arc_mesh_read_msh reads: "upper", "lower", "upper.NAME" for a named
- * material, "upper.layer1" for the first layer. Coordinates are exact to the bit, and the order of
- * nodes and elements is kept. */
+/* Writes a Gmsh file (text, version 4.1, in mm) of both bodies, or of one if the other pointer is
+ * NULL, with the physical groups that arc_mesh_read_msh reads: "upper", "lower", "upper.NAME" for a
+ * named material, "upper.layer1" for the first layer. Coordinates are exact to the bit, and the
+ * order of nodes and elements is kept. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
 /* Writes the content of the file of arc_export_msh to *text, which the caller releases with free().

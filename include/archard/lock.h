@@ -22,9 +22,9 @@ typedef enum arc_lock_kind {
  * in messages. ARC_IO: the disk does not respond. */
 arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind, arc_error *error);
 
-/* Create and remove a lock file, a symbolic link whose target text names the program that owns the
- * lock. The lock of a killed program of this system is replaced. Like mkdir and rmdir, the
- * functions return 0, or -1 with errno. */
+/* Create and remove a lock file. It is a symbolic link whose target is a text that identifies the
+ * program that owns the lock. The lock of a killed program of this system is replaced. Like mkdir
+ * and rmdir, the functions return 0, or -1 with errno. */
 int arc_lock_take(const char *lock, mode_t ignored);
 int arc_lock_leave(const char *lock);
 

@@ -2,8 +2,8 @@
  *
  * Coordinates refer to both bodies as they just touch without load, with the plate at x = 0. The
  * origin is the first point of contact. x is along the plate's surface, and y points upwards. The
- * cylinder (a half cylinder with a fixed flat top) lies above the plate. Every mesh is an exact
- * mirror image about x = 0. */
+ * cylinder (a half cylinder with a fixed flat top) lies above the plate. Generated meshes of
+ * symmetric bodies are exactly symmetric about x = 0. */
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 

@@ -58,8 +58,8 @@ const char *arc_model_body_name(const arc_model_def *def, arc_body body);
 /* Returns "upper" or "lower". */
 const char *arc_model_role_name(arc_body body);
 /* Searches for the body with this name, role or kind ("cylinder" is the upper and "plate" the lower
- * body). Returns 1 if one body has it, 0 if no body has it, and -1 if both bodies have it. *body is
- * always written. */
+ * body). Returns 1 if the word matches one body, 0 if it matches none, and -1 if it matches both.
+ * *body is always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
 /* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p) with the
@@ -144,8 +144,8 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
 
-/* Computes Hertz' contact of a model's pair with its relative radius. A ring counts as a straight
- * line of its length. */
+/* Computes Hertz' contact of a model's pair with its relative radius. The contact of a ring is
+ * computed as a straight line contact of the same length. */
 arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
 /* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use the
@@ -197,7 +197,7 @@ int arc_model_has_maps(const arc_model_def *def);
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 /* Returns the memory of the model in bytes, for a garbage collector. */
 size_t arc_model_bytes(const arc_model *model);
-/* Returns the time that arc_model_build needed [s]. */
+/* Returns the computing time of arc_model_build [s]. */
 double arc_model_seconds(const arc_model *model);
 
 /* Sets size, height and far of the mesh if they are "auto" (0), for the unworn contact under `load`
@@ -217,8 +217,8 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
 void arc_model_fit_alone(arc_model_def *def);
 
 /* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] about the axis of
- * the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 and 60 elements of `size`
- * [mm] wide, which are the default zones at the default size. */
+ * the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 (upper body) and 60
+ * (lower body) elements of `size` [mm] wide, as the zones of arc_mesh_default. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

@@ -65,8 +65,8 @@ const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h);
 /* Returns the memory [bytes] that a computation with this number of positions needs. */
 double arc_halfspace_bytes(const arc_halfspace_def *def, int positions);
 
-/* These functions return the number of sites of a body, the area of a site [mm2], and the position
- * of a site [mm]. */
+/* The first function returns the number of sites of a body, the second one the area of a site
+ * [mm2]. The third one writes the position of a site [mm]. */
 int arc_halfspace_sites(const arc_halfspace *h, arc_body body);
 double arc_halfspace_site_area(const arc_halfspace *h, arc_body body);
 void arc_halfspace_site_at(const arc_halfspace *h, arc_body body, int site, double *x, double *z);

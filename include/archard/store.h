@@ -43,10 +43,10 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **sto
                           arc_error *error);
 
 /* Creates a new file, which arc_store_publish later renames to `path`. `path` must be a missing
- * file or a run file of the same kind (info "kind"); other files are refused. Closing the store
- * before it is published discards the new file. For a store that arc_store_replace did not create,
- * arc_store_publish returns ARC_ARGUMENT, and the store stays open. In all other cases it sets
- * *store to NULL. */
+ * file or a run file of the same kind (note "kind", arc_store_info); other files are refused.
+ * Closing the store before it is published discards the new file. For a store that
+ * arc_store_replace did not create, arc_store_publish returns ARC_ARGUMENT, and the store stays
+ * open. In all other cases it sets *store to NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);

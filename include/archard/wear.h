@@ -455,7 +455,8 @@ arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_err
 arc_status arc_wear_run(arc_wear *wear, double distance, const arc_callbacks *callbacks,
                         arc_error *error);
 
-/* A value of a column at which a run ends. A shorter last step reaches it exactly. */
+/* Target of a run: the run ends when a column reaches this value. A shorter last step reaches it
+ * exactly. */
 typedef struct arc_wear_target {
   int column; /* an index ARC_WEAR_COLUMN_..., or ARC_WEAR_TOTAL_VOLUME */
   double value;
@@ -468,20 +469,19 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
                               size_t count, const arc_callbacks *callbacks, int *reached,
                               arc_error *error);
 
-/* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape
- * and history are kept. The loading starts anew, or continues if it is the array of
- * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion
- * does not fit on the present meshes. New meshes are reported to the callbacks. In `mesh`,
- * "auto" sizes are set for an unworn contact, "auto" zones are set to the needed widths,
- * and rows = 0 keeps the depth of the wear box. Returns ARC_STOPPED if a callback
- * requested a stop. On failure nothing changes. */
+/* Changes the definition (load, k, alpha, stroke, jump, loading, ...) between steps; shape and
+ * history are kept. The loading starts from its first block, or continues if it is the array of
+ * arc_wear_definition. The run gets new meshes if `mesh` is not NULL, or if the motion does not fit
+ * on the present meshes. New meshes are reported to the callbacks. In `mesh`, "auto" sizes are set
+ * for an unworn contact, "auto" zones are set to the needed widths, and rows = 0 keeps the depth of
+ * the wear box. Returns ARC_STOPPED if a callback requested a stop. On failure nothing changes. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
                         const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* procedure in use, never ARC_AUTO */
-/* Returns the wear coefficient [mm2/N] of the exposed layer at the body's deepest point,
- * in the last update. */
+/* Returns the wear coefficient [mm2/N] of the layer that was exposed at the deepest worn point of a
+ * body in the last update. */
 double arc_wear_open_k(const arc_wear *wear, arc_body body);
 double
 arc_wear_strokes(const arc_wear *wear); /* number of strokes per cycle, r of Eq. (21): 2 or 1 */

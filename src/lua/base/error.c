@@ -1,5 +1,5 @@
-/* Creates error objects and their text. A stop requested by the user raises the plain text
- * "interrupted". */
+/* Creates error objects and their text. A stop requested by the user raises the text "interrupted"
+ * instead of an object. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
@@ -33,7 +33,7 @@ static int error_tostring(lua_State *L) {
   return 1;
 }
 
-/* Metamethod __concat: "failed: " .. err works for error objects as it does for plain messages. */
+/* Metamethod __concat: allows "failed: " .. err for error objects, as for text messages. */
 static int error_concat(lua_State *L) {
   luaL_tolstring(L, 1, NULL);
   luaL_tolstring(L, 2, NULL);

@@ -71,7 +71,7 @@ static void charge(void) {
   if (limit_reached) limit_reached();
 }
 
-/* Hook that counts instructions for the instruction limit while no request is pending. */
+/* Hook that counts instructions for the sandbox's instruction limit while no request is pending. */
 static void count_hook(lua_State *L, lua_Debug *event) {
   charge();
   if (exceeded) stop_hook(L, event);

@@ -392,8 +392,8 @@ static int object_method(lua_State *L) {
   return lua_gettop(L);
 }
 
-/* methods(metatable) makes the __methods of the metatable check the class of their object, and
- * returns the metatable. */
+/* methods(metatable) wraps each function in __methods, so that it checks the class of its object,
+ * and returns the metatable. */
 static int module_methods(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -451,7 +451,7 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
-/* is(value, name) returns true if the value is an object of the class whose __name is `name`. */
+/* is(value, name) returns true if the value is an object of the class with the __name `name`. */
 static int module_is(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   lua_settop(L, 1);

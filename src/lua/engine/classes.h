@@ -48,8 +48,8 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* Pops a value and stores it in the table below it, in the field of the body `body`. */
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
-/* Sets the metatable of the table by body on top of the stack, so that every word that identifies a
- * body is an alias of its field. */
+/* Sets the metatable of the table on top of the stack, which has one field for each body, so that
+ * every word that identifies a body is an alias of its field. */
 void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table with one number for each body. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
@@ -132,16 +132,16 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 extern const box_class shape_class; /* box of an arc_shape; scripts cannot use it */
 
 /* Checks the field `worn` of the definition table at `index` and pushes its value. nil means an
- * unworn shape. Other valid values are a wear object, or a table by body of functions, profiles
- * { x=, h= } or maps. */
+ * unworn shape. Other valid values are a wear object, or a table with a function, a profile { x=,
+ * h= } or a map for each body. */
 void worn_check(lua_State *L, int index, const char *where);
 
 /* Pushes a box with a new shape on `model` for a run with the definition `def`. The value at
  * index `worn` defines the wear of the shape. */
 arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                            const char *where);
-/* Works like worn_push_shape for 3-D models. The value at `worn` is a table by body
- * (worn_map.c). */
+/* Works like worn_push_shape for 3-D models. The value at `worn` is a table with one field for each
+ * body (worn_map.c). */
 arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
                          const char *where);
 /* Returns true if the table at `index` is a map or has the fields of a map (worn_map.c). */

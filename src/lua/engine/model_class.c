@@ -293,7 +293,7 @@ static int model_lower(lua_State *L) {
   return 1;
 }
 
-/* Field model.mesh: a table of the mesh settings and of the mesh objects by body. */
+/* Field model.mesh: a table of the mesh settings and of the mesh object of each body. */
 static int model_mesh(lua_State *L) {
   const arc_model_def *def = arc_model_definition(self(L));
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);

@@ -1,5 +1,5 @@
 /* Converts the field `worn` of contacts and wear runs to a shape of the engine. The field is a wear
- * object, or a table by body of functions x -> depth or profiles { x=, h= }. */
+ * object, or a table with a function x -> depth or a profile { x=, h= } for each body. */
 #include "lua/base/array_read.h"
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
@@ -88,7 +88,8 @@ static arc_model_def names_of_model(lua_State *L, int index) {
   return def;
 }
 
-/* Replaces the table by body on top of the stack by a copy whose keys are body_names. */
+/* Replaces the table on top of the stack, whose keys name bodies, by a copy whose keys are
+ * body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
   push_usual_names(L, -1, (args_location){where, "worn."}, &def);

@@ -367,7 +367,7 @@ static void open_session(lua_State *L, arc_gnuplot **box, const char *program) {
   *box = fresh;
 }
 
-/* use(program) sets the gnuplot program to start. */
+/* use(program) opens a session with this gnuplot program and closes the old session. */
 static int gnuplot_use(lua_State *L) {
   open_session(L, lua_touserdata(L, lua_upvalueindex(1)), luaL_checkstring(L, 1));
   return 0;

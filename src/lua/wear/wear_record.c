@@ -30,7 +30,7 @@ void record_push(lua_State *L, const arc_wear_record *record) {
   strict_module(L, "record");
 }
 
-/* Writes the partition of the depth (alpha-tilde), or "-" if there is no wear. */
+/* Writes the depth partition factor (alpha-tilde), or "-" if there is no wear. */
 static const char *show_partition(const arc_wear_record *record, char *text, size_t size) {
   if (isfinite(record->depth_partition))
     snprintf(text, size, "%5.3f", record->depth_partition);
