@@ -53,8 +53,8 @@ typedef struct arc_joint_def {
   int second_order; /* 1: gaps include terms of second order in displacement / radius */
 } arc_joint_def;
 
-/* Returns a metal-on-metal joint: a head of 28 mm diameter, clearance 0.06 mm, CoCr on CoCr, a
- * backing of 6 mm of polyethylene and 2 mm of titanium, and cells of 2 degrees. */
+/* Returns a metal-on-metal joint: a CoCr head of 28 mm diameter, a clearance of 0.06 mm, a cup of 3
+ * mm CoCr, 6 mm polyethylene and 2 mm titanium, and cells of 2 degrees. */
 arc_joint_def arc_joint_default(void);
 
 /* Checks a definition. ARC_ARGUMENT: the message has the field, the expected and the actual

@@ -1,4 +1,5 @@
-/* archard/model.h - the two elastic bodies, condensed to their wear boxes, shared by runs.
+/* archard/model.h - the two elastic bodies, condensed to their wear boxes (the regular elements
+ * below the contact surface), shared by runs.
  *
  * For each body the stiffness K is assembled from elements, and all unknowns outside the wear box
  * are eliminated with CHOLMOD. A worn shape then needs only a small dense update: the condensed

@@ -172,8 +172,8 @@ arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_fr
 arc_status arc_halfspace_friction_copy(const arc_halfspace *h, const arc_halfspace_friction *from,
                                        arc_halfspace_friction *copy, arc_error *error);
 void arc_halfspace_friction_end(arc_halfspace_friction *state);
-/* Copies a state to a larger window of equal cells. The slip outside the smaller window is
- * computed. */
+/* Copies a state to a larger window with cells of the same size. The slip outside the smaller
+ * window is computed. */
 arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
                                         const arc_halfspace_friction *state, arc_halfspace *to,
                                         arc_halfspace_friction *wide, arc_error *error);
