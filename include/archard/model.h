@@ -31,11 +31,10 @@ extern "C" {
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
          "For geometry \"axisymmetric\": distance from the axis of revolution, on the left, to x " \
          "= 0. For a thrust ring it is the mean radius. 0: the bodies touch on the axis.")         \
-  CHOICE(                                                                                          \
-      periodic, switch, ARC_OFF, 0,                                                                \
-      "true: each map of geometry \"3-D\" is one period of a rough surface that repeats without "  \
-      "end. The load acts on one period, and the cells are the points of the map. In runs the "    \
-      "lower body is a body.block{}, which wears evenly along the motion.")
+  CHOICE(periodic, switch, ARC_OFF, 0,                                                             \
+         "true: each map of geometry \"3-D\" is one period of a periodic rough surface. The load " \
+         "acts on one period, and the cells are the points of the map. In runs the lower body is " \
+         "a body.block{}, which wears evenly along the motion.")
 
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
