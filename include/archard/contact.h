@@ -161,8 +161,8 @@ extern const arc_setting arc_contact_settings[];
 
 arc_contact_def arc_contact_default(void);
 
-/* Computes zones (full widths, by body) [mm] that are wide enough for a worn contact of twice the
- * unworn width. */
+/* Computes zones (full widths, by body) [mm] for the contact with its unworn width and a margin
+ * (arc_zone_for). */
 void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
                        double zone[ARC_BODIES]);
 

@@ -216,9 +216,9 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
  * default load (100 N), and zones in proportion to the sizes. */
 void arc_model_fit_alone(arc_model_def *def);
 
-/* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] about the axis of
- * the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 (upper body) and 60
- * (lower body) elements of `size` [mm] wide, as the zones of arc_mesh_default. */
+/* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] (plus 30 %) about
+ * the axis of the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 (upper body)
+ * and 60 (lower body) elements of `size` [mm] wide, as the zones of arc_mesh_default. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

@@ -105,8 +105,8 @@ static int measure_by_body(lua_State *L) {
   return 1;
 }
 
-/* columns(model, history, where) returns the history after it has added aliases of the columns
- * with the names of the bodies. */
+/* columns(model, history, where) adds aliases of the columns with the names of the bodies to the
+ * history and returns it. */
 static int measure_columns(lua_State *L) {
   const arc_model_def def = read_names(L);
   luaL_checktype(L, 2, LUA_TTABLE);

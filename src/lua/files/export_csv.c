@@ -1,4 +1,4 @@
-/* Writes CSV files: histories, pressures, stresses, and plain tables of arrays. */
+/* Writes CSV files: histories, pressures, stresses, and the user's tables of arrays. */
 #include "archard/export.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -133,9 +133,9 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
 #undef COLUMN
 }
 
-/* --- plain tables ----------------------------------------------------------------------------- */
+/* --- tables of the user ----------------------------------------------------------------------- */
 
-/* Returns the rank of a column name for sorting the columns of a plain table: first the
+/* Returns the rank of a column name for sorting the columns of a user's table: first the
  * coordinates, then all other columns by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
@@ -239,7 +239,7 @@ static void use_copy(lua_State *L, int index) {
   lua_replace(L, index);
 }
 
-/* Writes a plain table of arrays of equal length. */
+/* Writes a user's table of arrays of equal length. */
 static void write_table(lua_State *L, const char *path, int index, int units) {
   const int own = is_own(L, index);
   use_copy(L, index);

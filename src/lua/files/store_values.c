@@ -100,7 +100,7 @@ static int see(void *context, const arc_value *value) {
   lua_pushvalue(L, -2);
   lua_pushlightuserdata(L, &value);
   if (lua_pcall(L, 2, 0, 0) == LUA_OK) return 0;
-  return 1; /* stop: the error value is on top of the stack */
+  return 1; /* ends the loop; the error value is on top of the stack */
 }
 
 void store_push_values(lua_State *L, arc_store *store, int id, arc_value_use use,

@@ -265,8 +265,8 @@ static int read_some(int descriptor, char *to, size_t bytes, size_t *count) {
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/* Stores the last bytes that the worker wrote on standard error. After its end the stream is
- * closed here, because poll would report it at each call. */
+/* Stores the last bytes that the worker wrote on standard error. Closes the stream at its end,
+ * because poll would report it at each call. */
 static void hear(worker *w) {
   char text[WORDS];
   size_t count = 1;
