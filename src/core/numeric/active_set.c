@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { most_sets = 30 /* iterations before the cycling safeguard starts */ };
+enum { most_sets = 30 /* number of sets before the safeguard against cycling starts */ };
 
 /* The set is revised after conjugate gradients have reduced the residual by this factor. */
 static const double fall = 0.3;
@@ -74,7 +74,7 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
     }
     const unsigned long long now = hash_of(s);
     if (now == seen[0] && share == 0) return ARC_OK;
-    if (now == seen[0]) share = 0; /* a set repeats: it was revised too early */
+    if (now == seen[0]) share = 0; /* set repeats: revise only at a small residual */
     seen[0] = seen[1];
     seen[1] = now;
     sets++;

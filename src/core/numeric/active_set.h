@@ -25,11 +25,11 @@ typedef struct active_problem {
   const double *area;   /* [cells] areas; NULL: all areas are 1 */
   const double *mode;   /* [modes][cells] values of N; NULL: one mode, which is 1 in all cells */
   const double *load;   /* [blocks][modes] loads */
-  const double *weight; /* [blocks] weights; NULL: all weights are 1 */
+  const double *weight; /* [blocks] weights of the inner product; NULL: all weights are 1 */
   operator_fn apply;
   operator_fn
       precondition; /* approximate inverse of A, positive definite; NULL: no preconditioner */
-  void *context;    /* argument of both functions */
+  void *context;    /* first argument of `apply` and `precondition` */
   double tolerance; /* tolerance of gaps, relative to the largest displacement A p */
   work_team *team;  /* threads for the blocks; NULL: only the calling thread */
 } active_problem;

@@ -184,8 +184,8 @@ void arc_active_mark(void *context, int block, int worker) {
   for (int k = 0; k < s->problem->cells; k++) area[k] = p[k] > 0 ? arc_active_areas(s)[k] : 0;
 }
 
-/* Returns the rounding error of the gaps on the set. Iterations cannot reduce the residual below
- * this value. */
+/* Returns the rounding error of the gaps on the active set. Iterations cannot reduce the residual
+ * below this value. */
 static double rounding_of(const pass *s, size_t o) {
   const double *gap = s->problem->gap + o, *area = s->w->area + o;
   double largest = 0;

@@ -32,7 +32,7 @@ typedef struct pass {
   const active_problem *problem;
   active_work *w;
   double *p;
-  double factor; /* step length, or factor of the last search direction */
+  double factor; /* step length, or factor of the previous search direction */
   double limit;  /* tolerance of gaps */
 } pass;
 
@@ -41,11 +41,11 @@ static inline size_t active_at(const pass *s, int block) {
 }
 
 void arc_active_run(const pass *s, team_task task);
-/* Return mode j of N, and the areas of the cells. */
+/* Return mode j of N [cells], and the areas of the cells [cells]. */
 const double *arc_active_mode(const pass *s, int j);
 const double *arc_active_areas(const pass *s);
 double arc_active_weight(const active_problem *p, int block);
-/* Return the sum of w->sum, and the sum of w->changes, over the blocks in a fixed order. */
+/* Return the sums of w->sum and of w->changes over the blocks. The order of summation is fixed. */
 double arc_active_total(const pass *s);
 int arc_active_changes(const pass *s);
 /* Returns g - N delta of a cell. */
@@ -61,8 +61,8 @@ void arc_active_factor(void *context, int block, int worker);
 void arc_active_residual(void *context, int block, int worker);
 void arc_active_curvature(void *context, int block, int worker);
 
-/* Subtracts the modes from x [cells], so that N' x is zero on the set of a block; sets x to zero
- * outside the set. */
+/* Subtracts a combination of the modes from x [cells], so that N' x is zero on the set of a block.
+ * Sets x to zero outside the set. */
 void arc_active_project(const pass *s, int block, double *x);
 /* Returns ARC_NUMERIC if the set of a block does not determine the rigid unknowns. */
 arc_status arc_active_check(const pass *s, arc_error *error);

@@ -16,12 +16,13 @@ enum { block = 8 }; /* number of columns that are transformed together */
 struct convolution {
   int rows, columns, box_rows, box_columns;
   int half;       /* number of complex columns: box_columns / 2 + 1 */
-  int stride;     /* distance of two rows of the spectrum in complex numbers */
-  int padded;     /* distance of two rows of the values in numbers */
-  double *symbol; /* scaled symbol by blocks of columns, each [box_rows][columns of the block] */
+  int stride;     /* distance between two rows of the spectrum, counted in complex numbers */
+  int padded;     /* distance between two rows of the values, counted in real numbers */
+  double *symbol; /* scaled symbol, stored by blocks of columns: [box_rows][columns of the block]
+                     each */
   int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
-  fftw_plan into, out_of;   /* plans for rows, forward and back */
-  fftw_plan down[2], up[2]; /* plans for columns: of whole blocks, and of the last block */
+  fftw_plan into, out_of;   /* plans for rows: forward and backward transform */
+  fftw_plan down[2], up[2]; /* plans for the columns of a full block, and of the last block */
 };
 
 /* Arrays of a workspace. Each transform reads one array and writes another, because FFTW
@@ -214,7 +215,7 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
   return find_symbol(box_rows, box_columns, EVEN_LAGS, kernel, context, symbol, error);
 }
 
-/* A kernel that is set to zero at lags beyond the window; no result depends on these lags. */
+/* A kernel that is set to zero at lags larger than the window. These lags affect no result. */
 typedef struct limited {
   lag_fn kernel;
   const void *context;
@@ -406,7 +407,7 @@ arc_status arc_transform_back(int rows, int columns, double *spectrum, double *v
 /* --- transforms of rows only --------------------------------------------------------------- */
 
 struct row_transform {
-  size_t values, pairs; /* numbers of real values and of pairs, all rows */
+  size_t values, pairs; /* number of real values, and number of complex pairs, in all rows */
   double *from;
   fftw_complex *to;
   fftw_plan forward, back;

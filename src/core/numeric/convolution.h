@@ -58,9 +58,10 @@ void arc_convolution_apply(const convolution *c, convolution_work *work, const d
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
                                 const double *const p[2], double *const u[2]);
 
-/* These functions transform a whole box. `values` has the shape [box_rows][box_columns], `spectrum`
- * consists of [box_rows][box_columns / 2 + 1] pairs (real, imaginary). The transform back
- * multiplies by 1 / (box_rows box_columns) and destroys the spectrum. Error: ARC_MEMORY. */
+/* These functions transform a whole box forward and back. `values` has the shape
+ * [box_rows][box_columns], `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real,
+ * imaginary). The transform back multiplies by 1 / (box_rows box_columns) and destroys the
+ * spectrum. Error: ARC_MEMORY. */
 arc_status arc_transform_forward(int box_rows, int box_columns, const double *values,
                                  double *spectrum, arc_error *error);
 arc_status arc_transform_back(int box_rows, int box_columns, double *spectrum, double *values,
@@ -74,7 +75,7 @@ typedef struct row_transform row_transform;
 row_transform *arc_rows_create(int rows, int box);
 void arc_rows_destroy(row_transform **t);
 void arc_rows_forward(row_transform *t, const double *values, double *spectrum);
-/* Transforms back, without the factor 1 / box. */
+/* Computes the inverse transform without the factor 1 / box. */
 void arc_rows_back(row_transform *t, const double *spectrum, double *values);
 
 #endif

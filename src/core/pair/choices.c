@@ -1,4 +1,4 @@
-/* Defines the names of choices and bodies. */
+/* Defines the names of the values of enumerations, and the names of the bodies. */
 #include "core/pair/cycle.h"
 
 const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};

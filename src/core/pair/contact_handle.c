@@ -1,4 +1,4 @@
-/* Implements the functions for arc_contact by the functions of the kind of its pair. */
+/* Implements the functions of arc_contact. Each calls the function of the kind of pair. */
 #include "core/pair/surfaces.h"
 #include "core/pair/units.h"
 

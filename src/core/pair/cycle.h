@@ -7,22 +7,22 @@
 
 #include "archard/wear.h"
 
-/* Values for a pair of bodies that follow from a definition. */
+/* Properties of a run that follow from its definition. */
 typedef struct wear_manner {
   arc_procedure procedure; /* SP or NSP */
-  double strokes; /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
-  double stroke;  /* [mm] stroke */
-  double modulus; /* [MPa] a tangential force per thickness divided by `modulus` replaces an unknown
-                     sliding distance */
-  double radius;  /* [mm] radius at which the sliding of a rotation is measured */
+  double strokes;   /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
+  double stroke;    /* [mm] stroke */
+  double modulus;   /* [MPa] If the sliding distance is unknown, it is estimated as the tangential
+                       force per thickness divided by `modulus`. */
+  double radius;    /* [mm] radius at which the sliding of a rotation is measured */
   double thickness; /* [mm] thickness by which the loads of a block are divided */
   int rests;        /* true if the contact stays at one position */
-  int even; /* true if the lower body wears evenly or along a track and its sites do not move; see
-               wear_rate.even */
-  int counts_forces; /* true if the work depends on forces that the rates sum up, not only on the
-                        load */
-  int layered[ARC_BODIES]; /* true if the body has layers, which may have wear coefficients of their
-                              own */
+  int even; /* true if the lower body wears uniformly or along a track, so that its sites do not
+               move; see wear_rate.even */
+  int counts_forces; /* true if the normal force differs from the load, so that rates must integrate
+                        it (wear_rate.pressed) */
+  int layered[ARC_BODIES]; /* true if the body has layers, which may have different wear
+                              coefficients */
   int closed;              /* true if the contact never changes, so that no solution is needed */
 } wear_manner;
 
@@ -35,23 +35,23 @@ typedef struct wear_block {
   double *problem_x;  /* [count] position of the contact [mm]: x, or 0 for a contact at rest */
   double *angle;      /* [count] angle of the load [rad]; 0 except in holes */
   double *tangential; /* [count] tangential force per thickness [N/mm]; NULL: x is given */
-  int press;          /* with friction: index of the point at which surfaces are pressed together */
-  int *problem_of;    /* [count] index of the contact problem of a point */
+  int press;       /* with friction: index of the point at which the bodies are pressed together */
+  int *problem_of; /* [count] index of the contact problem of a point */
   int problems;
   int periodic;
   double load, travel; /* largest load [N]; distance between the ends of the motion [mm] */
-  double repeat;  /* 2 if a half cycle represents a whole cycle, 1/2 if both strokes represent one
-                     cycle, else 1 */
-  double sliding; /* sliding distance of a cycle [mm] */
-  double cycles;  /* number of cycles, which may be INFINITY in the last block */
-  double start_distance, start_cycle; /* [mm], [cycles] run's state at the start of the block */
+  double repeat;       /* factor of the wear: 2 if the points are half a cycle, 1/2 if they are two
+                          strokes but a cycle is one stroke, else 1 */
+  double sliding;      /* sliding distance of a cycle [mm] */
+  double cycles;       /* number of cycles, which may be INFINITY in the last block */
+  double start_distance, start_cycle; /* [mm], [cycles] when the run begins the block */
 } wear_block;
 
 /* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes
  * of the cycle [MPa mm]. */
 typedef struct wear_rate {
-  double *node[ARC_BODIES]; /* [sites of the body] rates; one block */
-  double even;         /* rate of an evenly worn lower body (Eq. 27), or of a track 1 mm wide */
+  double *node[ARC_BODIES]; /* [sites of the body] rates, in one block */
+  double even;         /* rate of a uniformly worn lower body (Eq. 27), or of a track 1 mm wide */
   double peak;         /* largest pressure at a site in the window [MPa] */
   double energy;       /* energy dissipated per thickness [N] */
   double shear, stick; /* largest tangential force [N/mm]; width that always sticks [mm] */
@@ -61,8 +61,8 @@ typedef struct wear_rate {
 
 /* Wear depths of an update of the geometry. */
 typedef struct wear_depths {
-  double *node[ARC_BODIES]; /* [sites of the body] depths [mm]; one block */
-  double even;              /* even wear of the lower body, or of a track 1 mm wide [mm] */
+  double *node[ARC_BODIES]; /* [sites of the body] depths [mm], in one block */
+  double even;    /* depth of uniform wear of the lower body, or of a track 1 mm wide [mm] */
   double error;   /* estimated error of an implicit update divided by the tolerance; otherwise 0 */
   double peak;    /* largest pressure [MPa] of the cycle that caused the depths */
   double energy;  /* energy dissipated in the update, per thickness [N] */
@@ -77,14 +77,14 @@ typedef struct wear_window {
   const wear_block *block;
   const arc_shape *shape; /* shape on which the contact is solved */
   int first, last;
-  int chained; /* true if the solution of point `first` on an earlier shape can be used (Eq. 4) */
-  const arc_wear_record *state; /* state for local factors; NULL: no local factors */
+  int chained; /* true if the solution of point `first` on an earlier shape may be reused (Eq. 4) */
+  const arc_wear_record *state; /* argument of the local factors; NULL: no local factors */
   double mu;                    /* coefficient of friction, for runs with friction */
   const double *depth;          /* [n] depths in addition to those of the shape; NULL: none */
   wear_tangent *tangent;        /* tangent to be written, unless NULL */
 } wear_window;
 
-/* Callbacks of a computation, and the number of its contact solutions. */
+/* Callbacks of a computation, and the number of contact problems solved so far. */
 typedef struct wear_progress {
   const arc_callbacks *callbacks;
   int solutions;
@@ -93,15 +93,15 @@ typedef struct wear_progress {
 /* The equation of a stage of an implicit step, z = known + h k rate(z). Arrays [n]. */
 typedef struct wear_stage {
   arc_wear *run;
-  wear_window window; /* the window without `depth` */
+  wear_window window; /* the window; the kind sets its member `depth` */
   wear_progress *progress;
   double k[ARC_BODIES]; /* [mm2/N] wear coefficients of the sites that move */
-  double *z;            /* [mm] depths z at the largest coefficient of each body's layers */
-  double *known;        /* constant part of z [mm] */
-  double *worn;         /* depths z at the coefficients of the layers [mm] */
-  wear_rate last;       /* last rate without the rates of the sites (`node`) */
-  void *own;            /* data of the kind */
-  arc_error error;      /* error of the last failure */
+  double *z;       /* [mm] depths z if every layer had the largest wear coefficient of its body */
+  double *known;   /* constant part of z [mm] */
+  double *worn;    /* depths z with the wear coefficients of the layers [mm] */
+  wear_rate last;  /* last rate; its member `node` is not set */
+  void *own;       /* data of the kind */
+  arc_error error; /* error of the last failure */
 } wear_stage;
 
 /* The surface points (sites) of one body. The shape owns the arrays. */

@@ -22,11 +22,11 @@ typedef struct arc_growth {
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* Optional: recreates a new run on sites fine enough for its cycles. *finer is NULL if the sites
-   * are fine enough, or if the user set their size. */
+  /* Optional: creates a new run again, on sites fine enough for its cycles. *finer is NULL if the
+   * sites are fine enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
   /* `report` reports that a run has grown, `report_mesh` that the mesh was changed at the user's
-   * request. `refuse` reports a step that failed although the run could grow. */
+   * request. `refuse` composes the error of a step that failed although the run could grow. */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
@@ -51,7 +51,8 @@ typedef struct arc_kind {
       const arc_model *model,
       arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
-  int maps; /* true if surfaces are maps over x and z, whose cells each contact and run chooses */
+  int maps; /* true if surfaces are height maps over x and z. Each contact and run chooses the
+               cells. */
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
@@ -61,11 +62,12 @@ typedef struct arc_kind {
   /* Checks combinations of settings. Errors: ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
   wear_manner (*manner)(const arc_wear_def *def, const arc_model_def *model);
-  /* Optional: returns the number of increments in a full cycle without a loading. NULL: 100 for
-   * "auto". */
+  /* Optional: returns the number of increments in a full cycle of a run without a loading. NULL:
+   * "auto" is 100 increments. */
   int (*increments)(const arc_wear_def *def, const arc_model_def *model);
-  /* Optional: returns the number of increments of a loading, at least one between two points. parts
-   * [count] (or NULL) receives the number of increments that end at each point. */
+  /* Optional: returns the number of increments of a loading, at least one between two points.
+   * Unless `parts` [count] is NULL, parts[i] is set to the number of increments from point i - 1 to
+   * point i. */
   double (*parts)(const arc_wear_def *def, const arc_model_def *model, const arc_loading *loading,
                   double *parts);
   /* Optional: returns the longest accurate increment [mm] under a load [N]. */
@@ -73,15 +75,15 @@ typedef struct arc_kind {
 
   /* --- runs ----------------------------------------------------------------------------------- */
 
-  /* Sets sites and `own` of a run that has its definition, surfaces and blocks. On ARC_MEMORY `end`
-   * must be called. */
+  /* Sets the sites and `own` of a run whose definition, surfaces and blocks are complete. On
+   * ARC_MEMORY `end` must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w); /* Optional: memory needed with surfaces and tangents */
+  size_t (*bytes)(const arc_wear *w); /* Optional: memory with surfaces and tangents [bytes] */
   /* Optional: checks that the zones contain the contact over the whole motion. Errors: ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* Optional: gives warnings about the definition; with `unworn` also about sites that are too
-   * coarse. */
+  /* Optional: gives warnings about the definition. If `unworn` is true, also about sites that are
+   * too coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
   /* Optional: if the sites were too coarse for the last update, gives a warning and returns 1. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
@@ -102,15 +104,15 @@ typedef struct arc_kind {
   /* Returns the profile along x through the middle. */
   arc_profile (*profile)(const arc_shape *shape, arc_body body);
   double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] largest depth */
-  /* Optional: converts depths [n] at the largest coefficient of the layers to depths at their own
-   * coefficients. */
+  /* Optional: converts depths [n], computed with the largest wear coefficient, to depths with the
+   * coefficients of the layers. */
   void (*through_layers)(const arc_shape *shape, double *depth);
   /* Adds the volumes of the depths, and the depths of tracks, to the record. It is called before
    * the shape is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
   /* Optional: predicts data of a shape that depend on its wear, such as the compliance, for the
-   * middle of an update. `depth` contains the depths in the middle of the update. */
+   * middle of an update. `depth` contains the depths there. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
   /* Wears a shape and adds the volumes. Layers limit the depths. On failure the shape must be
@@ -127,8 +129,8 @@ typedef struct arc_kind {
   /* Computes the wear of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
-  /* Optional: returns the sawtooth measure of pressures between neighbouring sites, relative to
-   * their mean [-], on the surfaces of the last record. */
+  /* Optional: returns the amplitude of the sawtooth of pressures at neighbouring sites, divided by
+   * the mean pressure, on the surfaces of the last record. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
@@ -141,10 +143,11 @@ typedef struct arc_kind {
   /* Functions of an implicit step. `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
    * must still be called). `start` computes k times the rate at z = 0. `stage` solves from the
    * present z and its rate, and writes z and the rate of the solution, for which z = known + h rate
-   * is exact in every bit. After its error ARC_NOT_CONVERGED a shorter step may succeed. `error`
-   * filters stiff ripples out of the estimated errors of depths, and returns the share of the load,
-   * or of the largest pressure, that the errors shift; a negative value means unknown. `end_stages`
-   * writes a step's even wear, largest pressure and normal force, unless depths is NULL. */
+   * holds exactly. If it returns ARC_NOT_CONVERGED, a shorter step may succeed. `error` filters
+   * stiff ripples out of the estimated errors of depths, and returns their effect: the fraction of
+   * the load that they shift, or their change of pressure divided by the largest pressure. A
+   * negative value means unknown. Unless `depth` is NULL, `end_stages` writes the uniform wear,
+   * largest pressure and normal force of a step. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
@@ -153,13 +156,13 @@ typedef struct arc_kind {
 
   /* --- lengths of steps */
 
-  /* Returns the depth [mm] of wear that has the same effect on the contact as its elastic
-   * displacement. */
+  /* Returns the depth of wear [mm] that changes the contact as much as the elastic displacement
+   * does. */
   double (*natural_depth)(const arc_wear *w);
-  /* Optional: return integrals of k over the distance [mm3/N]. The first integral removes `depth`
-   * [mm] from a lower body that wears evenly. After the second integral the wear of layers has
-   * changed the contact by as much as one update may. It includes evenly worn layers and, if
-   * `scars` is true, layers under scars. NULL: there are no such limits. */
+  /* Optional: return limits of the integral of k over the distance [mm3/N] in one update. The first
+   * limit removes `depth` [mm] from a uniformly worn lower body. At the second limit the wear of
+   * layers has changed the contact as much as one update may change it. The second limit includes
+   * uniformly worn layers and, if `scars` is true, layers under scars. NULL: no such limit. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
   /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,
@@ -189,7 +192,7 @@ typedef struct arc_kind {
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
   /* `save` returns the complete state of surfaces, with update and distance 0, in one block, which
    * the caller frees with free(). It returns NULL if out of memory. `load` restores surfaces from a
-   * state, whose numbers are not trusted. Errors: those of arc_wear_resume. */
+   * state, whose numbers it checks. Errors: those of arc_wear_resume. */
   arc_array *(*save)(const arc_shape *shape, size_t *count);
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
                      size_t count, arc_shape **shape, arc_error *error);

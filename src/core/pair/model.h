@@ -8,7 +8,7 @@ struct arc_model {
   const arc_kind *kind;
   int references;
   arc_model_def def;
-  double seconds; /* [s] time that the build needed */
+  double seconds; /* [s] duration of the build */
 };
 
 /* First member of the surfaces of all kinds. */

@@ -38,7 +38,7 @@ void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks) {
   static const double largest = 1e-6,
                       short_of =
-                          0.05; /* [mm2/N] limit of k; limit of the ratio of stroke to half width */
+                          0.05; /* limit of k [mm2/N]; limit of the ratio of stroke to half width */
   if (k > largest)
     arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g mm3/(N m) meant (k = %g)?", k,
              1e3 * k, k, 1e-3 * k);

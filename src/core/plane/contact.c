@@ -155,7 +155,7 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
 }
 
-/* Rounds a zone width [mm] to three digits: up, or down if the result would exceed `widest`. */
+/* Rounds a zone width [mm] up to three digits, or down if the result would exceed `widest`. */
 static double round_zone(double zone, double widest) {
   const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
   return up <= widest ? up : floor(widest / unit) * unit;
@@ -177,9 +177,9 @@ static arc_status explain_position(const arc_contact *c, arc_error *error) {
       arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* Computes the zones [mm] that a contact needs: the automatic zones or, if these are not wider
- * than the present zones, twice the present width. Returns 0 if a body is too narrow for the
- * contact plus two open elements on either side, or if no zone becomes wider. */
+/* Computes the zones [mm] that a contact needs: the automatic zones or, if these are not wider than
+ * the present zones, twice the present width. Returns 0 if a body is too narrow for the contact
+ * plus two elements without contact on either side, or if no zone becomes wider. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;

@@ -9,7 +9,8 @@
 /* Solution at one point of the path. Each array has one entry per surface node of the body. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
-  double *q[ARC_BODIES]; /* wear rate: p times the factors of law and position [MPa] */
+  double *q[ARC_BODIES]; /* wear rate divided by k: p times the factors of the wear law and the
+                            position [MPa] */
   double *u[ARC_BODIES]; /* elastic displacement along x [mm] */
   double *f[ARC_BODIES]; /* local factor */
 } wear_point;
@@ -36,9 +37,9 @@ typedef struct plane_cycle {
   wear_path path;
   contact_problem reference; /* problem with the plate at x = 0 under the nominal load */
   double *slip;              /* [4 n] workspace: slip of an increment, or mirror images */
-  double *down;  /* [n] lowering of the surface per depth of the window, see arc_shape_downward */
+  double *down;  /* [n] lowering of the surface along y per depth, see arc_shape_downward */
   double *width; /* [n] widths of the surface cells of the nodes in the previous window [mm] */
-  double *plate, *below; /* [np] depths of the plate; [nc] these depths at the cylinder's nodes */
+  double *plate, *below; /* [np] depths of the plate; [nc] depths below the cylinder's nodes */
 } plane_cycle;
 
 static inline plane_cycle *plane_of(const arc_wear *w) {
@@ -48,9 +49,9 @@ static inline wear_path *path_of(const arc_wear *w) {
   return &plane_of(w)->path;
 }
 
-/* Jacobian -d rate / d depth, with depths along y and at constant compliance. Neighbouring
- * points with nearly the same contact form groups that share a solution; this is accurate enough
- * for Newton's method. */
+/* Jacobian -d rate / d depth, with depths along y and at constant compliance. Neighbouring points
+ * with nearly the same contact form a group, which uses the solution of one point. This is accurate
+ * enough for Newton's method. */
 struct wear_tangent {
   int nc, np;
   double width;  /* range of plate positions in a group [mm]; 0: no groups */
@@ -76,8 +77,8 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progre
                              wear_rate *rate, arc_error *error);
 /* Returns the total sliding distance of a window [mm]. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
-/* Returns the ratio of the wear rate at node i on its slope to the wear rate on a level surface
- * under the same pressure. */
+/* Returns the wear rate at node i, whose surface is inclined, divided by the wear rate of a
+ * horizontal surface under the same pressure. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
 /* Solves only the point window->first, to check that the contact lies within the zones. */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
@@ -92,9 +93,9 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const contact_p
 arc_status arc_wear_find_local_factors(const arc_wear *w, const arc_wear_record *state,
                                        wear_point *point, arc_error *error);
 
-/* Adds the wear due to the `work` at the cylinder's nodes [MPa mm], a density along x, to the
- * rate of both bodies. The coupling (Eq. 15) transfers the same work to the plate. The work is
- * multiplied by the local factors of `point`. `on` [np] is workspace. */
+/* Adds the wear due to `work`, the work per area at the cylinder's nodes [MPa mm], to the rate of
+ * both bodies. The coupling (Eq. 15) transfers the same work to the plate. The work is multiplied
+ * by the local factors of `point`. `on` [np] is workspace. */
 void arc_wear_share(const arc_wear *w, const contact_problem *p, const wear_point *point,
                     const double *work, double *on, wear_rate *rate);
 
@@ -126,7 +127,8 @@ arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_progr
                               arc_loop **loop, arc_error *error);
 
 /* --- slip.c ----------------------------------------------------------------------------------- */
-/* Adds the work of the increment that ends at point `at`. The slip includes its elastic part. */
+/* Adds the work of the increment that ends at point `at`. The slip includes the elastic
+ * displacements. */
 void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 
 /* --- jacobian.c ------------------------------------------------------------------------------- */
@@ -135,8 +137,8 @@ void arc_tangent_free(wear_tangent **tangent);
 size_t arc_tangent_bytes(const arc_wear *w);
 double arc_tangent_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 void arc_wear_jacobian_clear(wear_tangent *j);
-/* Adds share * (-d q / d depth) of point `at`, the last solved point, to the Jacobian of the
- * window. Points must be added in order. `share` is the largest sliding distance of a node [mm].
+/* Adds -d q / d depth of point `at`, the last solved point, times `share` to the Jacobian of the
+ * window. `share` is the largest sliding distance of a node [mm]. Points must be added in order.
  * sliding[body] contains the sliding distance of each node, or is NULL if all nodes slide by
  * `share`. */
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
@@ -164,8 +166,8 @@ arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def 
  * this radius [mm]. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
-/* Returns the slip at surface node i divided by the slip at the reference radius. Returns 1
- * unless the bodies spin. */
+/* Returns the slip at surface node i divided by the slip at the reference radius. Returns 1 if the
+ * bodies do not spin. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 
 /* --- measures.c ------------------------------------------------------------------------------- */
@@ -176,7 +178,7 @@ double arc_plane_roughness(const arc_wear *w, arc_body body);
 /* Returns the largest depth of the plate [mm]; for a track, the mean depth over the contact
  * width. `record` must contain the plate's volume and the half width. */
 double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record);
-/* Returns the area of the evenly worn surface per unit of thickness: the width of the plate
+/* Returns the area of the uniformly worn surface per unit of thickness: the width of the plate
  * [mm]. For a track it is the area of a track 1 mm wide [mm2]. */
 double arc_plane_even_width(const arc_wear *w);
 arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -208,7 +210,7 @@ arc_status arc_plane_validate(const arc_wear *w, arc_error *error);
  * contact has left the meshed zone (ARC_ZONE) or the wear box (ARC_GEOMETRY). */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
-/* Returns the number of rows that the wear box needs to contain the evenly worn layers. Returns
+/* Returns the number of rows that the wear box needs to contain the uniformly worn layers. Returns
  * 0 if the present box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
@@ -240,7 +242,7 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                            arc_error *error);
 
 /* --- rims.c ----------------------------------------------------------------------------------- */
-/* Recreates a new run on finer meshes that resolve its slip zones. *finer is NULL if this is
+/* Creates a new run again, on finer meshes that resolve its slip zones. *finer is NULL if this is
  * unnecessary: if the present meshes resolve the zones, if the user chose the sizes, or without
  * friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
@@ -250,14 +252,15 @@ double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
 /* Converts a depth of wear [mm] at node i to the depth that the layers below the node allow,
- * beginning at depth `h`. `due` is the depth with the largest wear coefficient. */
+ * beginning at depth `h`. `due` is the depth [mm] that would wear with the largest wear
+ * coefficient. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
 /* Converts the depths of all nodes of both surfaces, cylinder first, with
  * arc_wear_through_layers. */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
-/* Returns the wear coefficient of node i after `depth` [mm] of further wear, divided by the
- * largest coefficient. */
+/* Returns the wear coefficient at node i after `depth` [mm] of further wear, divided by the largest
+ * coefficient of the body. */
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 
 #endif

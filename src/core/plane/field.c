@@ -86,7 +86,7 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
 }
 
 /* Stores Poisson's ratio at the nodes in szz. A node on an interface gets the ratio of the upper
- * layer. Elements are numbered from the surface on. */
+ * layer. Elements are numbered from the surface inwards. */
 static void fill_ratios(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)

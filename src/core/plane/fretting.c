@@ -5,7 +5,7 @@
  * Every evaluation begins with separated bodies. Nodes that slip in a cycle do not depend on
  * earlier cycles, and nodes that never slip retain the tractions from pressing. An update
  * therefore needs no stored history of tractions, no cycle contains slip due to the update
- * itself, and a stored run continues to the same bits.
+ * itself, and a stored run continues with identical results.
  *
  * Work is computed at the cylinder's nodes, also for nodes that come into or lose contact within
  * the increment. The coupling (Eq. 15) gives the plate the same work. */
@@ -92,7 +92,7 @@ static int shear_when_pressed(const arc_wear *w) {
          !arc_model_is_hertzian(model);
 }
 
-/* Presses the bodies together at point b->press, like the contact object. */
+/* Presses the bodies together at point b->press, in the same increments as the contact object. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -224,7 +224,8 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* Returns true if the forces equal the forces at the start of the cycle, within `steady`. */
+/* Returns true if the forces equal those at the start of the cycle within the tolerance `steady`.
+ */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;
@@ -260,8 +261,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds the wear of an energy between the nodes to the two outermost nodes in contact, half to
- * each. */
+/* Adds the wear due to `energy`, dissipated between the nodes, to the two outermost nodes in
+ * contact, half to each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -280,8 +281,8 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Distributes the energy between the nodes in proportion to the energy at the nodes, up to the
- * same amount. The outermost nodes in contact receive the rest. */
+/* Adds the energy dissipated between the nodes to the nodes, in proportion to their own energy and
+ * at most doubling it. The outermost nodes in contact receive the remaining energy. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);

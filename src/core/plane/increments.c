@@ -1,4 +1,4 @@
-/* Number of increments that a motion needs. */
+/* Computes the number of increments that a motion needs. */
 #include "core/base/callbacks.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
@@ -9,8 +9,8 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
-/* Returns the length of an increment [mm] with accurate results, see arc_wear_reach. The
- * prepared pair makes repeated calls with several loads cheap. */
+/* Returns the length of an increment [mm] that gives accurate results, see arc_wear_reach. The
+ * prepared pair makes repeated calls cheap. */
 static double reach_of(contact_pair *pair, double load) {
   static const double share = 0.125; /* keeps centre pressures within 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
@@ -54,7 +54,7 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
  * is one increment. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* upper limit for a contact at rest under a varying load */
+  enum { of_load = 100 }; /* upper limit of a segment for a contact at rest under a varying load */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;
@@ -71,7 +71,7 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* Returns the length of the longest increment divided by the length with accurate results. */
+/* Returns the length of the longest increment divided by the length that gives accurate results. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
@@ -86,7 +86,8 @@ static double longest_increment(const arc_wear *w) {
 
 /* Warns if the user chose too few increments. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double leap = 4; /* longest increment without a warning, in accurate lengths */
+  static const double leap = 4; /* longest increment without a warning, divided by the length that
+                                   gives accurate results */
   const arc_wear_def *d = &w->def;
   if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
       d->slide == ARC_SLIDE_Z)

@@ -26,9 +26,9 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Returns the width [mm] of a group of plate positions that share a solution in the Jacobian:
- * two elements, but at most an eighth of the path. With a single group for a path of one element
- * the method did not converge. */
+/* Returns the width [mm] of a group of plate positions that share a solution in the Jacobian: two
+ * elements, but at most an eighth of the path. For a path of one element, the method did not
+ * converge with a single group. */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -59,8 +59,8 @@ static arc_status create_resting(newton *s) {
                           : ARC_MEMORY;
 }
 
-/* Returns true if the depths remain symmetric to the bit. With friction they are symmetric only
- * within rounding errors. */
+/* Returns true if the depths remain exactly symmetric. With friction they are symmetric only within
+ * rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
@@ -187,10 +187,10 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
   for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
 }
 
-/* Adds the last step to the rate. Volumes remain exact, because the resultant of the linear
- * model's pressures is the load. The wear of the plate is computed from the forces on the
- * cylinder. Its own rate would have a volume error of 2e-9, because several positions share one
- * solution in the Jacobian. */
+/* Adds the last step to the rate. Volumes remain exact, because the resultant of the linear model's
+ * pressures is the load. The wear of the plate is scaled to the wear of the cylinder. Without this
+ * its volume would have a relative error of 2e-9, because the Jacobian uses one solution for
+ * several positions. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;
@@ -209,11 +209,11 @@ static double product(const double *a, const double *b, int n) {
   return sum;
 }
 
-/* Improves the Newton step. The error of a reused Jacobian is mostly one mode, which is caused
- * by nodes that have entered the contact since. A secant through the last two iterates
- * (Anderson's method, depth 1) removes this mode. `step` is the improved step and `defect` the
- * plain step; `last` is the previous plain step and `taken` the step made in the previous
- * iteration. */
+/* Improves the Newton step. The error of a reused Jacobian is mostly one mode, which is caused by
+ * nodes that have entered the contact since the Jacobian was computed. A secant through the last
+ * two iterates (Anderson's method, depth 1) removes this mode. `step` is the improved step and
+ * `defect` the Newton step. `last` is the previous Newton step, and `taken` is the step that the
+ * previous iteration made. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -236,7 +236,7 @@ static arc_status find_defect(newton *s, double h, const double *rate, double *s
   return status;
 }
 
-/* Makes the step, halved at most `most` times until the residual decreases. A contact that
+/* Makes the step. Halves it until the residual decreases, but at most `most` times. A contact that
  * leaves its zone counts as no decrease. */
 static arc_status walk(newton *s, double h, double *rate, int most) {
   const double before = arc_newton_residual(s, h, rate);
@@ -279,8 +279,8 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* Scales energy and even wear in proportion to the wear, because the last step is not evaluated
- * again. */
+/* Scales the energy and the uniform wear in proportion to the total wear, because the last step is
+ * not evaluated again. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
@@ -341,9 +341,9 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/* Returns the normal force integrated over the sliding distance [N/mm mm]. If the depths
- * determine this integral, it is computed from them, because the last step is not solved again.
- * Otherwise it is from the last evaluation. */
+/* Returns the integral of the normal force over the sliding distance, per thickness [N]. If the
+ * depths determine this integral, it is computed from them, because the last step is not solved
+ * again. Otherwise the integral of the last evaluation is used. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;

@@ -10,22 +10,22 @@ typedef struct newton {
   wear_stage *at;
   int n;        /* number of nodes of both surfaces */
   double area;  /* worn cross-sectional area per cycle in the last evaluation [mm2] */
-  int rests;    /* true for a single contact at rest under one load */
-  int mirrored; /* true if the depths are symmetric about x = 0 to the bit */
+  int rests;    /* true if the contact stays at one position under a constant load */
+  int mirrored; /* true if the depths are exactly symmetric about x = 0 */
   double *residual, *step;
 
   /* members for a moving contact */
   double *packed;
-  double *defect, *last, *taken; /* plain step, previous plain step, previous step made */
+  double *defect, *last, *taken; /* Newton step, previous Newton step, previous step made */
   wear_tangent *jacobian;
-  double *matrix; /* [live x live] factors of I + h k J */
+  double *matrix; /* [live x live] triangular factors of I + h k J for the `live` unknowns */
   int live, *node, *pivots;
-  double h; /* number of cycles of the step with these factors; 0: none */
+  double h; /* [cycles] h in these factors; 0: the matrix is not factorised */
 
   /* members for a contact at rest */
-  contact_problem with_wear; /* problem whose compliance includes the wear of its forces */
+  contact_problem with_wear; /* problem whose compliance includes the wear due to its forces */
   double *per_force;         /* wear depth per force on a node [mm per N/mm] */
-  double *opening;           /* change of the gap per depth [-], by node */
+  double *opening;           /* change of the gap per depth of wear at each node [-] */
   double *moved, *force;     /* workspace; forces on the cylinder's nodes [N/mm] */
 } newton;
 
@@ -33,13 +33,12 @@ arc_status arc_newton_begin(wear_stage *stage);
 void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth);
 /* Computes the wear per cycle at z = 0 and stores it in `rate` [mm per cycle]. */
 arc_status arc_newton_start(wear_stage *stage, double *rate);
-/* Solves z = known + h rate(z). On entry the present z and `rate` are the initial guess; on
- * return z equals known + h rate to the bit. Errors: ARC_ZONE if the run has outgrown its mesh;
+/* Solves z = known + h rate(z). On entry the present z and `rate` are the initial guess; on return
+ * z equals known + h rate exactly. Errors: ARC_ZONE if the run has outgrown its mesh;
  * ARC_NOT_CONVERGED if a shorter step is necessary. */
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
-/* Filters stiff ripples out of a defect of the depths. Returns the largest share of the load
- * that the defect shifts along the surface, or a negative number if this share cannot be
- * computed. */
+/* Filters stiff ripples out of a defect of the depths. Returns the largest fraction of the load
+ * that the defect shifts along the surface, or a negative number if it cannot be computed. */
 double arc_newton_error(wear_stage *stage, double h, double *defect);
 
 /* --- for rest_stage.c ------------------------------------------------------------------------- */
@@ -62,9 +61,9 @@ int arc_newton_is_hopeless(const newton *s, arc_status status);
 int arc_stage_rests(const wear_stage *stage);
 arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
 /* Converts changes of the gaps [active] of a solved problem to changes of its forces in the same
- * array. Returns the largest share of the load that is shifted along the surface. */
+ * array. Returns the largest fraction of the load that is shifted along the surface. */
 double arc_stage_forces(contact_problem *p, double *gap);
-/* Does the same as arc_newton_error for a stage at rest. */
+/* Computes the result of arc_newton_error for a contact at rest. */
 double arc_stage_rest_error(newton *s, double *defect);
 
 #endif

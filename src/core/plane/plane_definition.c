@@ -5,11 +5,11 @@
 
 #include <math.h>
 
-/* Largest number of increments in a cycle, and in a history without repetition. */
+/* Limits of the number of increments in a cycle, and in a loading history that is not repeated. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
-/* Returns true if the stroke covers the whole plate, which then wears evenly. Returns false for
- * holes, where even wear would change the clearance, and for surfaces that are not flat. */
+/* Returns true if the stroke covers the whole plate, which then wears uniformly. Returns false for
+ * holes, where uniform wear would change the clearance, and for surfaces that are not flat. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
     return 0;
@@ -113,7 +113,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         error, ARC_ARGUMENT,
         "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
         d->stroke);
-  const double widest = 0.75 * width; /* widest zone of the mesher minus the contact width [mm] */
+  const double widest = 0.75 * width; /* largest zone of the mesher minus the contact width [mm] */
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(
         error, ARC_ARGUMENT,

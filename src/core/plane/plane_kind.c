@@ -51,8 +51,9 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- checks of positions */
 
-/* Writes the points of a block with the extreme positions of the plate, of the load, and of the
- * load on the plate. Returns their number, which is 2 if the load angle is always 0. */
+/* Stores the indices of the points of a block with the extreme positions of the plate, of the load,
+ * and of the load relative to the plate. Returns their number, which is 2 if the load angle is
+ * always 0. */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;
@@ -70,7 +71,7 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
-/* Reports zones that are wider than the bodies. Returns ARC_ZONE. */
+/* Composes the error for zones that are wider than the bodies. Returns ARC_ZONE. */
 static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
                                const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);

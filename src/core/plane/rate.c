@@ -1,6 +1,6 @@
-/* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at every
- * point of the path is integrated by Eq. (4) or (5) and multiplied by the repetitions of the
- * block (Eqs. 22, 26 and 27). */
+/* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at every point
+ * of the path is integrated by Eq. (4) or (5) and multiplied by wear_block.repeat (Eqs. 22, 26 and
+ * 27). */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
@@ -21,9 +21,9 @@ static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   }
 }
 
-/* Computes the wear rates from law and slip at the cylinder's nodes, where the pressure is an
- * unknown. The plate gets the same wear rate, because both bodies have the same pressure at a
- * pair of points. */
+/* Computes the wear rates by the wear law from pressure and slip at the cylinder's nodes, where the
+ * pressure is an unknown. The plate gets the same wear rate, because both bodies have the same
+ * pressure at a pair of points. */
 static void apply_law(const arc_wear *w, const wear_window *window, const contact_problem *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
@@ -109,9 +109,9 @@ static void note_widths(const arc_wear *w, const wear_window *window) {
       sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
 }
 
-/* Adapts the last point of the previous window to surfaces that have worn since. The forces
- * (pressure times width) remain the same. With elastic slip the problem is updated too, because
- * it transfers work to the plate. */
+/* Adapts the last point of the previous window to the wear since then. The forces (pressure times
+ * width) remain the same. With elastic slip the problem is updated too, because it transfers work
+ * to the plate. */
 static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
                               arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -127,8 +127,8 @@ static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point
   return meets ? arc_wear_prepare(w, window, window->first, error) : ARC_OK;
 }
 
-/* Computes point `at` of a window: by a solution, as a copy of an equal previous point, or from
- * the previous window. */
+/* Computes point `at` of a window. Solves the contact, copies an equal previous point, or adapts
+ * the last point of the previous window. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
                               wear_progress *progress, arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
@@ -157,10 +157,10 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* On a slope the sliding distance is the distance of the plate times the cosine, and the
- * projection on x is the length of the surface times the same cosine. Pressure times the
- * projected width is force. A depth along the normal therefore removes the area k force |dx|. In
- * motion out of the plane every slope slides over the whole distance. In holes pressures refer
+/* On a slope the sliding distance is the distance of the plate divided by the cosine of the slope,
+ * and the length of the surface is its projection on x divided by the same cosine. Pressure times
+ * the projected width is force. A depth along the normal therefore removes the area k force |dx|.
+ * In motion out of the plane every slope slides over the whole distance. In holes pressures refer
  * to the area of the hole; for bodies of revolution areas are projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
@@ -183,16 +183,16 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
     }
 }
 
-/* Adds the even wear, Eq. (27). In a stroke over the whole plate the whole pressure profile
- * passes over each node of the plate. With Archard's law the integral of p is the load. */
+/* Adds the uniform wear of the plate, Eq. (27). In a stroke over the whole plate the whole pressure
+ * profile passes over each node of the plate. With Archard's law the integral of p is the load. */
 static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* Computes the even wear from the work with total slip: the integral of the wear over all nodes
- * of the plate, divided by the sliding distance. */
+/* Computes the uniform wear of the plate for total slip: the integral of the wear over its nodes,
+ * divided by the sliding distance. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -231,8 +231,8 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* Adds the normal force times the sliding distance. This is necessary if the normal force
- * differs from the load (hollow surfaces, spin). */
+/* Adds the normal force times the sliding distance. This is necessary if the normal force differs
+ * from the load (rings and holes, spin). */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;
@@ -254,12 +254,12 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
 }
 
 /* Adds the wear of the mirror image of point `at`, with the local factors of the image. Without
- * these factors this wear is the image of the wear of the point. */
+ * local factors this wear is the mirror image of the wear of the point. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
   wear_point law = path_of(w)->point[at % 2];
-  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* u is unused without elastic slip */
+  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* u is free without elastic slip */
   if (block->line[at] > 0) apply_law(w, window, &path_of(w)->problem[block->problem_of[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);

@@ -1,8 +1,8 @@
 /* Computes stresses at nodes. Stresses of elements are most accurate at the centres of elements
- * (superconvergence). On a boundary, the tractions give the normal and shear stresses; the
- * stress along the boundary follows from the strain along the boundary, which the nodal
- * displacements give to second order. Inside, quadratic polynomials are fitted around each node
- * to the stresses of elements and boundary nodes (patch recovery after Zienkiewicz and Zhu). */
+ * (superconvergence). On a boundary, the tractions give the normal and shear stresses. The stress
+ * along the boundary follows from the strain along the boundary, which is accurate to second order.
+ * Inside, quadratic polynomials are fitted around each node to the stresses of elements and
+ * boundary nodes (patch recovery after Zienkiewicz and Zhu). */
 #include "core/plane/recovery.h"
 #include "core/base/dense.h"
 
@@ -19,8 +19,8 @@ typedef struct recovery {
   double *value;       /* [3 * samples] stresses of the samples [MPa] */
   int *known;          /* [samples] true if the stress of the sample is known */
   int *start, *around; /* [nodes + 1], [4 * elements] elements around each node */
-  int *seen;           /* [samples] node + 1 of the last patch with this sample */
-  int *patch;          /* [samples] the samples in the present patch */
+  int *seen;           /* [samples] 1 + index of the last node whose patch contains the sample */
+  int *patch;          /* [samples] indices of the samples in the present patch */
 } recovery;
 
 static void recovery_free(recovery *r) {
@@ -76,8 +76,8 @@ static void sample_element(recovery *r, int e) {
   r->known[e] = 1;
 }
 
-/* Returns the change of a triangle's area [mm2] under the displacements, and adds the area of
- * the triangle to *area. */
+/* Returns the change of a triangle's area [mm2] due to the displacements, and adds the area of the
+ * triangle to *area. */
 static double swelling_of(const recovery *r, int e, double *area) {
   double u[8], gradient[6], change = 0;
   const element el = element_with(r, e, u);
@@ -86,7 +86,8 @@ static double swelling_of(const recovery *r, int e, double *area) {
   return change;
 }
 
-/* Gives all triangles of one cell the same mean pressure, from the dilatation of the cell. */
+/* Gives all triangles of one cell the same hydrostatic stress, computed from the dilatation of the
+ * cell. */
 static void share_dilatation(recovery *r, int e, int triangles) {
   const double bulk = arc_elasticity_bulk(arc_body_elasticity(r->body, e));
   double area = 0, change = 0;
@@ -116,8 +117,9 @@ typedef struct boundary {
   double *bend;   /* [count] second difference of `load` [MPa] */
   double *length; /* [count] lengths of the edges [mm] */
   double *rest;   /* [count] stress along the edge without the local effect of pressure [MPa] */
-  double *cusp;   /* [count] stress along the boundary at the node minus the stress of the edges */
-  double *work;   /* [5 * nodes] memory for tractions */
+  double *cusp; /* [count] stress along the boundary at the node minus the mean stress of its edges
+                   [MPa] */
+  double *work; /* [5 * nodes] workspace for tractions */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -128,8 +130,9 @@ static int last_of(const boundary *o, int k) {
   return k > 0 ? k - 1 : o->count - 1;
 }
 
-/* Law for the stress along an edge without the local effect of pressure: `modulus` times the
- * strain along the edge, plus `around` times the hoop strain, plus `load` times the pressure. */
+/* Coefficients of the stress along an edge without the local effect of pressure. The stress is
+ * `modulus` times the strain along the edge, plus `around` times the hoop strain, plus `load` times
+ * the pressure. */
 typedef struct edge_law {
   double modulus, around, load;
 } edge_law;
@@ -144,7 +147,7 @@ static int element_at(const recovery *r, int a, int b) {
   return r->around[r->start[a]];
 }
 
-/* Returns the law of an edge, with the material of its element. */
+/* Returns the coefficients of an edge for the material of its element. */
 static edge_law law_between(const recovery *r, int a, int b) {
   const arc_material top = arc_body_layer_material(
       &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);
@@ -160,10 +163,10 @@ static double strain_around(const recovery *r, int a, int b) {
   return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;
 }
 
-/* Computes `rest`, the stress along each edge without the local effect of pressure. Pressure p
- * on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E, but only at the loaded
- * points; this adds -p to the stress along the surface there. The rest of the stress is due to
- * distant loads and is smooth, even where the pressure ends. */
+/* Computes `rest`, the stress along each edge without the local effect of pressure. Pressure p on a
+ * half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E, but only at the loaded points; this
+ * adds -p to the stress along the surface there. The remaining stress is due to distant loads and
+ * is smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
@@ -183,10 +186,10 @@ static double mean_bend(const boundary *o, int k) {
   return (o->bend[k] + o->bend[next_of(o, k)]) / 2;
 }
 
-/* Removes an error of `rest` that the elements cause by smoothing the local strain. They add a
- * share of the second difference of the pressure to `rest`; along a uniform surface this share
- * is constant. The function subtracts the share for which `rest` is smoothest (least sum of
- * squared second differences). */
+/* Removes an error of `rest` that the elements cause by smoothing the local strain. The error is a
+ * multiple of the second difference of the pressure, with a constant factor along a uniform
+ * surface. The function uses the factor that makes `rest` smoothest (least sum of squared second
+ * differences). */
 static void sharpen(boundary *o) {
   double across = 0, square = 0;
   for (int k = 0; k < o->count; k++) {
@@ -201,8 +204,8 @@ static void sharpen(boundary *o) {
   for (int k = 0; k < o->count; k++) o->rest[k] -= share * mean_bend(o, k);
 }
 
-/* Computes the stress at boundary node k from its two edges. Corners are left out, because they
- * have no tangent. */
+/* Computes the stress at boundary node k from its two edges. Corners are omitted, because they have
+ * no tangent. */
 static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   static const double straight = 0.9; /* smallest cosine of the angle between the edges */
   const int *node = r->mesh->outline_node, before = last_of(o, k), at = node[k];
@@ -361,8 +364,8 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Computes the stresses inside from boundary values that suit the elements, with the pressures
- * of the nodal forces. The results at boundary nodes are point values. */
+/* Fits the stresses inside to boundary stresses from the pressures of the nodal forces, which are
+ * consistent with the elements. The results at boundary nodes are point values. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

@@ -4,13 +4,14 @@
 
 #include "core/elastic/body.h"
 
-/* Tractions on the candidate surface of a body [MPa]. The rest of the boundary is free or fixed. */
+/* Tractions on the candidate surface of a body [MPa]. The other parts of the boundary are free or
+ * fixed. */
 typedef struct surface_traction {
   double *normal;     /* [surface] pressures at the nodes */
   double *load;       /* [surface] nodal forces divided by tributary widths */
   double *tangential; /* [surface] shear along the surface, towards larger x; may be NULL */
-  double *cusp; /* [surface] stress along the surface at a node minus its value beside the node,
-                   where the stress is not smooth; may be NULL */
+  double *cusp; /* [surface] stress along the surface at a node minus its value beside the node, for
+                   nodes where it is not smooth; may be NULL */
 } surface_traction;
 
 /* Computes the stresses [3 * nodes] (xx, yy, xy, [MPa]) at nodes with positions xy and

@@ -6,15 +6,16 @@
 
 #include <math.h>
 
-/* wider: increase of both zones, in widths of the cylinder's zone. deeper: factor of the depth
- * of the wear box. */
+/* `wider` is the increase of both zones, divided by the width of the cylinder's zone. `deeper` is
+ * the factor of the depth of the wear box. */
 static const double wider = 1, deeper = 2;
 
-/* Automatic element sizes follow the contact. If a contact has this many times the elements of a
- * new contact, the elements become larger. For a ring that wears a block to 25 half widths, the
- * depth differs from the rigid limit by 0.02 % with 4 and by 0.05 % with 3. Elements become
- * larger by sqrt(2) at a time. The outline of a scar of half width b then loses h^2/(8 b^2) of
- * its area, 0.04 % (0.12 % with a factor of 2); scaling of the depths restores this area. */
+/* Automatic element sizes follow the contact. The elements become larger if a contact has this many
+ * times the elements of an unworn contact. For a ring that wears a block to 25 half widths, the
+ * depth differs from the rigid limit by 0.02 % if this factor is 4 and by 0.05 % if it is 3.
+ * Elements become larger by sqrt(2) at a time. With element size h the outline of a scar of half
+ * width b then loses the fraction h^2/(8 b^2) of its area, 0.04 % (0.12 % with a factor of 2);
+ * scaling of the depths restores this area. */
 static const double rich = 4;
 
 /* --- sizes that have been outgrown */
@@ -34,7 +35,7 @@ static double worn_half(const arc_wear *w, arc_body b) {
 /* Returns true if the contact has grown gradually to the edge of its zone. A sudden increase
  * means that the step is too long, and a larger mesh would hide this error. */
 static int has_grown_into_zone(const arc_wear *w) {
-  static const double share = 0.4; /* share of the zone above which the contact has grown into it */
+  static const double share = 0.4; /* true above this ratio of contact width to zone */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};
@@ -106,7 +107,7 @@ static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
   const double ratio = sqrt(2),
-               soon = sqrt(sqrt(ratio)); /* `soon` coarsens earlier, which saves a remeshing */
+               soon = sqrt(sqrt(ratio)); /* earlier coarsening avoids a later remeshing */
   const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
@@ -209,8 +210,8 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* Returns the model of the run's bodies with a mesh that the user chose. The zones are fitted to
- * the run. */
+/* Returns the definition of the run's model with a mesh that the user chose. The zones are fitted
+ * to the run. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;

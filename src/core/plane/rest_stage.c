@@ -1,7 +1,7 @@
-/* Stages of a contact at rest under one load. The wear due to the forces within the stage adds
- * to the compliance of both bodies. Wear and contact then are one complementarity problem. For
- * the linear law one solution is exact for any length of the step. Other laws, layers and a
- * changed compliance need iterations. */
+/* Stages of a contact at rest under one load. The wear due to the forces within the stage adds to
+ * the compliance of both bodies. Wear and contact are then one complementarity problem. For the
+ * linear law one solution is exact for any length of the step. Other laws, layers and a variable
+ * compliance need iterations. */
 #include "core/base/dense.h"
 #include "core/plane/newton.h"
 
@@ -24,8 +24,8 @@ int arc_stage_rests(const wear_stage *stage) {
   return 1;
 }
 
-/* Computes the wear depth of each node per force [mm per N/mm] within h cycles, and the opening
- * of the gap per depth. */
+/* Computes the wear depth of each node in h cycles per force [mm per N/mm], and the increase of the
+ * gap per depth. */
 static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   const arc_wear *w = s->at->run;
   const wear_window *window = &s->at->window;
@@ -41,8 +41,8 @@ static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   for (int i = 0; i < s->n; i++) s->opening[i] = down[i] * arc_newton_share(s, i);
 }
 
-/* Returns the element (r, c) of B D B' for two candidates. `d` is the diagonal of D, by plate
- * node. */
+/* Returns the element (r, c) of B D B' for candidates r and c. `d` is the diagonal of D, with one
+ * value per plate node. */
 static double through_plate(const contact_problem *p, int r, int c, const double *d) {
   const int first = p->first[r] > p->first[c] ? p->first[r] : p->first[c];
   const int last = (p->first[r] < p->first[c] ? p->first[r] : p->first[c]) + p->width;
@@ -52,7 +52,7 @@ static double through_plate(const contact_problem *p, int r, int c, const double
   return sum;
 }
 
-/* Adds the compliance due to wear to the compliance of a problem, in s->with_wear. */
+/* Stores the problem in s->with_wear, with the compliance due to wear added to its compliance. */
 static void soften(newton *s, const contact_problem *p) {
   contact_problem *with = &s->with_wear;
   const size_t count = (size_t)p->count;
@@ -78,7 +78,7 @@ static void wear_of(const newton *s, const contact_problem *p, const double *for
   for (int i = 0; i < s->n; i++) depth[i] *= s->per_force[i];
 }
 
-/* Adds the opening due to depths [n] to the gaps of the candidates [mm]. */
+/* Adds the increase of the gap due to depths [n] to the gaps of the candidates [mm]. */
 static void add_gaps(const newton *s, const contact_problem *p, const double *depth, double *gap) {
   double *plate = plane_of(s->at->run)->plate, *below = plane_of(s->at->run)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * s->opening[p->nc + l];

@@ -1,4 +1,4 @@
-/* Bodies of revolution in wear runs: valid settings, scars, and the slip of a spin. */
+/* Bodies of revolution in wear runs: valid settings, scars, and the slip due to a spin. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -55,8 +55,8 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
       d->alpha);
 }
 
-/* Computes the half width b of a scar of volume V. On a cylinder b^3 = 3 R V / 2 per length, on
- * a ball b^4 = 4 R V / pi. With a spin the volume is reduced to V b / spin or less. */
+/* Computes the half width b of a scar of volume V. On a cylinder b^3 = 3 R V / 2 per length, on a
+ * ball b^4 = 4 R V / pi. With a spin the volume is V b / spin or less. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume) {
   const double pi = acos(-1);

@@ -9,10 +9,10 @@
  * accurate to 1 % if the stick zone ends halfway between two nodes, and to 2 % otherwise. */
 static const double in_rim = 5;
 
-/* Largest automatic number of columns in a zone of `contact_widths` half widths. */
+/* Limit of the automatic number of columns in a zone of `contact_widths` half widths. */
 static const double most_columns = 320, contact_widths = 3;
 
-/* Slip in a cycle of a block. */
+/* Results of a cycle of a block. */
 typedef struct cycle_of {
   double share; /* half the range of the tangential force divided by the friction limit; 1 for gross
                    slip */

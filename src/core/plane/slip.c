@@ -1,8 +1,8 @@
-/* Wear of an increment with elastic slip, from the work on pairs of points in contact. A
+/* Wear of an increment with elastic slip, computed from the work at pairs of points in contact. A
  * material point of the plate slides on the cylinder by the rigid motion plus the change of the
- * displacements of both points. The point of the plate moves, so its change includes the
- * variation of u along the path. Work is computed at the cylinder's nodes. The coupling gives
- * the plate the same work, so the volumes have the ratio k_c to k_p (Eq. 15). */
+ * displacements of both points. The point of the plate moves, so its change includes the variation
+ * of u along the path. Work is computed at the cylinder's nodes. The coupling gives the plate the
+ * same work, so the volumes have the ratio k_c to k_p (Eq. 15). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -10,9 +10,9 @@
 
 /* Data for the work of an increment. */
 typedef struct increment {
-  const wear_point *end;          /* solution at the end that is added */
+  const wear_point *end;          /* solution at the end of the increment that is added */
   const contact_problem *problem; /* problem at this end */
-  double rigid, share;            /* motion of the plate [mm]; weight of the end */
+  double rigid, share;            /* displacement of the plate [mm]; weight of the end */
   const double *moved_c;          /* [nc] change of the cylinder's displacement along x [mm] */
   const double *moved_p;          /* [np] change of the plate's displacement along x [mm] */
   double *under, *work, *plate;   /* [nc], [nc], [np] workspace */
@@ -30,7 +30,7 @@ static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
 }
 
 /* Computes the change of the plate's displacements for NSP: the contact is constant, and the
- * material of the plate passes below it by the distance `rigid`. */
+ * material of the plate moves below it by the distance `rigid` [mm]. */
 static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
   const double *x = w->shape->side[ARC_PLATE].settled;
   for (int l = 0; l < w->np; l++) {

@@ -7,10 +7,10 @@
 typedef struct stick_zone {
   const arc_contact *c;
   int first, last;
-  double edge[2]; /* positions of the left and right edge [mm] */
+  double edge[2]; /* positions of the left and the right edge [mm] */
 } stick_zone;
 
-typedef double stress_at(const arc_contact *c, int set); /* returns a stress at a node [MPa] */
+typedef double stress_at(const arc_contact *c, int set); /* returns the stress at a node [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
@@ -21,8 +21,8 @@ static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
-/* Returns the stress that can be added at a sticking node before it slips in the direction of
- * the plate's motion [MPa]. */
+/* Returns the reserve of a sticking node [MPa]: the shear stress that can be added before the node
+ * slips in the direction of the plate's motion. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->workspace.reserve[k] / c->problem.wc[c->problem.lo + k];
@@ -38,19 +38,20 @@ static double bound(const arc_contact *c, int set) {
   return c->handle.def.friction * c->problem.f[k] / c->problem.wc[c->problem.lo + k];
 }
 
-/* Returns the square of a stress divided by the distance from the opposite edge [MPa2/mm]. */
+/* Returns the square of a stress at a node, divided by the distance of the node from the opposite
+ * edge `other` [MPa2/mm]. */
 static double squared(const stick_zone *z, int set, double other, stress_at *stress) {
   const double r = stress(z->c, set);
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* Returns the distance [mm] from the last sticking node, on the right or left, to the point
- * where a stress vanishes. Like the pressure of a contact, mu p - |q| falls with the square root
- * of the distance from the edge. For Hertz' loads the square of the stress divided by the
- * distance from the opposite edge is linear. A line is fitted to nodes away from the edge, where
- * means over elements are as accurate as point values. With a single node the edge is halfway to
- * the next node. A node represents a mean and sticks slightly longer than the surface point
- * there; the edge may therefore lie up to h / 4 before the node. */
+/* Returns the distance [mm] from the last sticking node, on the right or left, to the point where a
+ * stress vanishes. Like the pressure of a contact, mu p - |q| falls with the square root of the
+ * distance from the edge. For Hertz' contacts the square of the stress, divided by the distance
+ * from the opposite edge, is linear in x. A line is fitted to nodes away from the edge, where means
+ * over elements are as accurate as point values. With a single node the edge is halfway to the next
+ * node. A node represents a mean over its element of size h and sticks slightly longer than its
+ * surface point. The edge may therefore lie up to h / 4 inside the last sticking node. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;

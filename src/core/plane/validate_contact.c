@@ -9,7 +9,7 @@
 /* Tolerance for rounding errors, relative to the largest number involved. */
 static const double rounding = 1e-9;
 
-/* Returns the force that presses on a node, as its component along the load [N/mm]. */
+/* Returns the component along the load of the normal force on a node [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
   const chart *on = &c->handle.shape->side[body].body->chart;
   if (on->polar) {

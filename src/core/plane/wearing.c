@@ -1,4 +1,4 @@
-/* Wears the surfaces in updates, and limits the wear of an update. */
+/* Removes the wear of an update from the surfaces, and limits the wear of an update. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -9,14 +9,14 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Reduces depths by the wear coefficients of layers. The depth of a track is converted by its
+/* Reduces depths by the wear coefficients of layers. The depth of a track is converted with its
  * mean over the contact width. */
 static void go_through_layers(const arc_wear *w, const arc_shape *shape,
                               const arc_wear_record *record, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
   arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
   const int middle =
-      shape->side[ARC_PLATE].n / 2; /* an evenly worn body has the same layers everywhere */
+      shape->side[ARC_PLATE].n / 2; /* a uniformly worn body has the same layers everywhere */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
                                                  depth->even / wide);
@@ -95,14 +95,14 @@ double arc_plane_natural_depth(const arc_wear *w) {
   return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
 }
 
-/* Returns the mean pressure [MPa] that causes even wear: the load divided by the area of the
- * plate or track. With Archard's law the even depth is this pressure times the integral of k. */
+/* Returns the mean pressure [MPa] that causes uniform wear: the load divided by the area of the
+ * plate or track. With Archard's law the uniform depth is this pressure times the integral of k. */
 static double even_pressure(const arc_wear *w) {
   const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Converts an even depth [mm] to an integral of k over the sliding distance, with the
+/* Converts a uniform depth [mm] to an integral of k over the sliding distance, with the
  * coefficients of the layers. */
 double arc_plane_even_k_integral(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
@@ -114,7 +114,7 @@ double arc_plane_even_k_integral(const arc_wear *w, double depth) {
 /* --- layers ----------------------------------------------------------------------------------- */
 
 static double even_layer_k_integral(const arc_wear *w) {
-  static const double layer_share = 0.05; /* largest share of a layer that an update removes */
+  static const double layer_share = 0.05; /* largest fraction of a layer that an update removes */
   const elastic_body *plate = w->shape->side[ARC_PLATE].body;
   if (!w->manner.even || w->def.geometry == ARC_FROZEN) return INFINITY;
   double from = 0, end = 0;
@@ -132,9 +132,9 @@ static int open_layer(const shape_side *side, int i) {
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Returns how much softer the exposed layer is than the body below all layers, as the difference
- * of their compliances per mm [1/MPa]. It is the largest absolute value over all worn nodes;
- * before any wear, over all nodes. */
+/* Returns the compliance of the exposed layer minus that of the body below all layers, per mm of
+ * depth [1/MPa]. It is the largest absolute value over all worn nodes; before any wear, over all
+ * nodes. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;
@@ -150,7 +150,7 @@ static double softness(const arc_wear *w, arc_body body) {
  * update uses the stiffness at its start. The stiffness changes as layers become thinner, and
  * the mean error is half of this change. */
 static double scar_layer_k_integral(const arc_wear *w) {
-  static const double felt = 0.01; /* accepted change in an update, as a share of the pressure */
+  static const double felt = 0.01; /* accepted relative change of the pressure in an update */
   const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
   if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
   const double p = arc_wear_last(w)->p_center;
@@ -169,9 +169,9 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Returns the wear coefficient at the deepest node, divided by the largest coefficient of the
- * body. Before any wear the middle node represents all nodes. The record contains the
- * depth of even wear. */
+/* Returns the wear coefficient at the deepest node, divided by the largest coefficient of the body.
+ * Before any wear the middle node represents all nodes. The depth of uniform wear is in the record.
+ */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
@@ -183,11 +183,11 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
 }
 
 /* Returns the limit of an update that the compliance of a scar requires, as an integral of k. If
- * the scar deepens by dh, the elastic displacement u = p b / E (b: half width) changes by about
- * u dh / b, and depths h change by the share p dh / (E h). The compliance in the middle of the
- * update makes this error one of second order. */
+ * the scar deepens by dh, the elastic displacement u = p b / E (b: half width) changes by about u
+ * dh / b, and depths h change by p dh / (E h) relative to h. With the compliance in the middle of
+ * the update, this error is of second order. */
 static double scar_k_integral(const arc_wear *w) {
-  static const double late = 5;     /* factor of the tolerance */
+  static const double late = 5; /* accepted error of first order, as a multiple of the tolerance */
   static const double deeper = 0.1; /* largest depth of an update, relative to the half width */
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Returns the sliding distance of the whole run [mm]; if it is not given, the distance of all
- * blocks of loading. */
+/* Returns the sliding distance of the whole run [mm]. If the user gave none, it is the distance of
+ * all blocks of loading. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -36,7 +36,8 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   /* remesh.c builds a wider zone with a coarser mesh when necessary */
   const double most = model->mesh.fineness > 0 ? outgrown_at * half : INFINITY;
   const double widest = fmin(most, fmax(half, half / 2 + scar));
-  /* the margin on coarse meshes is in elements: one below the edge, two that remain open */
+  /* the margin on coarse meshes is three elements: one below the contact edge and two without
+   * contact */
   return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_MARGIN);
 }
 

@@ -1,10 +1,10 @@
-/* Extents of contacts and wear scars, interpolated between cells. */
+/* Computes the extents of contacts and wear scars, interpolated between cells. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Values by cell. The position where the values cross the level is interpolated linearly in
+/* Values of the cells. The position where they cross `level` is interpolated linearly in
  * value^power. */
 typedef struct field {
   const double *value;
@@ -27,8 +27,8 @@ static double largest_of(const field *f, int along, int i) {
 }
 
 /* Returns the position, in rows or columns, at which the largest value of a row or column falls
- * below the level. The position is interpolated if the next line has values above 0, otherwise
- * extrapolated with the slope inside. */
+ * below the level. The position is interpolated if the next row or column has values above 0.
+ * Otherwise it is extrapolated with the slope inside. */
 static double edge(const field *f, int along, int from, int step) {
   const double inside = largest_of(f, along, from), before = largest_of(f, along, from - step),
                outside = largest_of(f, along, from + step);

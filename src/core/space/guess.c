@@ -10,7 +10,7 @@ static double least_of(int n, const double *gap) {
 }
 
 /* Returns the estimated load for an approach: the load on a ball whose contact area equals the area
- * of the gaps below half the approach. */
+ * in which gaps are smaller than half the approach. */
 static double load_at(const arc_halfspace *h, const double *gap, double least, double approach) {
   const arc_halfspace_def *d = &h->def;
   int inside = 0;

@@ -133,9 +133,9 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
   return status;
 }
 
-/* Creates the preconditioner by inverting the symbol on a box that is a quarter larger. Values
- * below the smallest positive value are replaced by this value, so the inverse is positive
- * definite. */
+/* Creates the preconditioner from the inverse of the symbol on a box that is a quarter larger than
+ * the window. Values below the smallest positive value are replaced by this value, so the inverse
+ * is positive definite. */
 static arc_status make_inverse(arc_halfspace *h, int rows, int columns, convolution **made,
                                arc_error *error) {
   const int box_x = arc_transform_length(rows + rows / 4),
@@ -319,8 +319,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Returns the half extent of the scar along an axis of radius r [mm], from the elastic contact
- * and a spherical cap of the worn volume. */
+/* Returns the half extent of the scar along an axis of radius r [mm], from the half width of the
+ * elastic contact and a cap with the worn volume. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

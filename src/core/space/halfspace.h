@@ -15,7 +15,8 @@ enum { SPACE_LEVELS = 5 };
  * materials. */
 typedef struct space_shear_kernels {
   double self[2];         /* displacement of a loaded cell along x and z [mm/MPa] */
-  convolution *along[3];  /* x due to qx, x due to qz (and z due to qx), z due to qz */
+  convolution *along[3];  /* displacement along x due to qx, along x due to qz (equal to z due to
+                             qx), along z due to qz */
   convolution *couple[2]; /* gap due to qx and due to qz; NULL if the materials are equal */
   convolution_work *work; /* second workspace, for convolutions of two fields at once */
 } space_shear_kernels;
@@ -24,12 +25,13 @@ struct arc_halfspace {
   arc_halfspace_def def;
   int cells;      /* number of cells in the window */
   int rows;       /* number of rows on the lower body */
-  double *kernel; /* [nx][nz] displacement by distance, for unit pressure on a cell [mm/MPa] */
+  double *kernel; /* [nx][nz] displacement due to unit pressure on a cell, by distance in cells
+                     [mm/MPa] */
   double *recess[ARC_BODIES];
-  int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* box sizes, largest first */
+  int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* available box sizes [cells], largest first */
   convolution *convolution[SPACE_LEVELS][SPACE_LEVELS], *inverse[SPACE_LEVELS][SPACE_LEVELS];
   space_shear_kernels *shear; /* NULL until the first contact with friction */
-  pthread_mutex_t lock;       /* protects convolutions, created on first use */
+  pthread_mutex_t lock;       /* protects the creation of convolutions, on first use */
   convolution_work **work;    /* one workspace per worker */
   double *scratch;            /* [workers][2][window] temporary values */
   work_team *team;
@@ -51,8 +53,7 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
 /* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b
  * whose centre is at (x, z), multiplied by the pair's E* (Love's solution) [mm]. */
 double arc_space_love(double x, double z, double a, double b);
-/* Returns u ln(v + r) with r^2 = u^2 + v^2. The integrals over rectangles are sums of such
- * terms. */
+/* Returns u ln(v + r) with r^2 = u^2 + v^2. Integrals over rectangles are sums of these terms. */
 double arc_space_term(double u, double v);
 
 /* Returns the compliance of the pair to a pressure wave of wave number q [1/mm]: displacement per
@@ -61,8 +62,8 @@ double arc_space_symbol(const arc_halfspace_def *def, double q);
 /* Returns 1 / E* of the topmost materials of the two bodies. */
 double arc_space_surface_compliance(const arc_halfspace_def *def);
 
-/* Returns `number` rounded up to a whole number of cells. Numbers above a quarter of the largest
- * integer become this quarter, so that sums of three do not overflow. */
+/* Returns `number` rounded up to a whole number of cells. Results are limited to a quarter of the
+ * largest integer, so that a sum of three results does not overflow. */
 int arc_space_whole_cells(double number);
 
 /* Adds to the kernel [nx][nz] the contribution of layers and bases, which is the difference from

@@ -75,7 +75,7 @@ double arc_space_thinnest(const arc_halfspace_def *def) {
 typedef struct spline {
   int count;
   double from, step;
-  double *value, *slope; /* slopes per step */
+  double *value, *slope; /* derivatives times `step` */
 } spline;
 
 static int spline_create(spline *s, int count, double from, double to) {
@@ -109,8 +109,8 @@ static double spline_at(const spline *s, double x) {
 }
 
 /* Difference between the compliance of the layered bodies and that of half-spaces of the topmost
- * materials. `symbol` contains q times the difference over ln q, and `radial` its Hankel
- * transform over asinh(r / t). */
+ * materials. `symbol` is q times the difference as a function of ln q. `radial` is the Hankel
+ * transform of the difference as a function of asinh(r / t). */
 typedef struct rest {
   double t;       /* thickness of the thinnest top layer [mm] */
   double lowest;  /* wave number below which the symbol is constant [1/mm] */
@@ -120,7 +120,7 @@ typedef struct rest {
 
 enum { SYMBOL_POINTS = 1500, RADII = 400, GAUSS = 8 };
 
-/* depth [1/q] from which exp(-2 depth) is negligible */
+/* depth [1/q] above which exp(-2 depth) is negligible */
 static const double deep = 18;
 
 static int sample_symbol(const arc_halfspace_def *def, rest *r) {

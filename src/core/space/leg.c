@@ -1,5 +1,5 @@
 /* Legs of a loading history. In a leg, load and motion (or force) change in proportion. The
- * increments of a leg are halved until halving changes neither motion nor shear nor work. */
+ * increments of a leg are halved until a further halving does not change motion, shear or work. */
 #include "archard/space.h"
 
 #include <math.h>
@@ -10,8 +10,8 @@ typedef struct leg {
   const arc_halfspace_leg *def;
   const arc_halfspace_options *options;
   double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
-  double carried, yielding, work;  /* scales of force [N], motion [mm], work [N mm] */
-  arc_halfspace_friction *coarser; /* state with half as many increments, or NULL */
+  double carried, yielding, work;  /* reference force [N], motion [mm], work [N mm] of errors */
+  arc_halfspace_friction *coarser; /* state computed with half as many increments, or NULL */
   arc_halfspace_effort *effort;
 } leg;
 
@@ -19,7 +19,7 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Advances in one increment to the point at a share (0 to 1) of the leg. */
+/* Advances in one increment to the point at the fraction `share` (0 to 1) of the leg. */
 static arc_status advance(const leg *g, double share, const arc_halfspace_friction *guess,
                           arc_halfspace_friction *state, arc_error *error) {
   arc_halfspace_increment to = g->def->to;
@@ -36,10 +36,11 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- what halving changes --------------------------------------------------------------------- */
 
-/* Changes by halving that are accepted in a part of a leg. Changes of motion and shear are relative
- * to full slip. A change of work is relative to the work of the leg or of the part. The work of the
- * leg counts at least as `little` of friction times load times displacement at full slip. Errors of
- * motion and work add up over a leg; errors of shear decay. */
+/* Largest changes by halving that are accepted in a part of a leg. Changes of motion and shear are
+ * relative to full slip. The change of work is relative to the work of the leg (work_share) or of
+ * the part (own_share). The work of the leg counts as at least `little` times friction times load
+ * times displacement at full slip. Errors of motion and work add up over a leg; errors of shear
+ * decay. */
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 3e-3,
                     little = 1e-3;
 
@@ -52,8 +53,8 @@ static double shear_change(const leg *g, const arc_halfspace_friction *once,
   return sum * arc_halfspace_site_area(g->h, ARC_UPPER);
 }
 
-/* Computes the scales of force, motion and work of a leg from its solutions in one increment and
- * in two. */
+/* Computes the reference values of force, motion and work of a leg from its solutions in one and in
+ * two increments. */
 static void find_scales(leg *g, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double mu = g->def->to.friction;
@@ -62,8 +63,8 @@ static void find_scales(leg *g, const arc_halfspace_friction *begin,
   g->work = fmax(twice->energy - begin->energy, little * g->carried * g->yielding);
 }
 
-/* Returns true if the solution of a part in two increments differs little from the solution in
- * one increment. */
+/* Returns true if the solutions of a part in one and in two increments agree within the accepted
+ * changes. */
 static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
                        const arc_halfspace_friction *once, const arc_halfspace_friction *twice) {
   const double own = twice->energy - begin->energy;
@@ -75,7 +76,7 @@ static int is_resolved(const leg *g, const arc_halfspace_friction *begin,
 
 /* --- halving ---------------------------------------------------------------------------------- */
 
-/* A part of a leg between two shares (0 to 1) of its length. */
+/* A part of a leg, between two fractions (0 to 1) of its length. */
 typedef struct part {
   double from, to;
   int halvings;
@@ -143,8 +144,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 
 /* --- legs ------------------------------------------------------------------------------------- */
 
-/* Updates the coarser state if the user chose the increments: it becomes a copy of the finer
- * state, except for its error of the work so far. */
+/* Updates the coarser state if the user chose the increments. It becomes a copy of the finer state,
+ * but its energy keeps the difference from earlier legs. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { margin = 4 /* number of cells around the contact */ };
+enum { margin = 4 /* margin around the contact [cells] */ };
 
 /* --- symmetry --------------------------------------------------------------------------------- */
 
@@ -159,8 +159,8 @@ static void hold(range *r, int k) {
   if (k > r->high) r->high = k;
 }
 
-/* Returns the level of the smallest box size that contains the range and its margin. *from
- * receives the first row or column of the box. */
+/* Returns the index of the smallest box size that contains the range and its margin. Sets *from to
+ * the first row or column of the box. */
 static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
   const int n = level[0];
   if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
@@ -231,7 +231,8 @@ static void start_one(void *context, int position, int worker) {
   arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
 }
 
-/* For each position, the ranges of cells outside the box where the surfaces overlap. */
+/* Data for the search for cells outside the box where the surfaces overlap, with the ranges of
+ * these cells for each position. */
 typedef struct outside {
   positions *p;
   space_box box;
@@ -263,8 +264,8 @@ static void look_outside(void *context, int position, int worker) {
     }
 }
 
-/* Extends the ranges to the cells outside the box where the surfaces overlap. *wider receives 1
- * if such cells exist. */
+/* Extends the ranges to the cells outside the box where the surfaces overlap. Sets *wider to 1 if
+ * such cells exist, otherwise to 0. */
 static arc_status check_outside(positions *p, const space_box *box, range *x, range *z, int *wider,
                                 arc_error *error) {
   const int n = p->s.count;
@@ -286,7 +287,7 @@ static arc_status check_outside(positions *p, const space_box *box, range *x, ra
   return ARC_OK;
 }
 
-/* Returns true if preconditioning saves time, which it does only for a single contact of many
+/* Returns true if preconditioning saves time, which is true only for a single contact of many
  * cells. */
 static int is_preconditioned(const positions *p) {
   const stroke *s = &p->s;
@@ -402,7 +403,7 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
 
 /* --- one by one ------------------------------------------------------------------------------- */
 
-/* Data for the independent solution of positions. */
+/* Data for the parallel solution of independent positions. */
 typedef struct singles {
   positions *all;
   arc_status *status; /* [count] */
@@ -472,8 +473,8 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* Computes for each site the sum of weight times pressure, for both bodies or only for bodies
- * with c > 0. */
+/* Computes for each site the sum of weight times pressure, for both bodies or only for bodies with
+ * wear factor c > 0. */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

@@ -9,7 +9,7 @@
 typedef struct positions {
   stroke s;
   double *load;     /* [count] load over cell area [MPa]: the sum of the cells' pressures */
-  double *pressure; /* [count][window] output; also input if warm */
+  double *pressure; /* [count][window] output; if `warm` is true, also the initial guess */
   double *approach; /* [count] approach of each position [mm] */
   const double *const *depth;
   double tolerance;
@@ -39,8 +39,8 @@ void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
 /* Computes the sum of weight times pressure over the positions for the sites of one body. */
 void arc_positions_sum(positions *p, arc_body body, double *sum);
 
-/* Returns true if the worn shape of each body equals its mirror image exactly (to the bit), in x
- * or, if `across` is 1, in z. */
+/* Returns true if the worn shape of each body equals its mirror image in all bits. The mirror image
+ * is in x or, if `across` is 1, in z. */
 int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across);
 
 /* Returns the box that covers the whole window. */

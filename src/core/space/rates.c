@@ -28,7 +28,7 @@ static void store_pressures(const positions *p, int count, double *pressure) {
              nz * sizeof *pressure);
 }
 
-/* Allocates one array of sites per body, both in one block. */
+/* Allocates one array of sites per body. Both arrays are in one block of memory. */
 static int take_sites(const arc_halfspace *h, double *sites[ARC_BODIES]) {
   const size_t upper = (size_t)arc_halfspace_sites(h, ARC_UPPER),
                lower = (size_t)arc_halfspace_sites(h, ARC_LOWER);

@@ -83,7 +83,7 @@ arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
 
 /* --- one increment ---------------------------------------------------------------------------- */
 
-/* Sites with less than this share of the largest pressure carry no shear. */
+/* Sites with less than this fraction of the largest pressure carry no shear. */
 static const double carrying = 1e-4;
 
 typedef struct increment {
@@ -93,9 +93,9 @@ typedef struct increment {
   arc_halfspace_options options;
   const arc_halfspace_friction *from;
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
-  double *share;          /* [window] share of the motion for which a site was open */
-  double motion[2];       /* xi of the increment to which `share` refers [mm] */
-  double last[2], was[2]; /* the motion assumed one solution earlier, and its result [mm] */
+  double *share;          /* [window] fraction of the motion for which a site was not in contact */
+  double motion[2];       /* assumed motion of the increment, to which `share` refers [mm] */
+  double last[2], was[2]; /* previous assumed motion, and the motion computed with it [mm] */
   double approach, tolerance;
   stick_slip_work w;
 } increment;
@@ -127,8 +127,8 @@ static double largest(const double *value, int n) {
   return most;
 }
 
-/* Solves for the pressures at fixed shear. *change receives the largest change of a pressure
- * over the largest pressure. */
+/* Solves for the pressures at fixed shear. Sets *change to the largest change of a pressure,
+ * divided by the largest pressure. */
 static arc_status press(increment *s, double *change, arc_error *error) {
   const size_t n = (size_t)s->h->cells;
   double p = 0;
@@ -198,16 +198,17 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
                             entering, error);
 }
 
-/* Returns the next estimate of a motion that equals its own result, by the secant method. The
- * result increases more slowly than the assumed motion. */
+/* Returns the next estimate of the motion for which the assumed motion equals the computed motion,
+ * by the secant method. The computed motion increases more slowly than the assumed motion. */
 static double secant(double motion, double gives, double last, double gave) {
   static const double steepest = 0.9;
   const double slope = motion != last ? (gives - gave) / (motion - last) : 0;
   return motion + (gives - motion) / (1 - fmax(0, fmin(slope, steepest)));
 }
 
-/* Under a force the motion of the increment is a result of the solution. Returns 1 if the result
- * agrees with the assumed motion; otherwise stores a better estimate. */
+/* Compares the assumed motion of an increment with the computed motion, which is a result of the
+ * solution under a force. Returns 1 if they agree. Otherwise stores a better estimate and returns
+ * 0. */
 static int follow_motion(increment *s, int pass) {
   static const double settled = 1e-5;
   double off = 0, gave[2], size = 0;
@@ -228,8 +229,7 @@ static int follow_motion(increment *s, int pass) {
 
 /* --- alternation ------------------------------------------------------------------------------ */
 
-/* Solves for the shear at pressures that do not depend on the shear, such as those of like
- * bodies. */
+/* Solves for the shear if the pressures do not depend on it, for example between like bodies. */
 static arc_status shear_alone(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 30 };
   int entering;
@@ -254,7 +254,7 @@ static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_erro
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
-/* Returns the share of the shear's change that a sweep applies. */
+/* Returns the relaxation factor of the change of shear in a sweep. */
 static double relaxation(int sweep) {
   enum { plain_sweeps = 15 };
   static const double relaxed = 0.7;
@@ -295,8 +295,8 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
-/* Returns the share of the motion for which site k was in contact. (w.slip excludes the slip
- * before the site entered.) */
+/* Returns the fraction of w.slip for which site k was in contact. It is 1 for a site that enters,
+ * because w.slip excludes the slip before the entry. */
 static double in_contact(const increment *s, int k) {
   return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
 }

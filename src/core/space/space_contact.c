@@ -105,7 +105,7 @@ arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
   return ARC_OK;
 }
 
-/* Solves the contact, in larger windows if necessary, because the window of the shape may have
+/* Solves the contact. Enlarges the window if necessary, because the window of the shape may have
  * been made for another load. */
 static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks *callbacks,
                                           arc_error *error) {
@@ -126,7 +126,8 @@ static int is_unworn(const space_shape *s) {
   return 1;
 }
 
-/* Returns the finished contact in *result, or frees the contact after an error. */
+/* Gives warnings and stores the contact in *result, or frees the contact after an error. Returns
+ * `status`. */
 static arc_status finish(space_contact *c, arc_status status, const arc_callbacks *callbacks,
                          arc_contact **result) {
   if (status == ARC_OK) {
@@ -260,7 +261,7 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   }
 }
 
-/* Number of arrays with results of friction, for the upper body. */
+/* Number of result arrays of friction, for the upper body. */
 enum { FRICTION_ARRAYS = 6 };
 
 /* Returns the arrays of a solved contact whose names are in `wanted`, and the arrays `more`

@@ -35,9 +35,9 @@ static void add_position(space_path *path, double x, double load, double weight)
   path->position[at].weight += weight;
 }
 
-/* Adds the points of a cycle with friction. Between unlike bodies the shear and thus the
- * pressure differ at each point. The cycle ends at its first position. All increments have equal
- * weights, because the solution includes their slip. */
+/* Adds the points of a cycle with friction. Between unlike bodies each point has its own position,
+ * because the shear and thus the pressure depend on the history. The cycle ends at its first
+ * position. All increments have equal weights, because the solution includes their slip. */
 static void add_rubbing(const wear_block *b, int unlike, space_path *path) {
   const double weight = b->sliding / (b->count - 1);
   for (int at = 0; at < b->count; at++) {
@@ -124,8 +124,8 @@ typedef struct space_tangent {
   space_grid *grid; /* NULL before the first use */
   space_path path;
   double *pressure;           /* [count][window] */
-  double *factor[ARC_BODIES]; /* [sites] growth of the wear with p, both bodies in one block;
-                               * NULL: 1 */
+  double *factor[ARC_BODIES]; /* [sites] derivative of the wear work by pressure, both bodies in one
+                                 block; NULL: 1 */
 } space_tangent;
 
 static void empty(space_tangent *t) {
@@ -180,7 +180,8 @@ arc_status arc_space_solve_path(arc_wear *w, const wear_window *v,
                   most_passes);
 }
 
-/* Replaces the sums of pressure by sums of the wear work, which include laws and local factors. */
+/* Replaces the sums of pressure by sums of the wear work, which includes the wear law and local
+ * factors. */
 static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, wear_rate *rate,
                           arc_error *error) {
   const space_shape *s = space_shape_of(v->shape);
@@ -243,7 +244,8 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
 }
 
 /* Returns an upper bound of the eigenvalue for cases without iteration: the eigenvalue of a
- * chessboard pattern of wear on an infinite surface, whose compliance is 0.584 cells over E*. */
+ * chessboard pattern of wear on an infinite surface, whose compliance is 0.584 times the cell size
+ * divided by E*. */
 static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
   const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);
   double sliding = 0, most[ARC_BODIES] = {0};

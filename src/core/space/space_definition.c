@@ -52,8 +52,8 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Rejects friction with layers or a groove, whose compliance to shear is not available, and with
- * bodies that separate, because separation loses the shear due to pressing. */
+/* Rejects friction with layers or a groove, whose compliance to shear is not available, and
+ * friction with bodies that separate, because the shear due to pressing is lost at separation. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -117,7 +117,8 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Returns the ratio of a force to the equivalent displacement, 2 a E* [N/mm]. */
+/* Returns the ratio of a tangential force to the equivalent displacement: 2 a E* with the mean
+ * contact radius a [N/mm]. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -141,8 +142,8 @@ static int are_unlike(const arc_model_def *model) {
 }
 
 /* Returns the default number of increments of a cycle: one per cell. With friction it is at least
- * one per leg, or two per leg between unlike bodies, which gives the wear within 0.4 %. A cycle
- * under a tangential force has exactly this number. */
+ * one per leg, or two per leg between unlike bodies. The error of the wear is then below 0.4 %. A
+ * cycle under a tangential force has exactly this minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
   if (def->increments > 0) return def->increments;
@@ -199,7 +200,7 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
   arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def, model),
                 increment, &cells);
-  const arc_halfspace_def bodies = arc_space_bodies(model); /* the maps remain in `model` */
+  const arc_halfspace_def bodies = arc_space_bodies(model); /* maps are not copied */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (rests(def, model) && !arc_wear_alpha_stays_one(def)) {

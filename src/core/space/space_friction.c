@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* Default number of cells in the half width with friction, and without. At small forces the slip
- * annulus is only a few hundredths of the contact wide. With 40 cells Mindlin's loops are
- * accurate to 0.4 % from a fifth of full slip on. */
+ * annulus is only a few hundredths of the contact wide. With 40 cells Mindlin's loops are accurate
+ * to 0.4 % for forces from a fifth of the force of full slip. */
 static const double cells_of_friction = 40, usual_cells = 8;
 
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells) {
@@ -18,14 +18,14 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
   fine.mesh.fineness =
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
-  const arc_halfspace_def bodies = arc_space_bodies(def); /* the maps remain in `def` */
+  const arc_halfspace_def bodies = arc_space_bodies(def); /* maps are not copied */
   for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
 }
 
 /* --- cells of runs ---------------------------------------------------------------------------- */
 
-/* Returns half of the largest range of the force (by_force = 1) or the motion in the cycles of a
- * run. `plain` is the amplitude of a run without blocks. */
+/* Returns half of the largest range of the force (if by_force is 1) or of the position in the
+ * cycles of a run. `plain` is the amplitude of a run without blocks. */
 static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   double most = d->blocks == 0 ? plain : 0;
   for (int b = 0; b < d->blocks; b++) {
@@ -67,8 +67,8 @@ static double filling(double x, double z) {
   return inside / (acos(-1) * x * z);
 }
 
-/* Returns the cell size for which the area of the sticking cells equals the area of the stick
- * zone, because wear in partial slip ends when this zone carries the load. The size is up to a
+/* Returns the cell size for which the area of the sticking cells equals the area of the stick zone,
+ * because wear in partial slip ends when this zone carries the whole load. The size is up to a
  * sixth smaller than `size`. The sticking cells are those whose centre is at most 0.1 of a cell
  * beyond the edge of the zone. */
 static double fill_zone(double size, double x, double z) {
@@ -86,8 +86,8 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  /* Least numbers of cells in the slip annulus and in the half width; largest number in the half
-   * width. */
+  /* in_rim and in_contact are minimum numbers of cells in the slip annulus and in the half width.
+   * `most` is the maximum number in the half width. */
   static const double in_rim = 5, in_contact = 14, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
@@ -221,7 +221,7 @@ arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc
 
 /* --- motions ---------------------------------------------------------------------------------- */
 
-/* Fails if the contact under the load would have too many cells. */
+/* Returns ARC_ARGUMENT if the contact under the load would have too many cells. */
 static arc_status check_cells(const space_contact *c, double load, arc_error *error) {
   static const double most = 512;
   const space_shape *s = space_shape_of(c->handle.shape);

@@ -23,8 +23,8 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
-/* Rejects a stroke along the other axis, for which the surfaces have the wrong cells, and a
- * track whose radius is at most the width of the contact. */
+/* Rejects a stroke along the axis for which the cells were not chosen, and a track whose radius is
+ * at most the width of the contact. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;

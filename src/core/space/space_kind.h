@@ -18,7 +18,8 @@ typedef struct space_grid {
 typedef struct space_shape {
   shape_handle handle;
   space_grid *grid;
-  double *depth[ARC_BODIES]; /* [sites] wear depth [mm]; in one block with the lines */
+  double *depth[ARC_BODIES]; /* [sites] wear depth [mm]; depths of both bodies and `line` are one
+                                block */
   double *line[ARC_BODIES];  /* [3 rows] profile in the middle, created on first use */
 } space_shape;
 
@@ -37,10 +38,10 @@ typedef struct space_contact {
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
-  int *of;         /* [points] index of the position of each point of the block; with friction */
-  double *slip;    /* [count][window] slip divided by the position's weight; NULL: rigid slip, 1 */
+  int *of;         /* with friction: [points] index of the position of each point of the block */
+  double *slip;    /* [count][window] slip divided by the weight of the position; NULL: all are 1 */
   double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
-  double unsteady; /* change of the gaps in the last slip solution, relative to the largest gap */
+  double unsteady; /* change of `gap` in the last slip solution, relative to its largest value */
   arc_halfspace_friction *guess; /* [points] see arc_space_guess_at; NULL without friction */
   int guesses;                   /* number of points */
 } space_path;
@@ -69,20 +70,20 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
                            arc_model **model, arc_error *error);
 void arc_space_end_model(arc_model *model);
 size_t arc_space_model_bytes(const arc_model *model);
-/* Returns Hertz' contact of the pair under a load [N]. For periodic surfaces, returns the scales
- * of one period instead. */
+/* Returns Hertz' contact of the pair under a load [N]. For periodic surfaces, returns the result of
+ * arc_space_period instead. */
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
 /* Returns the definition of a model's half-spaces without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Chooses cells for a motion along x, or along z if `turned` is 1. The cells suit the load [N],
- * the volume worn at the end [mm3] and positions within stroke / 2 [mm]. The increment [mm]
- * becomes a whole number of cells; 0 allows any cell size. */
+/* Chooses cells for a motion along x, or along z if `turned` is 1. The cells suit the load [N], the
+ * volume worn at the end [mm3] and positions within stroke / 2 [mm]. The cell size is chosen so
+ * that the increment [mm] is a whole number of cells; 0 allows any cell size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
 /* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
-/* Enlarges the window on each side by about the 1 / part of its cells, at most to the edge of
- * the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
+/* Enlarges the window on each side by about 1 / part of its number of cells, but at most to the
+ * edge of the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
 /* Returns the cell width requested by the model [mm]. */
@@ -100,8 +101,8 @@ arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_d
 /* Returns the recess of a periodic map at x and z, where the middle of the map is x = z = 0 (an
  * arc_recess_fn). The context is the body's definition. */
 double arc_space_period_height(void *context, double x, double z);
-/* Returns the scales of one period: half widths [mm], mean pressure [MPa] and height of the map
- * [mm]. */
+/* Returns the reference values of one period of a periodic surface: half widths [mm], mean pressure
+ * [MPa] and height of the map [mm]. */
 arc_hertz_ellipse arc_space_period(const arc_model_def *def, double load);
 double arc_space_period_step(const arc_model_def *def);
 void arc_space_period_cells(const arc_model_def *def, int turned, arc_halfspace_def *cells);
@@ -139,9 +140,9 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
-/* The guess at a point of a cycle with friction: pressure, shear, motion and stick zone of the last
- * solution there; NULL: none. arc_space_remember replaces it (without memory it stores nothing),
- * arc_space_forget frees the guesses of all points. */
+/* arc_space_guess_at returns the initial guess at a point of a cycle with friction: pressure,
+ * shear, motion and stick zone of the last solution there, or NULL. arc_space_remember replaces the
+ * guess, or stores nothing if out of memory. arc_space_forget frees the guesses of all points. */
 const arc_halfspace_friction *arc_space_guess_at(const space_path *path, int at);
 void arc_space_remember(space_path *path, int at, const arc_halfspace_friction *state, int cells);
 void arc_space_forget(space_path *path);
@@ -183,7 +184,7 @@ arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const
                           const space_path *path, const double *pressure, double mu, arc_body body,
                           double *work, arc_error *error);
 /* Computes the wear work (see arc_space_work) and its linearisation about the given pressures at
- * each site. For nearby pressures p, work = factor sum(weight p) + (1 - growth) work, with
+ * each site. For nearby pressures p the work is factor sum(weight p) + (1 - growth) work, with
  * growth from arc_space_law_growth. */
 arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
                                const space_shape *s, const space_path *path, const double *pressure,
@@ -193,10 +194,10 @@ arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
 double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_layers.c --------------------------------------------------------------------------- */
-/* Returns the worn depth of site i of a body with the coefficients of the layers at this site
- * [mm]. `due` is the depth that the site would have with the largest wear coefficient of the
- * layers. If `share` is not NULL, *share receives the coefficient of the exposed layer over the
- * largest one. */
+/* Returns the worn depth of site i of a body, computed with the wear coefficients of the layers at
+ * this site [mm]. `due` is the depth that the site would have with the largest wear coefficient of
+ * the layers. If `share` is not NULL, *share is set to the coefficient of the exposed layer divided
+ * by the largest coefficient. */
 double arc_space_worn(const arc_shape *shape, arc_body body, int i, double due, double *share);
 void arc_space_through_layers(const arc_shape *shape, double *depth);
 double arc_space_open_share(const arc_wear *w, arc_body body);
@@ -221,8 +222,8 @@ void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
-/* Checks whether the contact under a load [N] lies within the window. Errors: ARC_ZONE if the
- * contact reaches the edge; errors of a contact solution. */
+/* Checks that the contact under a load [N] lies within the window. Errors: ARC_ZONE if the contact
+ * reaches the edge; errors of a contact solution. */
 arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);

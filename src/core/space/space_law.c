@@ -1,5 +1,5 @@
-/* Wear other than k p ds with rigid slip: laws of pressure, local factors and slip with
- * friction, summed over positions, and the linearisation of this wear for implicit stages. */
+/* Wear that is not k p ds with rigid slip: wear laws, local factors and slip with friction.
+ * Computes its sums over the positions, and its linearisation for implicit stages. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
 
 /* Workspace with values at the sites of the window. */
 typedef struct window_sites {
-  double *value; /* [count][window] slip times law times local factor */
+  double *value; /* [count][window] slip times wear rate of the law times local factor */
   double *at;    /* [window] coordinate along the motion on the body [mm] */
   double *factor;
 } window_sites;
@@ -62,14 +62,15 @@ arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const
   return status;
 }
 
-/* Returns the growth exponent of the linearisation. A law that grows faster than p is replaced
- * by its tangent, so long steps do not oscillate. All other laws are replaced by the secant,
+/* Returns the growth exponent of the linearisation. A law that grows faster than p is replaced by
+ * its tangent, so that long steps do not oscillate. All other laws are replaced by the secant,
  * because their tangent is unbounded at small p. */
 double arc_space_law_growth(const arc_wear *w) {
   return fmax(1, arc_wear_law_slope(w, 1, 1));
 }
 
-/* Computes the mean slip of the sites of a body divided by the total weight, mean [sites]. */
+/* Computes mean [sites]: the slip of each site of a body, averaged over the positions with their
+ * weights. */
 static arc_status mean_slip(const space_shape *s, const space_path *path, arc_body body,
                             double *mean, arc_error *error) {
   double weight = 0;

@@ -15,7 +15,7 @@ static const double widest_of_layer =
 
 typedef struct space_model {
   arc_model handle;
-  double *series[ARC_BODIES]; /* copies of the numbers of maps */
+  double *series[ARC_BODIES]; /* copies of the coordinates and heights of maps */
 } space_model;
 
 /* --- checks ----------------------------------------------------------------------------------- */
@@ -84,8 +84,7 @@ static void find_curvatures(const arc_model_def *def, double *x, double *z) {
 }
 
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  static const double conformal = 0.1; /* smallest relative curvature over the largest curvature
-                                        * of a body */
+  static const double conformal = 0.1; /* smallest ratio of relative to largest curvature */
   double x, z, most = 0;
   find_curvatures(def, &x, &z);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -231,7 +230,8 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
   arc_space_limit(def, cells);
 }
 
-/* Returns the largest odd number of cells (at least 9) that lie within `half` [mm] of 0. */
+/* Returns the largest odd number of cells whose centres lie within `half` [mm] of 0, but at
+ * least 9. */
 static int cells_within(double half, double size) {
   return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
 }

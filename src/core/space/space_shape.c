@@ -140,8 +140,8 @@ arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *ce
   return status;
 }
 
-/* Creates the initial surfaces of a run from worn surfaces. The cells are unchanged, and the
- * track becomes longer if necessary. */
+/* Creates the initial surfaces of a run from worn surfaces. The cells are unchanged. The track is
+ * extended if necessary. */
 static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                             arc_shape **shape, arc_error *error) {
   const space_shape *worn = space_shape_of(from);
@@ -166,8 +166,8 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
   return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
 }
 
-/* Widens the window until it contains the contact, because for layers and maps the estimated
- * contact may be too small. */
+/* Enlarges the window until it contains the contact, because the estimate of the contact may be too
+ * small for layers and maps. */
 static arc_status hold_contact(const arc_model_def *model, double load, arc_shape **shape,
                                arc_error *error) {
   enum { most_tries = 12 };

@@ -1,7 +1,6 @@
-/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an
- * elastic lag, and no solver is needed. In partial slip the increments of stick and slip are
- * solved. Each evaluation presses the bodies together anew, so it does not depend on earlier
- * evaluations. */
+/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an elastic
+ * lag, and no solver is needed. In partial slip the increments of stick and slip are solved. Each
+ * evaluation begins with separated bodies, so it does not depend on earlier evaluations. */
 #include "core/base/carve.h"
 #include "core/space/cerruti.h"
 #include "core/space/positions.h"
@@ -22,10 +21,10 @@ typedef struct cycle {
   wear_progress *progress;
   wear_rate *rate;
   int cells, unlike;
-  double *slid, *lag, *strain, *total; /* [window] [mm] slip of an increment, elastic
-                                        * displacement at full friction [count][window], present
-                                        * elastic displacement, slip of the cycle */
-  int whole;                           /* 1 if the whole contact slips in some increment */
+  double *slid, *lag, *strain, *total; /* [mm] slip of an increment [window], elastic displacement
+                                          at full friction [count][window], present elastic
+                                          displacement [window], slip of the cycle [window] */
+  int whole;                           /* 1 if the whole contact slips in at least one increment */
 } cycle;
 
 static size_t row_of(const cycle *c, int at) {
@@ -45,8 +44,8 @@ static void add_to(const cycle *c, int at, double share) {
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
-/* Adds `times` the slip of an increment, c->slid, to the positions at the two ends of the
- * increment. */
+/* Adds the slip of an increment, c->slid, multiplied by `times`, to the positions at the two ends
+ * of the increment. */
 static void add_increment(cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;
@@ -75,8 +74,8 @@ static void find_lags(const cycle *c) {
   }
 }
 
-/* Computes the slip of each site in an increment: the motion minus the change of the elastic
- * displacement. */
+/* Computes the slip of each site in the increment to point `at`: the motion minus the change of the
+ * elastic displacement. */
 static void follow(const cycle *c, int at) {
   const double motion = c->block->x[at] - c->block->x[at - 1], *lag = c->lag + row_of(c, at);
   for (int k = 0; k < c->cells; k++) {
@@ -165,8 +164,8 @@ static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error
   return status;
 }
 
-/* Returns load and motion (or force) at a share (0 to 1) of the increment that ends at point
- * `at`. */
+/* Returns load and motion (or force) at the fraction `share` (0 to 1) of the increment that ends at
+ * point `at`. */
 static arc_halfspace_increment conditions(const cycle *c, int at, double share) {
   const wear_block *b = c->block;
   const int from = at > 0 ? at - 1 : 0;
@@ -196,7 +195,8 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
   arc_cerruti_add_gap(c->h, (const double *const[2]){state->q[0], state->q[1]}, gap);
 }
 
-/* Solves the increment to point `at` from the last solution there, and stores the new one. */
+/* Solves the increment to point `at` with the last solution at this point as initial guess, and
+ * stores the new solution. */
 static arc_status solve_again(const cycle *c, int at, arc_halfspace_increment *to,
                               arc_halfspace_friction *state, arc_error *error) {
   to->guess = arc_space_guess_at(c->path, at);
@@ -205,7 +205,7 @@ static arc_status solve_again(const cycle *c, int at, arc_halfspace_increment *t
   return status;
 }
 
-/* Advances to point `at` and adds `times` the slip of the increment. */
+/* Solves the increment to point `at`, and adds its slip multiplied by `times`. */
 static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
   arc_halfspace_increment to = conditions(c, at, 1);
@@ -262,7 +262,7 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
 
 /* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
  * the motion or force. A whole leg has twice the shear and slip of this increment, because both are
- * proportional. */
+ * proportional to the motion. */
 static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
   arc_halfspace_increment to = conditions(c, 1, 1);
@@ -279,7 +279,8 @@ static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *err
   return ARC_OK;
 }
 
-/* Computes a cycle from its start. Guesses are used only from one repetition to the next. */
+/* Computes a cycle from separated bodies. Initial guesses are used only from one repetition of the
+ * cycle to the next. */
 static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *error) {
   arc_space_forget(c->path);
   arc_status status = press(c, state, error);
@@ -309,8 +310,9 @@ static void average(double *a, double *b) {
   *a = *b = (*a + *b) / 2;
 }
 
-/* Averages the fields of the positions over mirror images across the motion, and for like bodies in
- * the middle position also along it. Symmetric bodies then remain symmetric. */
+/* Averages a field of each position with its mirror image across the motion. For like bodies in a
+ * single middle position, also averages along the motion. Symmetric bodies then remain symmetric.
+ */
 static void make_even(const cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
@@ -419,16 +421,16 @@ arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const
 
 enum { points_of_loop = 40 };
 
-/* Returns load and motion at the end of one of `parts` parts of an increment. The pressures at
- * this point are known only under a constant load. */
+/* Returns load and motion at the end of part `part` of an increment that has `parts` equal parts.
+ * The pressures at this point are known only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
   arc_halfspace_increment to = conditions(c, at, (double)part / parts);
   if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
   return to;
 }
 
-/* Computes one cycle in parts of its increments, and stores the points of the loop unless `loop`
- * is NULL. */
+/* Computes one cycle with each increment divided into `parts` parts. Stores the points of the loop
+ * unless `loop` is NULL. */
 static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state, arc_loop *loop,
                         arc_error *error) {
   double *x = loop ? (double *)(size_t)loop->x : NULL;

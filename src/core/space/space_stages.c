@@ -1,6 +1,6 @@
-/* Stages of an implicit step on half-spaces. The pressures of all positions, with the wear of
- * the stage in their gaps, are the solution of one convex problem. A step starts from the shapes
- * alone, so its result does not depend on earlier solutions, not even in the last bit. */
+/* Stages of an implicit step on half-spaces. The pressures of all positions, with the wear of the
+ * stage in their gaps, are the solution of one convex problem. A step uses only the shapes and no
+ * earlier solution, so that its result is reproducible in all bits. */
 #include "core/space/space_kind.h"
 
 #include "core/base/carve.h"
@@ -14,10 +14,10 @@ static const double of_stage = 0.03, of_estimate = 0.1;
 
 typedef struct stages {
   space_path path;
-  double *pressure, *trial;                      /* [count][window] */
-  double *known[ARC_BODIES], *z[ARC_BODIES];     /* [sites] depths including the shape's depths
-                                                  * [mm] */
-  int linear;                                    /* 1 if the wear is k p ds with one k */
+  double *pressure, *trial;                  /* [count][window] */
+  double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] depths including the shape's depths
+                                              * [mm] */
+  int linear; /* 1 if the wear is k p ds with the same k at all sites */
   double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] see arc_space_linearise */
   double
       *open[ARC_BODIES]; /* [sites] factor times k of the exposed layer, divided by the largest k */
@@ -99,7 +99,7 @@ arc_status arc_space_start(wear_stage *s, double *rate) {
 }
 
 /* Returns the part of a site's depth that does not depend on the pressures [mm], and stores
- * own->open. `due` is this part with the largest k, and `about` is the depth with own->work. If
+ * own->open. `due` is this part for the largest k, and `about` is the depth due to own->work. If
  * the body has layers, the depth is linearised about `about`. */
 static double known_at(const wear_stage *s, int b, int i, double due, double about) {
   const stages *own = s->own;
@@ -114,8 +114,8 @@ static double known_at(const wear_stage *s, int b, int i, double due, double abo
   return h + worn + share * (due - about);
 }
 
-/* Sets own->known to the sum of the depths of the shape, s->known and `more` (unless NULL), and
- * of the work of own->pressure without its linear part. */
+/* Sets own->known to the sum of four parts: the depths of the shape, s->known, `more` (unless
+ * NULL), and the wear of own->pressure without its linear part. */
 static void set_known(wear_stage *s, double h, const double *more) {
   stages *own = s->own;
   arc_wear *w = s->run;
@@ -131,17 +131,17 @@ static void set_known(wear_stage *s, double h, const double *more) {
   }
 }
 
-/* Returns the tolerance of gaps as a share of the tolerance of a step's depths. A share of 0.03
- * changes the depths of a step by less than 0.01 of the step's tolerance; a share of 0.1 changes
- * an estimated error by 5 %. */
+/* Returns the tolerance of gaps: `share` times the tolerance of a step's depths. With a share of
+ * 0.03 the depths of a step change by less than 0.01 of the step's tolerance. With a share of 0.1
+ * an estimated error changes by 5 %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
   return tolerance > 0 ? fmin(coarsest, fmax(finest, share * tolerance)) : usual;
 }
 
-/* Solves own->z = own->known + h k rate with the linearised rate, for gaps within `share` of the
- * tolerance. `pressure` is the initial guess and is replaced by the solution. */
+/* Solves own->z = own->known + h k rate with the linearised rate, with the tolerance of gaps
+ * gap_tolerance(share). `pressure` is the initial guess and is replaced by the solution. */
 static arc_status solve(wear_stage *s, double h, double share, double *pressure, double *peak) {
   stages *own = s->own;
   const space_shape *shape = space_shape_of(s->window.shape);
@@ -162,8 +162,8 @@ static arc_status solve(wear_stage *s, double h, double share, double *pressure,
   return status;
 }
 
-/* Sets own->z to the sum of the depths of the shape and s->known and the work of own->pressure.
- * Returns the largest change of own->z over the largest depth. */
+/* Sets own->z to the sum of the depths of the shape, s->known and the wear of own->pressure.
+ * Returns the largest change of own->z divided by the largest depth. */
 static double take_work(wear_stage *s, double h) {
   stages *own = s->own;
   arc_wear *w = s->run;
@@ -194,7 +194,7 @@ static arc_status find_slip(wear_stage *s) {
                         &s->error);
 }
 
-/* Solves linearised problems repeatedly until the solution satisfies the law. */
+/* Solves linearised problems repeatedly until the solution satisfies the wear law. */
 static arc_status solve_law(wear_stage *s, double h, double *peak) {
   enum { most_passes = 20 };
   static const double settled = 1e-5; /* accepted change, relative to the largest depth */
@@ -238,7 +238,7 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   return ARC_OK;
 }
 
-/* Returns the share of a position's load that the trial pressures carry at other cells than
+/* Returns the fraction of a position's load that the pressures own->trial carry at other cells than
  * own->pressure. */
 static double shifted(const stages *own, int position, int cells) {
   const double *p = own->pressure + (size_t)position * (size_t)cells,
@@ -251,12 +251,12 @@ static double shifted(const stages *own, int position, int cells) {
   return load > 0 ? change / (2 * load) : 0;
 }
 
-/* Converts a defect of the known part to the error of the step, because the pressures remove
- * stiff ripples of the defect within the step. The rest is largest at cells that enter the
- * contact, where the pressure has a kink in time. At most a quarter of the rest remains in the
- * depth of any cell. Runs with a tolerance of 1e-3 differ from runs with 3e-5 by 0.1 to 1.2
- * tolerances at the worst cell (strokes of a/2 to 8 a, alpha of 0 to 1, cells of a/6 and a/12,
- * four distances). */
+/* Converts a defect of the known part to the error of the step, because the pressures remove stiff
+ * ripples of the defect within the step. The remaining error is largest at cells that enter the
+ * contact, where the pressure has a kink in time. At most a quarter of it remains in the depth of
+ * any cell. Runs with a tolerance of 1e-3 differ from runs with 3e-5 by 0.1 to 1.2 tolerances at
+ * the worst cell (strokes of a/2 to 8 a, alpha of 0 to 1, cells of a/6 and a/12, four distances).
+ */
 double arc_space_error(wear_stage *s, double h, double *defect) {
   static const double left = 0.25;
   stages *own = s->own;

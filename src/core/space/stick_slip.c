@@ -67,9 +67,8 @@ static void start(const stick_slip_problem *p, stick_slip_work *w) {
   }
 }
 
-/* Returns the ratio |q| / bound above which a cell starts to slip. Under a given force some
- * cells must stick, so only the cells farthest outside the circle start to slip if all cells are
- * outside. */
+/* Returns the ratio |q| / bound above which a cell starts to slip. Under a given force some cells
+ * must stick. If all cells are outside the circle, only those farthest outside start to slip. */
 static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   double least = INFINITY, most = 0;
   for (int k = 0; k < p->h->cells; k++)
@@ -81,7 +80,8 @@ static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   return forced && least > 1 && most > 0 ? (least + most) / 2 : 1;
 }
 
-/* Sets sticking cells above the friction limit to slip. Returns the number of these cells. */
+/* Sets sticking cells above the friction limit to slip, and marks them in `fresh`. Returns their
+ * number. */
 static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fresh) {
   const double limit = limit_of(p, w);
   int changes = 0;
@@ -100,7 +100,7 @@ static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fre
   return changes;
 }
 
-/* Computes the slip from the present q and xi; returns the largest displacement. */
+/* Computes the slip from the present q and xi. Returns the largest displacement C q [mm]. */
 static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   double most = 0;
   arc_cerruti_shear(p->h, (const double *const[2]){w->q[0], w->q[1]}, w->a);
@@ -137,7 +137,7 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Computes the errors `missed` of the given forces, divided by the friction limit; returns the
+/* Computes the errors `missed` of the given forces, divided by the friction limit. Returns the
  * larger error. */
 static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
@@ -203,7 +203,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- by the motion ---------------------------------------------------------------------------- */
 
-/* Returns the displacement along an axis under full friction [mm]. */
+/* Returns the mean displacement along an axis if all cells carry the friction limit [mm]. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {
@@ -218,8 +218,8 @@ static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis
   return product / sum;
 }
 
-/* Updates the inverse matrix by the BFGS formula for a step of the motion and the resulting
- * change of the error. */
+/* Updates the approximate inverse Hessian by the BFGS formula for a step of the motion and the
+ * resulting change of the force error. */
 static void update(double inverse[2][2], const double step[2], const double change[2]) {
   const double along = -(step[0] * change[0] + step[1] * change[1]);
   double y[2] = {-change[0], -change[1]}, left[2], curved;
@@ -231,9 +231,9 @@ static void update(double inverse[2][2], const double step[2], const double chan
       inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
 }
 
-/* Computes the motion for which friction gives the forces; the forces are the gradient of a
- * convex function of the motion. This slower method is used for forces near gross slip, where
- * the sets may not converge. */
+/* Computes the motion that causes the given forces. The forces are the gradient of a convex
+ * function of the motion. This slower method is used for forces near gross slip, where the sets may
+ * not converge. */
 static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
                               stick_slip_count *count, arc_error *error) {
   enum { most_motions = 100 };

@@ -38,9 +38,9 @@ typedef struct stick_slip_work {
   double xi[2];            /* motion [mm]; input and output */
   stick_slip_state *state; /* [window] state of each cell; input and output */
   double *tangent[2];      /* [window] unit vectors at cells that slip */
-  double *diagonal;        /* [window] slip over friction limit */
+  double *diagonal;        /* [window] slip divided by the friction limit, at cells that slip */
   double *r[2], *z[2], *d[2],
-      *a[2];        /* residual, preconditioned residual, direction, operator times direction */
+      *a[2]; /* residual, preconditioned residual, search direction, operator times direction */
   int *site, sites; /* list of cells that carry shear in the present Newton step */
   double *block;
 } stick_slip_work;
@@ -54,10 +54,10 @@ void arc_stick_slip_end(stick_slip_work *w);
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
 
-/* Makes one Newton step. It solves for the changes of q on the present sets from the slip of the
- * present q, and adds them to q (along the tangents where cells slip) and to xi. The linear
- * iteration stops at the residual `least` [mm] or at a tenth of the first residual.
- * Returns 0 if the sets cannot carry the forces. */
+/* Makes one Newton step: computes the slip of the present q, solves for the changes of q and xi on
+ * the present sets, and adds these changes. Where cells slip, q changes only along the tangent. The
+ * linear iteration stops at the residual `least` [mm] or at a tenth of the first residual. Returns
+ * 0 if the sets cannot carry the forces. */
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
                           stick_slip_count *count);
 

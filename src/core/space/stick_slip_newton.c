@@ -55,8 +55,8 @@ static double dot(const stick_slip_work *w, double *const a[2], double *const b[
   return sum;
 }
 
-/* The projection that keeps the given forces constant: the inverse of the 2 x 2 matrix that
- * gives the sums of M^-1 times a motion. */
+/* Data of the projection that keeps the given forces constant. The 2 x 2 matrix maps a motion to
+ * the sums of M^-1 times this motion; `inverse` is its inverse. */
 typedef struct holding {
   double inverse[2][2];
   int singular;

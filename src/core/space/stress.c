@@ -5,17 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* `widening` is the size of the periodic box over that of the window. The padding reduces the
- * effect of periodic images. */
+/* `widening` is the size of the periodic box divided by the size of the window. The padding reduces
+ * the effect of periodic images. */
 enum { widening = 4, components = 6 };
 
-/* The zero frequency represents waves of about the length of the box. The wave number of these
- * waves is this share of the first frequency. The share follows from the zeta function of the
- * square lattice, because the stresses have a kink in |q| at 0. */
+/* Wave number that represents the zero frequency, divided by the first wave number of the box. The
+ * value follows from the zeta function of the square lattice, because the stresses have a kink in
+ * |q| at 0. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {
-  double cx, cz, q; /* direction and wave number */
+  double cx, cz, q; /* direction (unit vector) and wave number */
   int zero;
 } wave;
 
@@ -43,12 +43,12 @@ static double factor(const wave *w, int component, double nu, double s, int *odd
 static wave wave_of(int i, int j, int nx, int nz, double step_x, double step_z) {
   const double x = (i <= nx / 2 ? i : i - nx) * step_x, z = j * step_z, q = hypot(x, z);
   if (i == 0 && j == 0) return (wave){sqrt(0.5), sqrt(0.5), zero_wave * sqrt(step_x * step_z), 1};
-  /* an odd component vanishes at the highest wave number */
+  /* odd components are 0 at the highest wave number */
   return (wave){2 * i == nx ? 0 : x / q, 2 * j == nz ? 0 : z / q, q, 0};
 }
 
 typedef struct plane {
-  int nx, nz; /* size of the box */
+  int nx, nz; /* size of the box [cells] */
   double step_x, step_z;
   double *values, *pressure, *spectrum; /* [nx][nz] values and pressures; spectra [nx][nz / 2 +
                                          * 1] of pairs */

@@ -1,6 +1,6 @@
-/* The operator of a stroke: displacements at each position, plus the wear of all positions on
- * both bodies. The sum of wear over positions and its interpolation at a position use the same
- * weights, so the operator is symmetric and volumes are exact. */
+/* The operator of a stroke: displacements at each position, plus the wear of all positions on both
+ * bodies. The sum of the wear over the positions and the interpolation of the wear at a position
+ * use the same weights. The operator is therefore symmetric and volumes are exact. */
 #include "core/space/stroke.h"
 
 #include "core/base/callbacks.h"
@@ -49,7 +49,7 @@ static void add_row(const stroke *s, int position, int row, double weight, doubl
   arc_cells_add(s->box.nz, weight, pressures(s, position, row), to);
 }
 
-/* Adds the pressures of all positions at one row of the track. */
+/* Adds to `to` the weighted pressures of all positions at one row of the track. */
 static void add_track_row(const stroke *s, int row, double *to) {
   for (int j = 0; j < s->count; j++) {
     const stroke_place *p = &s->place[j];
@@ -85,7 +85,8 @@ static void add_mirror(double *sum, int rows, int columns) {
 
 enum { chunk = 8 /* rows per task */ };
 
-/* Computes some rows of both bodies' sums; the rows of the upper body are counted first. */
+/* Computes `chunk` rows of the sums of both bodies. The rows of the upper body are numbered first.
+ */
 static void sum_rows(void *context, int task, int worker) {
   const stroke *s = context;
   const int all = s->box.nx + s->h->rows;
@@ -115,7 +116,7 @@ static void convolve(void *context, int position, int worker) {
                         s->to + o);
 }
 
-/* Adds c share factor sum to `to`, for one row of the box. */
+/* Adds the product of c, share, factor and sum to `to`, for one row of the box. */
 static void wear_row(const stroke *s, int body, int site_row, double share, const double *sum,
                      double *to) {
   const double c = s->c[body] * share, *factor = s->factor[body];

@@ -1,4 +1,5 @@
-/* Contact problem of all positions of a stroke at once, with the wear of a step in their gaps. */
+/* Declares the contact problem of all positions of a stroke at once. Its gaps include the wear of a
+ * step. */
 #ifndef SPACE_STROKE_H
 #define SPACE_STROKE_H
 
@@ -15,15 +16,16 @@ typedef struct stroke_place {
 typedef struct stroke {
   arc_halfspace *h;
   const arc_callbacks *callbacks;
-  int count;    /* number of positions to solve */
-  int mirrored; /* 1 if all other positions are mirror images in x */
+  int count;    /* number of positions that are solved */
+  int mirrored; /* 1 if the positions that are not solved are mirror images in x */
   int even;     /* 1 if each position is symmetric in z */
   int worker;   /* index of the workspace for a single position */
   stroke_place *place;
-  const double *extra;  /* [count][window] added to the gaps, or NULL */
+  const double *extra;  /* [count][window] values added to the gaps [mm], or NULL */
   double *weight;       /* [count] weights of the inner product; halved in the middle of a
                          * mirrored stroke */
-  double c[ARC_BODIES]; /* wear depth per weighted pressure; 0 for a body without wear */
+  double c[ARC_BODIES]; /* wear depth divided by the sum of weight times pressure; 0 for a body
+                           without wear */
   const double *factor[ARC_BODIES]; /* factor of c at each site; NULL: all are 1 */
   space_box box;
   const convolution *kernel, *inverse;
@@ -47,7 +49,7 @@ arc_status arc_stroke_precondition(void *context, const double *r, double *z);
  * or for both bodies if `both` is 1. */
 void arc_stroke_gather(stroke *s, const double *p, int both);
 
-/* Adds to sum the values of both bodies at the cells of the box at one position. */
+/* Adds to `sum` [box] the values [sites] of both bodies at the cells of the box in one position. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
 /* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the depths

@@ -1,5 +1,5 @@
 /* Steps with error control: two updates of half a step are compared with one update of the whole
- * step. The second half solves the instants in reverse order. */
+ * step. The second half solves the instants of the cycle in reverse order. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -42,8 +42,8 @@ static double difference(const arc_joint *j, const kept_state *was, const kept_s
   return gain > 0 ? off / (gain * steps) : 0;
 }
 
-/* Makes the whole step and stores its result, then repeats the step in two halves. *error_made
- * receives the difference of the two results. */
+/* Makes the step as one update, restores the state, and makes the step again as two halves. Sets
+ * *error_made to the difference of the two results. */
 static arc_status try_step(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                            const kept_state *was, const arc_callbacks *callbacks,
                            arc_joint_record *record, double *error_made, arc_error *error) {

@@ -144,8 +144,8 @@ arc_status arc_gait_named(const char *name, int n, double angle, double load,
   return status;
 }
 
-/* Returns |omega x F| at an instant, from which the sliding distance of the load follows; *load
- * receives |F| [N]. */
+/* Returns |omega x F| at an instant [N]. Sets *load to |F| [N]. The quotient of both times the
+ * radius is the sliding distance of the load. */
 static double sliding(const arc_gait_instant *i, double *load) {
   const double *w = i->omega, *F = i->load;
   *load = sqrt(F[0] * F[0] + F[1] * F[1] + F[2] * F[2]);

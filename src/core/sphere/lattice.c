@@ -94,7 +94,7 @@ void arc_sphere_rotate_back(const double R[9], const double n[3], double to[3]) 
   for (int i = 0; i < 3; i++) to[i] = R[i] * n[0] + R[3 + i] * n[1] + R[6 + i] * n[2];
 }
 
-/* Computes row and column of the direction n, in cells from the centre of the first cell. */
+/* Computes the row and the column of the direction n, counted from the centre of the first cell. */
 static void locate(const arc_joint *j, const double n[3], double *row, double *column) {
   *row = acos(fmax(-1, fmin(1, n[0]))) / j->d - 0.5;
   *column = (atan2(n[1], n[2]) + pi) / j->d - 0.5;

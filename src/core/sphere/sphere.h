@@ -10,12 +10,12 @@
 /* Compliance on a window of the lattice, which has size / 2 rows and columns on each side of the
  * z axis. */
 typedef struct sphere_kernel {
-  int size;                   /* number of rows and of columns */
-  int box, waves;             /* box: number of padded columns; waves: box / 2 + 1 */
-  double *symbol;             /* [waves][size][size] transformed influence, multiplied by the
-                               * source's cell area */
-  row_transform *rows;        /* transform of `size` rows */
-  double *spectrum, *product; /* [size][waves] pairs; [waves][size] for each of both parts */
+  int size;            /* number of rows and of columns */
+  int box, waves;      /* number of columns with padding; number of waves, box / 2 + 1 */
+  double *symbol;      /* [waves][size][size] transform of the displacement at a cell due to unit
+                          pressure on a source cell */
+  row_transform *rows; /* transform of `size` rows */
+  double *spectrum, *product; /* [size][waves] complex; real and imaginary part [waves][size] */
 } sphere_kernel;
 
 struct arc_joint {
@@ -33,14 +33,14 @@ struct arc_joint {
   int size;              /* number of rows and of columns of the window */
   sphere_kernel *kernel; /* NULL with a Winkler foundation */
   active_work *work;
-  double *gap, *mode, *cell, *press, *soft; /* [window]; mode [3][window]; soft: diagonal added
-                                             * to the compliance */
+  double *gap, *mode, *cell, *press, *soft; /* `mode` [3][window], others [window]; `soft` is added
+                                               to the diagonal of the compliance */
   double *kept; /* [kept_count][window] initial pressures of the instants */
   int kept_count;
 };
 
-/* Returns the sum of (l + 1/2) C_l of both bodies [mm/MPa] at the degree l that a lattice of
- * `rows` rows resolves. The sum equals its limit for large degrees unless the surface layer is
+/* Returns the sum of (l + 1/2) C_l of both bodies [mm/MPa] at the largest degree l that a lattice
+ * of `rows` rows resolves. The sum equals its limit for large degrees unless the surface layer is
  * thinner than a cell. */
 double arc_sphere_limit(const arc_joint_def *def, int rows);
 /* Returns the stiffness of the Winkler foundation [MPa/mm]. */
@@ -64,8 +64,8 @@ static inline int sphere_site(const arc_joint *j, int cell) {
 arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
 /* Sets the number of instants with initial pressures, which are all set to 0. Error: ARC_MEMORY. */
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
-/* Restores an earlier state of this joint. If the window has grown since then, the window keeps
- * its size and the initial pressures are lost. */
+/* Restores an earlier state of this joint. If the window has grown since then, it retains its size,
+ * and the initial pressures are discarded. */
 void arc_sphere_restore(arc_joint *j, const double *state);
 /* Restores an earlier state and window after an error. A larger window remains if there is no
  * memory for the earlier one. */
@@ -79,10 +79,10 @@ arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
-/* A contact to solve: the head at a rotation R under a load [N]. j->soft is the wear in this
- * contact and is added to the compliance: `dose` [mm/MPa] per mm of sliding by the rotation
- * vector omega, times the map k (NULL: 1). The initial pressures are those of the last contact
- * at this instant; a negative instant has none. arc_sphere_solve stores the pressures in
+/* A contact to solve: the head at a rotation R under a load [N]. The wear in this contact, j->soft,
+ * is added to the compliance. It is `dose` times the coefficient k of the cell (1 if k is NULL)
+ * times the sliding distance due to omega. The initial pressures are those of the last contact at
+ * this instant. There are none if `instant` is negative. arc_sphere_solve stores the pressures in
  * j->press [window] and enlarges the window until the pressures at its rim are zero. */
 typedef struct sphere_stand {
   const double *rotation, *load;

@@ -1,6 +1,7 @@
-/* Radial compliance of concentric layers for each degree of spherical harmonics. Elasticity has
- * four solutions r^s (a, b) in each layer, with the displacement U Y r^ + V grad Y. A small
- * dense system couples these solutions. */
+/* Radial compliance of concentric layers for each degree of spherical harmonics. The equations of
+ * elasticity have four solutions r^s (a, b) in each layer. Their displacement is U Y r^ + V grad Y,
+ * with the spherical harmonic Y and the radial unit vector r^. A small dense system couples these
+ * solutions. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -21,7 +22,7 @@ typedef struct stack {
   shell shell[most_shells];
 } stack;
 
-/* One solution r^s of a layer, scaled to 1 at the radius `unit`. */
+/* One solution r^s (a, b) of a layer, scaled so that r^s is 1 at the radius `unit`. */
 typedef struct power {
   double s, a, b, unit;
 } power;
@@ -54,8 +55,8 @@ static stack head_stack(const arc_joint_def *def) {
   return s;
 }
 
-/* Computes the solutions of a layer at degree l; the solutions that increase with r are the first
- * ones. Returns the number of solutions. */
+/* Computes the solutions of a layer at degree l. The solutions that increase with r are stored
+ * first. Returns the number of solutions. */
 static int powers_of(const shell *m, int l, power *p) {
   const double L = (double)l * (l + 1), q = m->lambda + 2 * m->mu;
   const double exponent[] = {l - 1.0, l + 1.0, -l - 2.0, -(double)l};
@@ -85,9 +86,9 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
   value[3] = m->mu * ((p->s - 1) * p->b + p->a) * g;
 }
 
-/* Returns the displacement of one body under a unit pressure on its surface, which is the
- * innermost radius of a cup and the outermost radius of a head. The equations belong to the
- * bottom, the interfaces and the top, in groups of two and four. */
+/* Returns the displacement of one body under a unit pressure on its surface, which is the innermost
+ * radius of a cup and the outermost radius of a head. There are two equations at the bottom, four
+ * at each interface, and two at the top. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];
@@ -102,7 +103,7 @@ static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double v[4];
   for (int end = 0; end <= s->count; end++) { /* boundary below layer `end` */
     const int bottom = end == 0, top = end == s->count;
-    if (bottom && !is_cup) continue; /* a head is regular at its centre */
+    if (bottom && !is_cup) continue; /* a head has no inner boundary, because it is solid */
     const int from = bottom ? 0 : end - 1, to = top ? end - 1 : end;
     const double r = bottom ? s->shell[0].inner : s->shell[end - 1].outer;
     const int kinds = bottom || top ? used : 2 * used;

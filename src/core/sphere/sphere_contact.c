@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Gap outside the cup [mm], so large that it remains open. */
+/* Gap outside the cup [mm], so large that there is never contact. */
 static const double open_gap = 1e3;
 
 static void axis_of(const arc_joint *j, double axis[3]) {
@@ -70,7 +70,7 @@ static void set_softness(arc_joint *j, const sphere_stand *at) {
   }
 }
 
-/* Half angles of the initial cap over the half angle of the window, in the order of the
+/* Ratios of the half angle of the initial cap to the half angle of the window, in the order of the
  * attempts. */
 static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
 enum { attempts = sizeof caps / sizeof *caps };
@@ -138,8 +138,8 @@ static int holds(const arc_joint *j, const double load[3]) {
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* Stores the displacement u for the next gaps. Returns 1 if the last displacement was accurate
- * enough. */
+/* Sets u, the displacement used for the next gaps, to `approach`. Returns 1 if the previous u was
+ * accurate enough. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
   if (!j->def.second_order) return 1;
@@ -150,8 +150,8 @@ static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   return moved < 1e-9 * j->def.radius;
 }
 
-/* Reports that the cells may be too large: the contact has so few cells that they cannot carry a
- * load in three directions. */
+/* Composes the error for cells that may be too large: the contact has so few cells that they cannot
+ * carry a load in three directions. */
 static arc_status refuse_cells(const arc_joint *j, const double load[3], arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status,

@@ -1,6 +1,7 @@
-/* Compliance on a window of the lattice. It is a convolution along longitude, and for each wave
- * number a dense product over latitude. Its 1/chord part is integrated over near cells; the
- * smooth remainder is interpolated from a table over the angle between two points. */
+/* Compliance on a window of the lattice. It is a convolution over longitude, and for each wave
+ * number a dense matrix over latitude. The part 1/chord (chord: distance of two points) is
+ * integrated over near cells. The smooth remainder is interpolated from a table over the angle
+ * between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -9,14 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest degree of the sums, table entries per cell, and the distance in cells up to which the
- * 1/chord part is integrated. */
+/* Largest degree of the sums, number of table entries per cell, and distance in cells up to which
+ * the 1/chord part is integrated. */
 enum { degrees = 3000, fine = 8, near = 8 };
 
 static const double pi = 3.14159265358979323846;
 
-/* Computes the table of the remainder: the sum over l of (2l+1)/(4 pi) weight_l (C_l -
- * A/(l+1/2)) P_l. weight_l is P_l averaged over a cap with the area of a cell. */
+/* Computes the table of the remainder: the sum over l of (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2))
+ * P_l. A is the limit of (l + 1/2) C_l, and weight_l is P_l averaged over a cap with the area of a
+ * cell. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def, rows);
   const int entries = fine * rows + 4;
@@ -50,7 +52,8 @@ double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   return NULL;
 }
 
-/* Interpolates the table at an angle [rad] by a cubic; the table is an even function. */
+/* Interpolates the table at an angle [rad] by a cubic polynomial. The table is an even function of
+ * the angle. */
 static double read_table(const arc_joint *j, double angle) {
   const double at = angle / j->d * fine;
   const int i = (int)at;

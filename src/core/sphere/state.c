@@ -1,14 +1,14 @@
-/* The complete state of a joint as one list of numbers, from which a run continues with
- * identical bits. The list begins with the number of rows of the lattice, of rows of the window,
- * and of instants with initial pressures. Maps follow: depths of head and cup, cross-shear of
- * the last cycle, pressures of the last contact, creep and its mean pressures. The list ends
- * with the initial pressures. */
+/* The complete state of a joint as one list of numbers, from which a run continues with identical
+ * results. The list begins with the number of rows of the lattice, of rows of the window, and of
+ * instants with initial pressures. Maps follow: depths of head and cup, cross-shear of the last
+ * cycle, pressures of the last contact, creep, and the pressures integrated over cycles. The list
+ * ends with the initial pressures. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { header = 3, maps = 8 /* maps: numbers per site */ };
+enum { header = 3, maps = 8 /* `maps` is the number of values per site in all maps */ };
 
 static size_t window_of(const arc_joint *j) {
   return (size_t)j->size * (size_t)j->size;

@@ -1,5 +1,6 @@
-/* Wear of both bodies of a joint. The work p |s| is computed at the cup's cells. The head
- * receives the same total, at the points of the head that the rotation brings to these cells. */
+/* Wear of both bodies of a joint. The work p |s| is computed at the cup's cells. The head receives
+ * the same total work, at the points that are in contact with these cells at the present rotation.
+ */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 
@@ -48,7 +49,8 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* Computes the wear of the head in an instant; its volume is scaled to the cup's volume. */
+/* Adds the wear of the head in an instant to `to`. The wear is scaled to the fraction alpha of the
+ * worn volume of the instant. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
@@ -100,14 +102,14 @@ static double size_of(const double v[3]) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* Adds the number of the increment to the error message of a load. */
+/* Adds the number of the increment to the error message of an invalid load. */
 static arc_status refuse_load(int increment, arc_error *error) {
   const arc_error why = *error;
   return arc_fail(error, why.status, "%.300s, in increment %d of the cycle", why.message,
                   increment + 1);
 }
 
-/* Solves all instants of the cycle once. */
+/* Solves the contacts of all instants of the cycle once, in reverse order if `backwards` is 1. */
 static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, arc_error *error) {
   double heaviest = 0;
   for (int step = 0; step < s->def->instants; step++) {
@@ -152,7 +154,8 @@ static arc_status call_k(sweep *s, arc_error *error) {
   return ARC_OK;
 }
 
-/* Computes the creep at the end of the update from the mean pressure until the end. */
+/* Computes the creep at the end of the update from the mean pressure over all cycles up to this
+ * end. */
 static arc_status call_creep(sweep *s, arc_error *error) {
   arc_joint *j = s->j;
   const double end = s->record.cycles + s->cycles;

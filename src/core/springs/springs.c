@@ -318,8 +318,8 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* The tangent is reduced to the largest entry of -d rate / d depth. At a constant approach only
- * diagonal entries are not zero. */
+/* The tangent consists of the largest entry of -d rate / d depth. At a constant approach all
+ * entries outside the diagonal are zero. */
 typedef struct spring_tangent {
   double value;
 } spring_tangent;
