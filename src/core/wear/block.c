@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of contact problems of a block. A block with more distinct positions rebuilds a
- * single problem at every point. */
+/* Largest number of contact problems of a block. A block with more distinct positions has a single
+ * problem, which is rebuilt at every point. */
 enum { most_problems = 2048 };
 
 static arc_status block_create(wear_block *b, int count) {
@@ -52,9 +52,9 @@ static void find_problems(wear_block *b) {
 }
 
 /* Returns a substitute for the sliding distance of a cycle that a force drives [mm], because the
- * displacement is unknown until the contact is solved. The substitute is the sum of the changes
- * of the force per thickness over E*. If the force is constant, the changes of the load are used
- * instead. */
+ * displacement is unknown until the contact is solved. The substitute is the sum of the changes of
+ * the force per thickness, divided by E*. If the force is constant, the changes of the load are
+ * used instead. */
 static double sliding_of_force(const wear_block *b, const wear_manner *m) {
   double force = 0, load = 0;
   for (int i = 1; i < b->count; i++) {
@@ -71,8 +71,8 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
   return def->increments > 0 ? def->increments : usual;
 }
 
-/* Computes the numbers of increments between the points of a loading; returns their sum. Kinds
- * without automatic increments have one increment between two points. */
+/* Computes the number of increments between each two points of a loading. Returns the sum of these
+ * numbers. Kinds without automatic increments have one increment between two points. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
   const arc_kind *kind = arc_kind_of(model);
@@ -94,7 +94,7 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   if (m->rests)
     one_problem(b, 0);
   else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
-    one_problem(b, (low + high) / 2); /* one problem, so pairs of sticking points do not change */
+    one_problem(b, (low + high) / 2); /* so that pairs of sticking points do not change */
   else
     find_problems(b);
 }
@@ -120,15 +120,15 @@ static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
   return ARC_OK;
 }
 
-/* Returns the position of the plate at point i of `last` along a stroke from -s/2 to s/2 [mm].
+/* Returns the position of the plate at point i (0 to last) of a stroke from -s/2 to s/2 [mm].
  * Positions are exactly symmetric. */
 static double along(double stroke, int i, int last) {
   return stroke * (2 * i - last) / (2.0 * last);
 }
 
-/* Creates the cycle of the reference paper. The block is half of the cycle, counted twice (r =
- * 2), or the single pass over the plate (r = 1). With updates within the cycle, or with
- * friction, the block contains both strokes. NSP needs only the end points unless slip is
+/* Creates the cycle of the reference paper. The block is one stroke, which counts as both strokes
+ * of the cycle (r = 2) or is the single pass over the plate (r = 1). With updates within the cycle,
+ * or with friction, the block contains both strokes. NSP needs only the end points unless slip is
  * computed. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 const wear_manner *m, wear_block *b) {
@@ -179,8 +179,7 @@ static void fill(const arc_wear_def *def, const arc_model_def *model, const wear
   b->line[0] = from->load[0] / m->thickness;
   for (int i = 1; i < from->count; i++) {
     const int n = (int)parts[i];
-    for (int j = 1; j <= n; j++) { /* at j = n the values equal those of the loading's point
-                                    * exactly */
+    for (int j = 1; j <= n; j++) { /* at j = n the values equal those of point i exactly */
       const double left = (double)(n - j) / n, right = (double)j / n;
       b->x[++at] = left * position(from, m, i - 1) + right * position(from, m, i);
       b->angle[at] =
@@ -244,8 +243,8 @@ double arc_wear_block_end(const wear_block *block) {
   return block->start_distance + block->cycles * block->sliding;
 }
 
-/* Compares cycle numbers. Distances would not suffice because a block may have no sliding distance
- * (a history at rest). */
+/* Compares cycle numbers instead of distances, because a block may have no sliding distance
+ * (contact at rest). */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle) {
   int b = 0;
   while (b + 1 < w->blocks && cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;

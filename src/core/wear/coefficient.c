@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* Returns the value of a table at a distance [mm], on the segment that contains the point
- * `inside`. At a jump, where two values have the same distance, the second value is used. */
+/* Returns the value of a table at a distance [mm], on the segment that contains the distance
+ * `inside` [mm]. At a jump, where two values have the same distance, the second value is used. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;
@@ -19,8 +19,7 @@ double arc_wear_series(const arc_series *s, double distance) {
   return series_at(s, distance, distance);
 }
 
-/* Returns the distance of the first point of a table after `from`, or `to` if the table has no
- * point between `from` and `to`. */
+/* Returns the distance of the first point of a table after `from`, but at most `to`. */
 static double next_point(const arc_series *s, double from, double to) {
   for (int i = 0; i < s->count; i++)
     if (s->distance[i] > from) return fmin(to, s->distance[i]);
@@ -105,8 +104,8 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
-/* Returns the factor of the present law on k. law_growth returns the derivative d ln(p factor) /
- * d ln p. */
+/* Returns the factor by which the law of the run multiplies k at pressure p [MPa]. law_growth
+ * returns the derivative d ln(p factor) / d ln p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
 #define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \

@@ -1,9 +1,9 @@
 /* Integrates the coefficients of wear and friction over an update before the update is made. The
  * method is a Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine). Its steps end at the
- * points of tables, between which coefficients are linear, so the integral of their product is
- * exact. Functions of the state are evaluated along the path predicted from the rate at the
- * start. A step that would shrink to zero indicates a jump of a coefficient; the update then
- * ends at the jump. This file uses coefficient.c and predictor.c. */
+ * points of tables. Between these points coefficients are linear, so the integral of their product
+ * is exact. Functions of the state are evaluated along the path predicted from the rate at the
+ * start. If the step length decreases towards zero, a coefficient jumps, and the update ends at the
+ * jump. This file uses coefficient.c and predictor.c. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -11,27 +11,28 @@
 
 /* Tolerance of a step, relative to the integral. */
 static const double tolerance = 1e-5;
-/* A step shorter than the share `shortest` of the update contains a jump. Within the share
- * `margin` of the ends the code searches no jump and evaluates no function, so a jump at an end
- * belongs to one update only. */
+/* Fractions of the update. A step shorter than `shortest` contains a jump. Closer than `margin` to
+ * the ends of the update no function is evaluated, so that a jump at an end belongs to one update
+ * only. */
 static const double shortest = 1e-9, margin = 1e-7;
 /* The same margin for tables, whose points are known. */
 static const double table_margin = 1e-10;
 /* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
-/* Definition of a jump in a table: the value changes by at least the share `large` of the larger
- * value over an interval that is shorter than its neighbours by the factor `steep`. */
+/* Definition of a jump in a table: within one interval the value changes by more than `large` times
+ * the larger value, and the interval is shorter than its neighbours by the factor `steep`. */
 static const double large = 0.1, steep = 20;
 /* Minimum number of steps of an update whose length is fixed, and of an update whose length is
  * unknown. */
 static const double chosen_steps = 4, open_steps = 64;
-/* Relative tolerance for the largest integral of a plan. */
+/* Relative tolerance with which an update ends at the largest integral of its plan. */
 static const double near = 1e-3;
-/* Minimum number of samples of a function per cycle or, in long runs, per run; the error
- * estimate does not include changes between samples. An irrational number avoids aliasing. */
+/* Minimum number of samples of a function per cycle or, in long runs, per run. It is needed because
+ * the error estimate does not include changes between samples. A number that is not an integer
+ * avoids aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
-/* If this many more steps are refused than accepted, no step can resolve the function (for
- * example a random function), and it is sampled in equal steps. */
+/* If the number of rejected steps exceeds the number of accepted steps by this much, no step can
+ * resolve the function (for example a random function). It is then sampled in equal steps. */
 enum { most_refused = 200 };
 
 /* Components of the integrated vector: k of the cylinder, k of the plate, friction. */
@@ -43,16 +44,16 @@ typedef struct integration {
   const wear_rate *rate;
   arc_error *error;
   double length;        /* length of the plan [mm] */
-  double at;            /* share of the update that is integrated */
-  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over this share */
+  double at;            /* fraction of the update that is integrated so far */
+  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over this fraction */
   double k[COMPONENTS]; /* coefficients at `at` */
   double first[COMPONENTS];
-  int calls, changed[COMPONENTS]; /* changed: 1 if any value differs from `first` */
-  int refused;                    /* number of refused minus accepted steps */
+  int calls, changed[COMPONENTS]; /* `changed` is 1 if any value differed from `first` */
+  int refused;                    /* number of rejected minus accepted steps */
   int sampled;                    /* 1 if no step could resolve the function */
 } integration;
 
-/* Returns the scale for changes of component b of the coefficients. */
+/* Returns the value to which errors of component b of the coefficients are relative. */
 static double size_of(int b, const double k[COMPONENTS]) {
   return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
@@ -65,8 +66,8 @@ static double total(const double k[COMPONENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
-/* Computes the coefficients k at a share (0 to 1) of the update. y contains the integrals up to
- * this share. */
+/* Computes the coefficients k at the fraction `share` (0 to 1) of the update. y contains the
+ * integrals up to this fraction. */
 static arc_status evaluate(integration *s, double share, const double y[COMPONENTS],
                            double k[COMPONENTS]) {
   const update_coefficients gone = {.cycles = s->plan->times, .mean = from_vector(y)};
@@ -82,8 +83,8 @@ static arc_status evaluate(integration *s, double share, const double y[COMPONEN
   return ARC_OK;
 }
 
-/* Makes one step of the Runge-Kutta pair over the share h. Computes the integrals y and the
- * coefficients k at the end of the step, and the error divided by the tolerance. */
+/* Makes one step of the Runge-Kutta pair over the fraction h of the update. Computes the integrals
+ * y and the coefficients k at the end of the step, and the error divided by the tolerance. */
 static arc_status try_step(integration *s, double h, double y[COMPONENTS], double k[COMPONENTS],
                            double *error) {
   const double *k1 = s->k;
@@ -118,7 +119,7 @@ static double distance_at(const integration *s, double share) {
   return arc_wear_last(s->w)->distance + share * s->length;
 }
 
-/* Returns the next point of a table after the present share, as a share of the update. */
+/* Returns the next point of a table after s->at, as a fraction of the update. */
 static double next_point(const integration *s, const arc_series *table) {
   const double here = distance_at(s, s->at + shortest);
   for (int i = 0; i < table->count; i++)
@@ -127,8 +128,8 @@ static double next_point(const integration *s, const arc_series *table) {
   return 1;
 }
 
-/* Returns the largest share at which a step may end: the next point of the tables. A table is
- * ignored if a function replaces it. */
+/* Returns the fraction of the update at which a step must end: the next point of the tables, or 1.
+ * A table is ignored if a function replaces it. */
 static double next_end(const integration *s) {
   const arc_wear_def *d = &s->w->def;
   double end = 1;
@@ -138,7 +139,8 @@ static double next_end(const integration *s) {
   return end;
 }
 
-/* Returns true if a table jumps in the interval between its points that ends at this share. */
+/* Returns true if a table jumps in the interval of the table that ends at the fraction `share` of
+ * the update. */
 static int table_jumps(const integration *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
@@ -174,14 +176,14 @@ static int ends_jump(const integration *s, double share, double from, const doub
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Returns the length of the first step as a share of the update. If the end of the update is
- * unknown, the length is a part of the estimated whole. */
+/* Returns the length of the first step as a fraction of the update. If the end of the update is
+ * unknown, it is estimated from the initial coefficients. */
 static double first_length(const integration *s, double longest) {
   const double whole = s->plan->most / (s->length * total(s->k));
   return fmin(longest, whole / chosen_steps);
 }
 
-/* Returns the length of the longest step, as a share of the update. */
+/* Returns the length of the longest step, as a fraction of the update. */
 static double longest_step(const integration *s) {
   const arc_wear *w = s->w;
   const double steps = isfinite(s->plan->most) ? open_steps : chosen_steps;
@@ -190,7 +192,7 @@ static double longest_step(const integration *s) {
   return fmin(1 / steps, arc_wear_has_state_functions(w) ? asked : 1);
 }
 
-/* Integrates the rest of the update in equal steps without error control. */
+/* Integrates the remaining part of the update in equal steps without error control. */
 static arc_status sample_rest(integration *s) {
   const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
@@ -226,8 +228,8 @@ static arc_status integrate(integration *s) {
       s->refused++;
       continue;
     }
-    if (total(y) > most * (1 + near)) { /* the integral is too large; the next step ends at the
-                                         * largest integral */
+    if (total(y) > most * (1 + near)) { /* the integral is too large: repeat with a step that ends
+                                           at the largest integral */
       h = length * (most - total(s->y)) / (total(y) - total(s->y));
       if (h > shortest) continue;
       return ARC_OK;

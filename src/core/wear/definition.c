@@ -16,9 +16,10 @@ const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 #define LAW_PROPERTIES(name, text, properties, ...) properties,
 const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
-/* Choices that the code distinguishes by comparisons. If a list gets a new choice, the files
- * named here must handle the choice, which would otherwise act like an old one; then its count
- * is increased here. (Laws need no such check because they are formulas in a list.) */
+/* Numbers of choices that the code distinguishes by comparisons. After adding a choice to a list,
+ * first handle it in the files named here, because otherwise the code treats it like another
+ * choice. Then increase the number here. Laws need no such check, because they are formulas in a
+ * list. */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
@@ -94,8 +95,8 @@ static int closes(int count, const double *value) {
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Returns the smallest tangential force that is rejected [N]. If friction is a table or a
- * function, the run checks the force instead. */
+/* Returns the limit of the tangential force under a load [N]. Forces from this limit on are
+ * rejected. If friction is a table or a function, the run checks the force instead. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
@@ -131,7 +132,8 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-/* Returns true if the load of a loading changes, which makes bodies of different materials slip. */
+/* Returns true if the load of a loading changes, which causes slip between bodies of different
+ * materials. */
 static int breathes(const arc_loading *l) {
   for (int i = 1; l->load && i < l->count; i++)
     if (l->load[i] != l->load[0]) return 1;
@@ -262,7 +264,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
 
 /* --- copies ----------------------------------------------------------------------------------- */
 
-/* Copies x, load and the other arrays of a block to one allocation. */
+/* Copies x, load and the other arrays of a loading to one block of memory. */
 static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   enum { lists = 5 };
   const double **list[lists] = {&to->x, &to->load, &to->tangential, &to->rotation, &to->load_angle};
@@ -275,8 +277,8 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   return ARC_OK;
 }
 
-/* Copies two arrays of n doubles to one block. Returns the block, which starts with the first
- * copy. */
+/* Copies two arrays of n doubles to one block of memory. Returns the block, which starts with the
+ * first copy. */
 static double *copy_pair(int n, const double *first, const double *second) {
   double *block = malloc(2 * (size_t)n * sizeof *block);
   if (!block) return NULL;

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-/* Returns the index of the point of a block that needs the largest friction coefficient. *needed
- * receives this coefficient, which is infinite for a force at load 0. */
+/* Returns the index of the point of a block that needs the largest friction coefficient. Sets
+ * *needed to this coefficient, which is infinite for a force at load 0. */
 static int worst_point(const wear_block *b, double *needed) {
   int worst = 0;
   *needed = 0;
@@ -17,8 +17,8 @@ static int worst_point(const wear_block *b, double *needed) {
   return worst;
 }
 
-/* Checks tables and functions, whose values may become too small during a run. Constants are
- * checked with the definition. */
+/* Checks friction coefficients from tables and functions, which may become too small during a run.
+ * Constant coefficients are checked with the definition. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error) {
   const wear_block *b = arc_wear_block_at(w, state->cycle);

@@ -1,9 +1,8 @@
-/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the
- * geometry at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures
- * at the start of the step, at an intermediate stage, and at the end. Sites that enter the
- * contact within a step limit its length because they wear only in the last stages; among
- * similar methods TR-BDF2 overestimates their pressures least. The kind of pair solves the
- * stages. */
+/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the geometry
+ * at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at the start
+ * of the step, at an intermediate stage, and at the end. Sites that enter the contact within a step
+ * limit its length, because they wear only in the last stages. Among similar methods, TR-BDF2
+ * overestimates the pressures at these sites least. The kind of pair solves the stages. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -11,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Number of equal implicit steps in an update with error control. All steps use the compliance
- * at the start of the update, so they need only contact solutions. The error of one step jumps
- * when the edge of the contact crosses a node; the largest error of several steps varies less. */
+/* Number of equal implicit steps in an update with error control. All steps use the compliance at
+ * the start of the update, so they need only contact solutions. The error of one step jumps when
+ * the edge of the contact crosses a node. The largest error of several steps varies less. */
 enum { steps_by_tolerance = 4 };
 
-/* Results of a cycle other than the wear of sites, and their sums. */
+/* Indices of the results of a cycle other than the wear of sites. */
 enum { ENERGY, EVEN, PRESSED, SUMS };
 typedef struct sums {
   double of[SUMS];
@@ -29,22 +28,22 @@ typedef struct implicit {
   int n;
   int steps, done; /* number of steps of the update; index of the present step */
   sums mean;       /* mean over the steps */
-  double worst;    /* largest error over tolerance of the steps */
+  double worst;    /* largest error of a step divided by the tolerance */
   double *rate[3]; /* [n] k times the wear of a cycle [mm], at the start and at both stages */
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
 
-/* Share of the tolerance that each step may use. At order 2 the errors of the first steps
- * decrease because the pressure flattens. The number was determined with the twenty cases of the
- * reference paper on elements of 20, 10 and 5 um. */
+/* Accepted error of the depths in one step, divided by the tolerance. At order 2 the errors of the
+ * first steps decrease because the pressure flattens. The number was determined with the twenty
+ * cases of the reference paper on elements of 20, 10 and 5 um. */
 static const double share_per_step = 0.5;
 /* Accepted error of forces, divided by the tolerance. It is large because forces follow from the
  * depths, so their errors do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* Computes the friction coefficient at a share of a step. It must be called before the stages,
- * because it overwrites the depths. */
+/* Computes the friction coefficient at the fraction `share` of a step. It must be called before the
+ * stages, because it overwrites the depths. */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
@@ -115,10 +114,10 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the largest error of the depths of one body, at sites that are deep enough, divided by
- * the largest depth. */
+/* Returns the largest error of the depths of one body, at sites deeper than `counts` times the
+ * largest depth. The error is divided by the largest depth. */
 static double depth_error(const implicit *s, int b) {
-  static const double counts = 0.05; /* least depth that counts, relative to the largest depth */
+  static const double counts = 0.05; /* smallest depth relative to the largest depth */
   const arc_wear *w = s->at.run;
   const wear_sites on = w->kind->sites(s->at.window.shape, (arc_body)b);
   const double *depth = sites_from(w, s->at.worn, b), *off = sites_from(w, s->defect, b);
@@ -139,8 +138,8 @@ static double share_of_tolerance(implicit *s, double h) {
   return fmax(depth / (share_per_step * tolerance), pressure / (pressure_share * tolerance));
 }
 
-/* Returns the number of implicit steps of an update. An update of one increment has the length
- * of the increment and therefore one step. */
+/* Returns the number of implicit steps of an update. An update of a single increment has one step,
+ * because the increment determines its length. */
 static int count_steps(const implicit *s) {
   const wear_window *window = &s->at.window;
   const int whole = window->first == 0 && window->last == window->block->count - 1;

@@ -28,7 +28,7 @@ const char *arc_wear_column_name(int column) {
 
 /* --- validity of rows */
 
-/* Largest valid value in a record, for which squares and sums do not overflow. */
+/* Limit of valid values in a record. Up to this limit squares and sums do not overflow. */
 static const double largest = 1e100;
 
 static const struct column_rule {

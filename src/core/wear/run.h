@@ -4,7 +4,7 @@
 
 #include "core/pair/kind.h"
 
-/* Workspace that the updates of a run share. */
+/* Workspace for the updates of a run. */
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
@@ -34,7 +34,7 @@ struct arc_wear {
   arc_model *model;
   const arc_kind *kind;
 
-  /* the stored state, from which a restored run continues with identical bits */
+  /* the stored state, from which a restored run continues with identical results */
   arc_wear_def def; /* with copies of tables and loading */
   arc_shape *shape;
   size_t records, capacity;
@@ -61,7 +61,7 @@ static inline int splits_cycles(const arc_wear *w) {
 }
 
 /* Returns the wear coefficient for the sites of a body [mm2/N]. It is 0 for a body that wears
- * evenly, because its sites do not wear individually. */
+ * uniformly, because its sites do not wear individually. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
   return body == ARC_LOWER && w->manner.even ? 0 : k[body];
 }
@@ -70,7 +70,7 @@ static inline int sites_of(const arc_wear *w, int body) {
   return body == ARC_UPPER ? w->nc : w->np;
 }
 
-/* Returns the part of a vector over all sites that belongs to a body. */
+/* Returns the part of a vector [n] that belongs to the sites of a body. */
 static inline double *sites_from(const arc_wear *w, double *vector, int body) {
   return body == ARC_UPPER ? vector : vector + w->nc;
 }
@@ -89,7 +89,7 @@ int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
 /* --- wear.c ----------------------------------------------------------------------------------- */
-/* Sets a rate to zero. n is the number of sites of both bodies. */
+/* Set a rate to zero, and copy a rate. n is the number of sites of both bodies. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
 /* Exchanges the contents of two runs. */

@@ -38,13 +38,14 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 
 /* --- warnings --------------------------------------------------------------------------------- */
 
-/* Returns true if the run makes explicit jumps of whole cycles whose length the user chose. */
+/* Returns true if the run makes explicit updates of whole cycles whose length (jump) the user
+ * chose. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* Returns an upper bound of the present eigenvalue [1/cycle]. The eigenvalue is proportional to
- * the coefficients. */
+/* Returns an upper bound of the present eigenvalue [1/cycle]. The eigenvalue is proportional to the
+ * wear coefficients. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;
@@ -55,8 +56,8 @@ static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES
   return growth * j->eigenvalue;
 }
 
-/* Returns true if an update of `cycles` may exceed the stability limit, so the eigenvalue must
- * be computed again. This costs the contact solutions of a cycle. */
+/* Returns true if an update of `cycles` may exceed the stability limit. The eigenvalue must then be
+ * computed again, which requires the contact solutions of a cycle. */
 static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                        double cycles) {
   static const double fallen = 0.8;
@@ -90,7 +91,7 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
            cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
 }
 
-/* Largest accepted ripple: the difference of the pressures at neighbouring nodes over their
+/* Largest accepted ripple: the difference of the pressures at neighbouring nodes, divided by their
  * mean. In tests on elements of 20 and 10 um the ripple was below 0.3 for steps of 0.9 of the
  * limit, and above 1 for steps beyond the limit. */
 static const double most_ripple = 0.5;

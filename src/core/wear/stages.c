@@ -1,8 +1,8 @@
 /* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second order with s
  * stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1) of the
- * update, and the update uses the mean of all rates. Longer updates have more stages, so
- * stability does not limit their length. All stages use the compliance at the start of the
- * update; volumes remain exact. */
+ * update, and the update uses the mean of all rates. Longer updates have more stages, so stability
+ * does not limit their length. All stages use the compliance at the start of the update. Volumes
+ * remain exact. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -14,24 +14,24 @@
 typedef struct staging {
   int fewest, most; /* smallest and largest number of stages; `fewest` still gives an error
                      * estimate */
-  double share;     /* share of the limit 2 / eigenvalue for a stage */
-  int by_thirds;    /* 1 to estimate the error by means over thirds, because single rates are
-                     * noisy */
+  double share;     /* length of a stage divided by the limit 2 / eigenvalue */
+  int by_thirds;    /* 1 to estimate the error from means over thirds of the update, because single
+                       rates are noisy */
 } staging;
 
-/* Returns the parameters for the law of the run. With a discontinuous law nodes oscillate across
- * the discontinuity; shorter stages reduce this oscillation. */
+/* Returns the parameters for the law of the run. With a discontinuous law the pressures at nodes
+ * oscillate about the discontinuity. Shorter stages reduce this oscillation. */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
 }
 
-/* Nodes with less than this share of the largest depth are excluded from the error norm. */
+/* Nodes with less than this fraction of the largest depth are excluded from the error norm. */
 static const double worn = 0.05;
 
 typedef struct staged {
   arc_wear *w;
-  wear_window window; /* window of the trial */
+  wear_window window; /* window of the stages */
   update_coefficients coefficients;
   wear_rate *rate; /* rate of the last stage */
   int n, stages;
@@ -50,15 +50,15 @@ static arc_status staged_create(staged *s) {
   return ARC_OK;
 }
 
-/* Converts depths for the largest coefficient of the layers to depths with the coefficients of
- * the layers. */
+/* Converts depths computed with the largest wear coefficient to depths with the coefficients of the
+ * layers. */
 static void go_through_layers(const staged *s, double *depth) {
   const arc_kind *kind = s->w->kind;
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
 /* Returns the wear of site i over the whole update per rate [mm per MPa mm]. It is 0 for a body
- * that wears evenly. */
+ * that wears uniformly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
@@ -94,8 +94,9 @@ static arc_status run_stages(staged *s, wear_progress *progress, arc_error *erro
   return ARC_OK;
 }
 
-/* Returns the root mean square of the error over the worn part of one body [mm]. The mean is
- * used because at the edge of a scar the error of single nodes does not converge with the mesh. */
+/* Returns the root mean square of the error over the worn part of one body [mm]. The mean is used
+ * because the error of single nodes at the edge of a scar does not decrease with the element size.
+ */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
   const arc_kind *kind = s->w->kind;
@@ -112,9 +113,10 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* Returns the error estimate divided by the tolerance. The error is the mean of all rates minus
- * the mean of the first and the last rate: both means are of the same order of accuracy. If single
- * rates are noisy, the error is the second difference of the means over thirds of the update. */
+/* Returns the error estimate divided by the tolerance. The error is the mean of all rates minus the
+ * mean of the first and the last rate, because both means have the same order of accuracy. If
+ * single rates are noisy, the error is the second difference of the means over thirds of the
+ * update. */
 static double estimate(staged *s, const wear_depths *depth) {
   const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;

@@ -1,11 +1,11 @@
-/* One step of a run: plan, attempts, shorter attempts, targets. The step is either completed or
- * changes nothing. */
+/* One step of a run: plans the step, attempts it, shortens it if necessary, and ends it at targets.
+ * A step that fails does not change the run. */
 #include "core/base/callbacks.h"
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* Returns the tolerance of an automatic step; 0 for all other steps. */
+/* Returns the tolerance of a step with error control, and 0 for all other steps. */
 static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
@@ -14,12 +14,11 @@ static void add_deviation(double value, double predicted, double scale, double *
   if (scale > 0) *largest = fmax(*largest, fabs(value - predicted) / scale);
 }
 
-/* Computes the difference between the functions of the state at the end of a step and their
- * predictions, divided by the largest value. The difference is 0 without a prediction. */
+/* Computes the difference between the coefficients of wear and friction at the end of a step and
+ * their predictions, divided by the largest value. The difference is 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
-  static const double margin = 1e-6; /* fraction of the step by which its end moves back, so that a
- jump exactly at the end is not seen */
+  static const double margin = 1e-6; /* fraction of the step before its end, where a jump may be */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
   wear_coefficients now;
@@ -63,16 +62,16 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *prog
   return w->kind->measure(w, out->shape, record, error);
 }
 
-/* Returns the wear of a step (by sliding distance) as a share of all wear up to the end of the
- * step. */
+/* Returns the sliding distance of a step divided by the sliding distance of the run up to the end
+ * of the step. */
 static double added_by(const arc_wear *w, const arc_wear_record *end) {
   const double gone = end->distance - w->block[0].start_distance;
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Makes a step. If functions of the state differ from their predictions, a step of second order
- * is repeated with the computed final state as the prediction. The error of automatic steps
- * includes the remaining difference: half of it, or less than a third of it with a parabola. */
+/* Makes a step. If functions of the state differ from their predictions, a step of second order is
+ * repeated with the computed final state as the prediction. The error of steps with error control
+ * includes a part of the remaining difference. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
                          wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -116,7 +115,7 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_prog
   return status;
 }
 
-/* Returns the factor on the length for the next attempt after a step whose error is too large. */
+/* Returns the factor by which a step is shortened if its error is too large. */
 static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
   const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
   return fmax(0.1, 0.8 * pow(error, -power));
@@ -138,8 +137,8 @@ static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status statu
   return has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
 
-/* Makes a step; repeats a step that does not converge, or whose error is too large, with a
- * shorter length. */
+/* Makes a step. Repeats it with a shorter length if it does not converge or its error is too large.
+ */
 static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                     wear_outcome *out, arc_error *error) {
   enum { most_cuts = 20, most_failures = 3, patience = 6 };

@@ -8,11 +8,10 @@
 typedef struct wear_plan {
   const wear_block *block;
   double cycles; /* number of cycles; the update may use fewer */
-  double times;  /* factor on the wear of the window: number of cycles, or share of an increment */
+  double times;  /* factor of the wear of the window: number of cycles, or part of an increment */
   double end;    /* distance at the end of the step [mm] */
-  double most;   /* largest integral of k over the distance [mm3/N]; the step ends where this is
-                  * reached */
-  int first;     /* index of the increment, in a loading without repetition */
+  double most;   /* largest integral of k over the distance [mm3/N], at which the step ends */
+  int first;     /* index of the increment in a loading that does not repeat, otherwise 0 */
   int explicit;  /* 1 for an explicit step of an implicit run */
   int staged;    /* 1 for an explicit step in stages, with an error estimate */
   const arc_wear_record *end_state; /* final state of an earlier attempt; NULL: none */
@@ -36,13 +35,13 @@ typedef struct update_coefficients {
   double cycles;
   wear_coefficients mean;
   wear_coefficients last;   /* prediction for the end of the update; NaN: no prediction */
-  double friction_at_start; /* friction coefficient after a jump at the start */
+  double friction_at_start; /* friction coefficient at the start, after a jump there */
   const wear_plan *plan;    /* plan along which friction changes; NULL: friction is constant */
 } update_coefficients;
 
 /* --- step_length.c ---------------------------------------------------------------------------- */
-/* Plans the next step towards the distance `limit` [mm]. *moved receives 0 if the limit has been
- * reached, otherwise 1. */
+/* Plans the next step towards the distance `limit` [mm]. Sets *moved to 0 if the limit has been
+ * reached, otherwise to 1. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error);
 /* Reduces the number of cycles of a plan and adapts its end. */
@@ -58,13 +57,13 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
 /* Returns true if functions of the state are evaluated with intermediate pressures and widths
  * (updates of second order), false if they are evaluated with the values at the start. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
-/* Returns the predicted state at a share (0 to 1) of an update. If `rate` is not NULL, the state
- * includes the depths for these coefficients. */
+/* Returns the predicted state at the fraction `share` (0 to 1) of an update. If `rate` is not NULL,
+ * the state includes the depths for these coefficients. */
 arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double share,
                                       const wear_rate *rate,
                                       const update_coefficients *coefficients);
-/* Computes the friction coefficient at a share (0 to 1) of an update. *mu does not change if the
- * coefficient is constant. */
+/* Computes the friction coefficient at the fraction `share` (0 to 1) of an update. *mu does not
+ * change if the coefficient is constant. */
 arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
                                     double share, double *mu, arc_error *error);
 
@@ -97,8 +96,8 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
                              wear_depths *depth, arc_error *error);
 
 /* --- update.c --------------------------------------------------------------------------------- */
-/* Wears the shape of an outcome, which is a copy of the run's shape, by the plan. The plan may
- * become shorter. Adds update, volumes, coefficients and error to the record of the outcome,
+/* Makes the update of a plan on the shape of an outcome, which is a copy of the run's shape. The
+ * plan may be shortened. Adds update, volumes, coefficients and error to the record of the outcome,
  * which initially equals the last record of the run. */
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error);

@@ -1,12 +1,12 @@
-/* Chooses the length of a step: the shortest of the jump, the remaining block, and the distance
- * to the limit. */
+/* Chooses the length of a step: the smallest of the jump, the remaining part of the block, and the
+ * distance to the limit. */
 #include "core/wear/step.h"
 
 #include <math.h>
 
-/* A remaining distance below this share of the whole is treated as a rounding error. */
+/* A remaining distance below this fraction of the whole distance is treated as a rounding error. */
 static const double rounding = 1e-12;
-/* Relative tolerance with which a last step counts as complete. */
+/* Relative tolerance with which the last step counts as complete. */
 static const double whole = 1e-9;
 
 /* --- lengths of updates */
@@ -45,7 +45,7 @@ static double depth_limit(const arc_wear *w) {
 
 /* --- even wear */
 
-/* Returns true if the plate wears evenly and no other wear occurs. Such wear changes the contact
+/* Returns true if the plate wears uniformly and no other wear occurs. Such wear changes the contact
  * only because layers become thinner. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
@@ -55,7 +55,7 @@ static double layer_k_integral(const arc_wear *w, int scars) {
   return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
-/* Returns the largest integral of k of an update [mm3/N] if only even wear occurs. The integral
+/* Returns the largest integral of k of an update [mm3/N] if only uniform wear occurs. The integral
  * does not depend on the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
@@ -178,12 +178,12 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
-/* Fails with ARC_NOT_CONVERGED if steps become shorter and shorter, because the run would not
+/* Returns ARC_NOT_CONVERGED if the last steps made almost no progress, because the run would not
  * end. */
 static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
                                  arc_error *error) {
   enum { many = 30 };
-  static const double nothing = 1e-12; /* shortest progress, relative to the remaining distance */
+  static const double nothing = 1e-12; /* smallest progress, relative to the remaining distance */
   if (!plan->block->periodic || w->records <= many) return ARC_OK;
   const arc_wear_record *now = arc_wear_last(w);
   const double gone = now->distance - (now - many)->distance, left = limit - now->distance;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Wears the outcome's shape, and adds volumes and error to its record. */
+/* Removes the depths from the outcome's shape, and adds volumes and error to its record. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
   out->record.error = depth->error;
@@ -51,7 +51,7 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   update_coefficients whole;
-  if (isfinite(plan->most)) { /* k determines the length */
+  if (isfinite(plan->most)) { /* the integral of k determines the length */
     const arc_status status = arc_wear_integrate_coefficients(w, plan, NULL, &whole, error);
     if (status != ARC_OK) return status;
   }
@@ -60,7 +60,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *prog
   const arc_wear_record start = *record;
   const double length = plan->end - start.distance;
   wear_depths *depth = &w->work.depth;
-  double gone = 0; /* completed share of the update */
+  double gone = 0; /* completed fraction of the update */
   for (int i = 0; i + 1 < b->count; i++) {
     const double part = b->repeat * fabs(b->x[i + 1] - b->x[i]) / b->sliding;
     const double from = start.distance + gone * length;
@@ -163,8 +163,8 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* Computes the rate at the start if it is needed, which is the case for explicit updates and for
- * the prediction of functions of the state. */
+/* Computes the rate at the start if it is needed: for explicit updates, and for the prediction of
+ * functions of the state. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
@@ -180,8 +180,8 @@ static arc_status find_start(whole *u, arc_error *error) {
   return status;
 }
 
-/* Computes the eigenvalue and the coefficients of the plan. The plan becomes shorter if it would
- * need more than the largest number of stages. */
+/* Computes the eigenvalue and the coefficients of the plan. The plan is shortened if it would need
+ * more than the largest number of stages. */
 static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
@@ -195,9 +195,9 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
   return status;
 }
 
-/* Chooses the friction coefficient of the start. Plain explicit updates use the mean coefficient
- * over their length. Updates that evaluate the coefficient in stages use the value after a jump
- * at the start. */
+/* Chooses the friction coefficient at the start of an update. Explicit updates of one stage use the
+ * mean coefficient over their length. Updates that evaluate the coefficient in stages use the value
+ * after a jump at the start. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
@@ -209,8 +209,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-/* Predicts the data that depend on the surface for the middle of the update. Only implicit
- * updates with a tolerance use such data. */
+/* Predicts the data that depend on the surface for the middle of the update. Only implicit updates
+ * with a tolerance use predicted data. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;

@@ -134,8 +134,8 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* If the contact of a run with a changed definition would outgrow its surfaces, moves the run to
- * larger surfaces. */
+/* Copies a run to larger surfaces if its contact does not fit on the present ones after a change of
+ * the definition. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
