@@ -143,11 +143,11 @@ typedef struct arc_kind {
   /* Functions of an implicit step. `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
    * must still be called). `start` computes k times the rate at z = 0. `stage` solves from the
    * present z and its rate, and writes z and the rate of the solution, for which z = known + h rate
-   * holds exactly. If it returns ARC_NOT_CONVERGED, a shorter step may succeed. `error` filters
-   * stiff ripples out of the estimated errors of depths, and returns their effect: the fraction of
-   * the load that they shift, or their change of pressure divided by the largest pressure. A
-   * negative value means unknown. Unless `depth` is NULL, `end_stages` writes the uniform wear,
-   * largest pressure and normal force of a step. */
+   * is exact. If it returns ARC_NOT_CONVERGED, a shorter step may succeed. `error` filters stiff
+   * ripples out of the estimated errors of depths, and returns their effect: the fraction of the
+   * load that they shift, or their change of pressure divided by the largest pressure. A negative
+   * value means unknown. Unless `depth` is NULL, `end_stages` writes the uniform wear, largest
+   * pressure and normal force of a step. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
