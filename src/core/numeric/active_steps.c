@@ -378,7 +378,7 @@ static arc_status step(pass *s, double *product, active_count *count, arc_error 
   arc_active_run(s, arc_active_curvature);
   const double curvature = arc_active_total(s);
   if (!(curvature > 0) || !isfinite(now / curvature))
-    return arc_fail(error, ARC_NUMERIC, "the compliance is not positive");
+    return arc_fail(error, ARC_NUMERIC, "the compliance is not positive definite");
   s->factor = now / curvature;
   arc_active_run(s, advance);
   count->iterations++;

@@ -75,7 +75,7 @@ static arc_status move(pass *s, active_count *count, arc_error *error) {
   arc_active_run(s, arc_active_curvature);
   s->factor = slope / arc_active_total(s);
   if (!(s->factor > 0) || !isfinite(s->factor))
-    return arc_fail(error, ARC_NUMERIC, "the compliance is not positive");
+    return arc_fail(error, ARC_NUMERIC, "the compliance is not positive definite");
   arc_active_run(s, clip);
   count->guarded++;
   return ARC_OK;

@@ -46,6 +46,6 @@ void arc_units_warn_wear(double k, double stroke, double half_width,
     arc_warn(
         callbacks,
         "stroke = %g mm, from end to end, is %.2g of the contact's half width: was %g mm meant? "
-        "So short a stroke may stick: give friction to include this",
+        "Surfaces may stick in such a short stroke: set friction to include this",
         stroke, stroke / half_width, 1e3 * stroke);
 }

@@ -126,9 +126,10 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   c->handle.def = *def;
   c->has_friction = def->friction > 0;
   if (c->has_friction && arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
-                    def->friction);
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'friction': expected 0 in a hole, where shear carries a part of the load, got %g",
+        def->friction);
   if (def->load_angle != 0 && !arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'load_angle': expected 0 (other angles only in a hole), got %g degrees",
@@ -170,11 +171,10 @@ static int is_off(const arc_contact *c) {
 
 static arc_status explain_position(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
-  return arc_fail(
-      error, ARC_ARGUMENT,
-      "field 'x': expected less than %g mm to either side, as far as the candidate zone "
-      "of the plate can reach, got %g mm",
-      arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'x': expected less than %g mm to either side, half the widest zone of the "
+                  "plate, got %g mm",
+                  arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
 /* Computes the zones [mm] that a contact needs: the automatic zones or, if these are not wider than
@@ -252,8 +252,8 @@ void arc_friction_warn(const arc_model *model, double mu, const char *who,
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   if (mu * beta > unique)
     arc_warn(callbacks,
-             "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution depends on the "
-             "motion and may not be the only one",
+             "%s: friction %.3g times Dundurs' beta %.3g is above %g: there may be several "
+             "solutions, and the result depends on the motion",
              who, mu, beta, unique);
 }
 

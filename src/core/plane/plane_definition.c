@@ -92,8 +92,7 @@ static arc_status check_degrees(const arc_loading *l, const double *value, const
                       number, name, i + 1, -most, most, value[i]);
   if (!value || arc_model_is_hole(model)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'loading[%d].%s': expected a pair with a ring, in or around which a body "
-                  "turns",
+                  "field 'loading[%d].%s': expected a pair with a ring; other bodies do not rotate",
                   number, name);
 }
 
@@ -117,7 +116,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'slip': total slip is that along x, slide = \"z\" needs slip = \"rigid\"");
+        "field 'slip': total slip is only computed along x; slide = \"z\" needs slip = \"rigid\"");
   if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > widest &&
       arc_wear_choose_procedure(d, model) == ARC_SP)
     return arc_fail(
@@ -140,13 +139,13 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->procedure == ARC_NSP && !arc_wear_over_plate(d, model))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'procedure': with friction expected \"SP\", because slip is computed "
+                    "from the motion of the plate");
+  if (d->slide == ARC_SLIDE_Z)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'procedure': with friction expected \"SP\": slip needs the motion of the "
-        "plate");
-  if (d->slide == ARC_SLIDE_Z)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'slide': with friction expected \"x\": slip is computed in the plane");
+        "field 'slide': with friction expected \"x\", because slip is computed in the plane");
   return ARC_OK;
 }
 
@@ -157,8 +156,9 @@ static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, 
                     "field 'load_angle': expected 0 (other angles only in a hole), got %g degrees",
                     d->load_angle);
   if (hole && arc_wear_has_friction(d))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'friction': expected 0 in a hole, where shear carries load too");
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'friction': expected 0 in a hole, where shear carries a part of the load");
   return ARC_OK;
 }
 

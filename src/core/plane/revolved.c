@@ -8,11 +8,10 @@ static arc_status refuse_revolved(const char *field, const char *why, arc_error 
 }
 
 static arc_status check_plane(const arc_wear_def *d, arc_error *error) {
-  if (d->spin > 0)
-    return refuse_revolved("spin", "expected an axisymmetric model, which has an axis", error);
+  if (d->spin > 0) return refuse_revolved("spin", "expected 0, or an axisymmetric model", error);
   if (d->track > 0)
-    return refuse_revolved(
-        "track", "expected an axisymmetric model: a pin whose disc turns beneath it", error);
+    return refuse_revolved("track",
+                           "expected 0, or an axisymmetric model: a pin on a rotating disc", error);
   return ARC_OK;
 }
 
@@ -30,12 +29,12 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                            error);
   if (d->spin > 0 && d->track > 0)
     return refuse_revolved("track",
-                           "expected none together with spin: a pin either follows a "
-                           "track or turns on its axis",
+                           "expected none together with spin: a pin either slides along a track or "
+                           "rotates about its axis",
                            error);
   if (d->track > 0 && model->axis > 0)
-    return refuse_revolved("track", "expected model.axis = 0, a pin that touches on its own axis",
-                           error);
+    return refuse_revolved(
+        "track", "expected model.axis = 0, a pin that touches the disc on its axis", error);
   if (d->track > 0 && d->blocks > 0)
     return refuse_revolved("track", "expected stroke and load: a cycle is a revolution", error);
   const double spot = arc_model_half_width(model, d->load);

@@ -121,8 +121,8 @@ static arc_status fill(const arc_halfspace_def *d, space_shear_kernels *k, arc_e
 static arc_status check(const arc_halfspace_def *d, arc_error *error) {
   if (d->periodic)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'friction': expected 0 on a window that repeats, as mean shear has no "
-                    "finite displacement there");
+                    "field 'friction': expected 0 on periodic surfaces, where mean shear has no "
+                    "finite displacement");
   if (arc_space_thinnest(d) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'friction': expected 0 with layers or a rigid base in 3-D, whose "

@@ -35,7 +35,7 @@ static arc_status check_body(const arc_halfspace_body *b, arc_error *error) {
   }
   if (status == ARC_OK)
     status = check_number("depth", b->depth, b->depth == 0 || b->depth > layers,
-                          "0 or more than the layers' thickness", error);
+                          "0, or more than the thickness of the layers", error);
   if (status == ARC_OK)
     status = check_number("radius_x", b->radius_x, isfinite(b->radius_x), "a number", error);
   if (status == ARC_OK)
@@ -57,7 +57,7 @@ static arc_status check_cells(const arc_halfspace_def *d, arc_error *error) {
     status = check_number("nz", d->nz, d->nz >= 8 && d->nz <= 4096, "8 to 4096", error);
   if (status == ARC_OK)
     status = check_number("track", d->track, d->track == 0 || (longer >= 0 && longer % 2 == 0),
-                          "0, or nx and an even number more", error);
+                          "0, or nx plus an even number", error);
   if (status == ARC_OK)
     status = check_number("groove", d->groove, d->groove >= 0 && isfinite(d->groove),
                           "a length, or 0", error);

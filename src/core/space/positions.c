@@ -379,9 +379,10 @@ static arc_status check_edge(const positions *p, arc_error *error) {
   if (d->periodic) return ARC_OK;
   find_ranges(p, &x, &z);
   if (x.low > 0 && z.low > 0 && x.high < d->nx - 1 && z.high < d->nz - 1) return ARC_OK;
-  return arc_fail(error, ARC_ZONE,
-                  "the contact reaches the edge of the window of %g x %g mm: it needs a larger one",
-                  d->nx * d->size_x, d->nz * d->size_z);
+  return arc_fail(
+      error, ARC_ZONE,
+      "the contact reaches the edge of the window of %g x %g mm: a larger window is needed",
+      d->nx * d->size_x, d->nz * d->size_z);
 }
 
 arc_status arc_positions_solve(positions *p, arc_error *error) {

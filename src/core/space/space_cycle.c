@@ -176,7 +176,7 @@ arc_status arc_space_solve_path(arc_wear *w, const wear_window *v,
       status = arc_space_slip(w, v, depth, path, pressure, progress, rate, error);
     if (status != ARC_OK || path->unsteady <= settled) return status;
   }
-  return arc_fail(error, ARC_NOT_CONVERGED, "pressures and shear did not settle in %d passes",
+  return arc_fail(error, ARC_NOT_CONVERGED, "pressures and shear did not converge in %d iterations",
                   most_passes);
 }
 

@@ -48,7 +48,7 @@ static arc_status check_increments(const arc_wear_def *d, const arc_model_def *m
 static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   for (int b = 0; b < d->blocks; b++)
     if (d->loading[b].rotation || d->loading[b].load_angle)
-      return refuse(error, "loading", "expected x and load: bodies in 3-D do not turn");
+      return refuse(error, "loading", "expected x and load: bodies in 3-D do not rotate");
   return ARC_OK;
 }
 

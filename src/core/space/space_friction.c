@@ -134,7 +134,7 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
 static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *effort,
                             const arc_callbacks *callbacks) {
   if (effort->unfinished > 0)
-    arc_warn(callbacks, "pressure and shear did not settle in %d increments: use more increments",
+    arc_warn(callbacks, "pressure and shear did not converge in %d increments: use more increments",
              effort->unfinished);
   if (effort->unresolved > 0)
     arc_warn(callbacks,

@@ -33,7 +33,7 @@ static arc_status check_body(const arc_model_def *def, arc_body body, arc_error 
         "a body.ball{}, body.map{} or body.block{} (use joint{} for a ball in its socket)");
   if (own->width > 0)
     return refuse(error, body == ARC_LOWER ? "lower.width" : "upper.width",
-                  "none: blocks have no sides");
+                  "none: blocks have no width");
   if (own->height > 0 && arc_body_interface(own, arc_body_layers(own) - 1) >= own->height)
     return arc_fail(error, ARC_ARGUMENT,
                     "field '%s.height': expected more than the %g mm of its layers, got %g mm",
@@ -57,7 +57,7 @@ static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   if (mesh->element != ARC_ELEMENT_AUTO)
     return refuse(error, "mesh.element", "none: half-spaces have cells, no elements");
   if (mesh->zone[ARC_UPPER] > 0 || mesh->zone[ARC_LOWER] > 0)
-    return refuse(error, "mesh.zone", "none: windows grow by themselves");
+    return refuse(error, "mesh.zone", "none: windows are enlarged automatically");
   return ARC_OK;
 }
 
@@ -260,13 +260,11 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
   if (cells->groove == 0) cells->track = cells->nx + beyond;
   arc_space_limit(def, cells);
   if (cells->nx > before.nx || cells->nz > before.nz) return ARC_OK;
-  return arc_fail(
-      error, ARC_ZONE,
-      "the contact reaches the end of the part of a map that lies symmetrically about x "
-      "= z = 0, %.3g x %.3g mm of it at any position: expected a larger map about that point "
-      "(t:center()), or less "
-      "load, stroke or distance",
-      before.nx * before.size_x, before.nz * before.size_z);
+  return arc_fail(error, ARC_ZONE,
+                  "the contact reaches the end of the part of a map that is symmetric about x = z "
+                  "= 0, %.3g x %.3g mm at any position: expected a larger map with its centre "
+                  "there (t:center()), or less load, stroke or distance",
+                  before.nx * before.size_x, before.nz * before.size_z);
 }
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
@@ -296,7 +294,7 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
     if (cells->size_x > coarse * step)
       arc_warn(callbacks,
                "cells of %.3g mm are wider than the steps of the %s body's map, %.3g mm: finer "
-               "roughness is left out; use mesh.size",
+               "roughness is neglected; use a smaller mesh.size",
                cells->size_x, arc_model_role_name((arc_body)b), step);
   }
 }

@@ -76,7 +76,7 @@ static arc_status check_stroke(const arc_wear_def *d, const arc_model_def *model
 arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_def *model,
                                         arc_error *error) {
   const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
-  if (d->track > 0) return refuse(error, "track", "none: a period has no track");
+  if (d->track > 0) return refuse(error, "track", "none: periodic surfaces have no track");
   if (!arc_body_is_flat(&lower))
     return refuse(error, "lower", "a body.block{}: exchange the bodies, so that the map is above");
   if (d->procedure == ARC_SP || d->blocks > 0)

@@ -152,8 +152,8 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
   if ((cells.groove > 0) != (wanted.groove > 0) ||
       (cells.groove > 0 && cells.groove != wanted.groove))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'procedure': a groove (\"NSP\") cannot follow other wear, or another "
-                    "stroke");
+                    "field 'procedure': a groove (\"NSP\") needs a starting shape worn as a groove "
+                    "with the same stroke");
   if (cells.turned != wanted.turned)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'slide': expected \"%s\", along which the starting shape was worn",
@@ -244,7 +244,7 @@ static arc_status read_depths(space_shape *s, int b, const arc_array *state, siz
   const arc_array *h = arc_array_find(state, count, (arc_body)b, "h");
   const size_t n = (size_t)space_sites(s, b);
   if (!h || arc_array_count(h) != n)
-    return arc_fail(error, ARC_ARGUMENT, "state: expected h of %zu depths of the %s", n,
+    return arc_fail(error, ARC_ARGUMENT, "state: expected %zu depths h of the %s", n,
                     arc_body_name((arc_body)b));
   for (size_t i = 0; i < n; i++) {
     if (!(fabs(h->values[i]) < most))

@@ -207,8 +207,8 @@ static arc_status solve_law(wear_stage *s, double h, double *peak) {
     if (status != ARC_OK) return status;
     if (take_work(s, h) < settled) return ARC_OK;
   }
-  return arc_fail(&s->error, ARC_NOT_CONVERGED, "wear and pressures did not settle in %d passes",
-                  most_passes);
+  return arc_fail(&s->error, ARC_NOT_CONVERGED,
+                  "wear and pressures did not converge in %d iterations", most_passes);
 }
 
 arc_status arc_space_stage(wear_stage *s, double h, double *rate) {

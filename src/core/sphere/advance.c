@@ -89,8 +89,8 @@ arc_status arc_joint_advance(arc_joint *j, const arc_joint_wear_def *def, double
     next = fmin(factor, safety) * cycles;
     if (attempt == attempts)
       status = arc_fail(error, ARC_NOT_CONVERGED,
-                        "depths of a step do not settle: whole and halves of %g cycles differ by "
-                        "%.2g of its wear, expected %g",
+                        "the step did not converge: a step of %g cycles and its two halves differ "
+                        "by %.2g of the wear, expected %g",
                         cycles, off, tolerance);
     was.record.solutions = made.solutions;
     was.record.iterations = made.iterations;

@@ -49,7 +49,7 @@ arc_status arc_gait_from_rotations(int n, const double *rotation, const double *
   if (!(gap < 1e-3))
     return arc_fail(error, ARC_ARGUMENT,
                     "the gait does not close: expected the same rotation at its end as at its "
-                    "start, got one that is %.4g degrees from it",
+                    "start, got rotations that differ by %.4g degrees",
                     gap);
   for (int i = 0; i < n; i++) {
     arc_gait_instant *to = &instant[i];

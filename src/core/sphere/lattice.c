@@ -37,16 +37,15 @@ static arc_status check_layers(const arc_layer *layer, const char *body, double 
     if (status != ARC_OK) return status;
     if (!(layer[i].thickness > 0) || !isfinite(layer[i].thickness))
       return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s.layers[%d].thickness': expected mm above 0, got %g", body, i + 1,
-                      layer[i].thickness);
+                      "field '%s.layers[%d].thickness': expected a number > 0 mm, got %g", body,
+                      i + 1, layer[i].thickness);
     sum += layer[i].thickness;
   }
   if (sum < most) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field '%s.layers': expected layers thinner than the radius, %g mm, together; got "
-      "%g mm",
-      body, most, sum);
+      "field '%s.layers': expected a total thickness below the radius, %g mm, got %g mm", body,
+      most, sum);
 }
 
 arc_status arc_joint_check(const arc_joint_def *def, arc_error *error) {
@@ -174,7 +173,7 @@ arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error) {
 arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error) {
   const size_t count = (size_t)instants * (size_t)j->size * (size_t)j->size;
   double *kept = calloc(count > 0 ? count : 1, sizeof *kept);
-  if (!kept) return arc_fail(error, ARC_MEMORY, "out of memory for pressures to start from");
+  if (!kept) return arc_fail(error, ARC_MEMORY, "out of memory for initial pressures");
   free(j->kept);
   j->kept = kept;
   j->kept_count = instants;
@@ -186,7 +185,7 @@ arc_status arc_sphere_grow(arc_joint *j, arc_error *error) {
   if (j->size >= most)
     return arc_fail(error, ARC_ZONE,
                     "the contact reaches %.0f degrees from the direction of the load: expected a "
-                    "contact that leaves the poles of the cup free",
+                    "contact that does not reach the poles of the cup",
                     most * j->d * 90 / pi);
   return arc_sphere_open(j, wanted < most ? wanted : most, error);
 }
@@ -225,7 +224,8 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
   if (status == ARC_OK && def->foundation == ARC_FOUNDATION_ELASTIC) {
     j->remainder = arc_sphere_remainder(def, j->rows, &numeric);
     if (numeric)
-      status = arc_fail(error, ARC_NUMERIC, "the layers have no compliance: is one far too thin?");
+      status = arc_fail(error, ARC_NUMERIC,
+                        "the compliance of the layers cannot be computed: one may be too thin");
     else if (!j->remainder)
       status = arc_fail(error, ARC_MEMORY, "out of memory for a joint");
   }

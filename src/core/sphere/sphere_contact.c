@@ -122,7 +122,7 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
   axis_of(j, axis);
   const double size = sqrt(dot(load, load));
   if (!(size > 0) || !isfinite(size))
-    return arc_fail(error, ARC_ARGUMENT, "field 'load': expected N above 0, got %g", size);
+    return arc_fail(error, ARC_ARGUMENT, "field 'load': expected a number > 0 N, got %g", size);
   if (load[2] > 0 && dot(load, axis) > size * cos(fmin(90, j->def.cover) * pi / 180)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'direction': expected a load into the cup, got one %.3g degrees from its "

@@ -66,14 +66,15 @@ static int is_whole(double value, double low, double high) {
 
 static arc_status check(const arc_joint *j, const double *state, size_t count, arc_error *error) {
   const size_t most = 100000; /* largest number of instants, as for gaits */
-  if (count < header) return refuse(error, "it ends too early");
-  if (state[0] != j->rows) return refuse(error, "it has other cells");
+  if (count < header) return refuse(error, "the header is incomplete");
+  if (state[0] != j->rows) return refuse(error, "it has another number of rows");
   if (!is_whole(state[1], 2, j->rows) || fmod(state[1], 2) != 0)
     return refuse(error, "the size of its contact is out of range");
-  if (!is_whole(state[2], 0, (double)most)) return refuse(error, "its gait has no instants");
+  if (!is_whole(state[2], 0, (double)most))
+    return refuse(error, "its number of instants is out of range");
   const size_t fixed = header + maps * (size_t)j->sites;
   if (count != fixed + (size_t)state[2] * (size_t)state[1] * (size_t)state[1])
-    return refuse(error, "it has another length");
+    return refuse(error, "its length is wrong");
   for (size_t i = header; i < count; i++)
     if (!isfinite(state[i])) return refuse(error, "it contains values that are not numbers");
   for (size_t i = fixed; i < count; i++)

@@ -149,7 +149,7 @@ static arc_status call_k(sweep *s, arc_error *error) {
     s->k[i] = s->def->k_function(s->def->context, s->share[i], s->mean[i], middle);
     if (!(s->k[i] >= 0) || !isfinite(s->k[i]))
       return arc_fail(error, ARC_ARGUMENT,
-                      "field 'k': the function returned %g, expected mm2/N from 0 up", s->k[i]);
+                      "field 'k': the function returned %g, expected a number >= 0 mm2/N", s->k[i]);
   }
   return ARC_OK;
 }
@@ -164,10 +164,10 @@ static arc_status call_creep(sweep *s, arc_error *error) {
     if (p <= 0) continue;
     j->creep[i] = s->def->creep(s->def->context, p, end);
     if (!(j->creep[i] >= 0 && j->creep[i] < j->def.radius))
-      return arc_fail(
-          error, ARC_ARGUMENT,
-          "field 'creep': the function returned %g, expected mm from 0 up to the radius",
-          j->creep[i]);
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'creep': the function returned %g, expected 0 mm or more, and less "
+                      "than the radius",
+                      j->creep[i]);
   }
   return ARC_OK;
 }
@@ -212,7 +212,7 @@ static arc_status check(const arc_joint_wear_def *d, double cycles, arc_error *e
   if (!d->alpha_function && !(d->alpha >= 0 && d->alpha <= 1))
     return arc_fail(error, ARC_ARGUMENT, "field 'alpha': expected 0 to 1, got %g", d->alpha);
   if (!d->k_function && !(d->k >= 0 && isfinite(d->k)))
-    return arc_fail(error, ARC_ARGUMENT, "field 'k': expected mm2/N from 0 up, got %g", d->k);
+    return arc_fail(error, ARC_ARGUMENT, "field 'k': expected a number >= 0 mm2/N, got %g", d->k);
   if (!(cycles >= 0 && isfinite(cycles)))
     return arc_fail(error, ARC_ARGUMENT, "field 'cycles': expected 0 or more, got %g", cycles);
   return ARC_OK;

@@ -21,7 +21,7 @@ const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
  * choice. Then increase the number here. Laws need no such check, because they are formulas in a
  * list. */
 #define DECIDED(LIST, count, where)                                                                \
-  _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
+  _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: handle it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
 DECIDED(ARC_SCHEME_LIST, 2, "wear/step_length.c, step.c, update.c");
 DECIDED(ARC_SLIP_LIST, 2, "plane/rate.c");
@@ -120,8 +120,8 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
   }
   if (!l->periodic)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].periodic': with friction expected a cycle that repeats, "
-                    "as its periodic state is used",
+                    "field 'loading[%d].periodic': with friction expected true, because the "
+                    "periodic state of the cycle is used",
                     number);
   const double *drive = l->tangential ? l->tangential : l->x;
   if (closes(l->count, drive) && closes(l->count, l->load)) return ARC_OK;
@@ -153,8 +153,8 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
   for (int i = 1; i < l->count; i++) sliding += fabs(drive[i] - drive[i - 1]);
   if (l->tangential && !arc_wear_has_friction(d))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].tangential': a force drives the plate by friction only; "
-                    "give friction",
+                    "field 'loading[%d].tangential': a force drives the plate only through "
+                    "friction; set friction",
                     number);
   if (!(sliding > 0) && l->tangential && !breathes(l))
     return arc_fail(
@@ -208,7 +208,8 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
                     arc_law_names[d->law]);
   if (d->scheme == ARC_IMPLICIT && d->tolerance == 0 && arc_wear_jump_is_auto(d))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tolerance': implicit steps with jump = \"auto\" need one");
+                    "field 'tolerance': expected a number > 0, because implicit steps with jump = "
+                    "\"auto\" need it");
   return ARC_OK;
 }
 
@@ -220,20 +221,19 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
  * or a state stored between updates. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d) && d->tangential > 0)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tangential': a force drives the plate by friction only; give friction");
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'tangential': a force drives the plate only through friction; set friction");
   if (!arc_wear_has_friction(d) && (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR))
-    return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" needs friction; give friction",
+    return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" needs friction; set friction",
                     arc_law_names[d->law]);
   if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->update == ARC_UPDATE_INCREMENT)
     return refuse_with_friction(
-        "update", "expected \"cycle\": updates within a cycle cause slip of their own", error);
+        "update", "expected \"cycle\": updates within a cycle would cause additional slip", error);
   if (d->slip == ARC_SLIP_TOTAL)
-    return refuse_with_friction("slip",
-                                "expected \"rigid\": the slip of each point is computed "
-                                "anyway",
-                                error);
+    return refuse_with_friction(
+        "slip", "expected \"rigid\": friction already includes the slip of each point", error);
   if (arc_wear_friction_is_known(d) && d->blocks == 0 && d->tangential >= d->friction * d->load)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected less than friction times the load, %g N, got %g "

@@ -174,7 +174,7 @@ static arc_status report(const implicit *s, arc_status status, arc_error *error)
   }
   const char *why = s->at.error.message;
   return arc_fail(error, status, "the implicit step did not converge for %g cycles%s%s",
-                  s->coefficients->cycles, why[0] ? "; on the way " : "", why);
+                  s->coefficients->cycles, why[0] ? "; last error: " : "", why);
 }
 
 static arc_status create(implicit *s) {
