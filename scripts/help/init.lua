@@ -276,16 +276,18 @@ local function nearest(name)
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
--- Returns a text with the entries that contain most words of a phrase, or nil if there are none.
-local function explain_words(phrase)
-  if #search.words(phrase) < 2 then return nil end
-  local found = search.nearly(everything(), phrase)
-  if not found[1] then return nil end
-  return ("no help for %q; nearest:\n\n%s"):format(phrase, show.found(found, phrase, 6))
+-- Returns the entry that answers a question best as text, followed by a list of further entries, or nil if no
+-- entry does.
+local function answer(question)
+  local found = search.answers(everything(), question)
+  local best = table.remove(found, 1)
+  if not best then return nil end
+  local text = show.entry(help, best)
+  return found[1] and text .. "\n\n" .. show.found(found, question, 5) or text
 end
 
--- Returns the help text of a name. If no entry has the name, the text lists the entries that a search
--- finds, the entries that contain most of its words, or a similar name.
+-- Returns the help text of a name. If no entry has the name, returns the answer to a question of several words, the
+-- entries that contain the one word, or a similar name.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end
@@ -294,14 +296,14 @@ local function explain_name(name)
     for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
     return table.concat(texts, "\n\n")
   end
+  local text = #search.words(name) > 1 and answer(name)
+  if text then return text end
   local sure
   found, sure = help.matches(name)
   if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
   local near = nearest(spoken(name))
-  local words = not near and explain_words(name)
-  if words then return words end
-  local search = #found > 0 and ("help.search %q finds parts of words"):format(name) or "help() lists the objects and topics"
-  return ("no help for %q%s; %s"):format(name, near and (", did you mean %q?"):format(near) or "", search)
+  local hint = #found > 0 and ("help.search %q finds parts of words"):format(name) or "help() lists the objects and topics"
+  return ("no help for %q%s; %s"):format(name, near and (", did you mean %q?"):format(near) or "", hint)
 end
 
 -- Returns the text that help(value) prints.

@@ -14,14 +14,14 @@ function search.words(text)
 end
 
 local meanings -- address lists of the synonyms, by their words; nil before the first search
-local function addresses_of(joined)
+local function synonyms()
   if not meanings then
     meanings = {}
     for name, addresses in pairs(require "archard.help.synonyms") do
       meanings[table.concat(search.words(name), " ")] = addresses
     end
   end
-  return meanings[joined] or {}
+  return meanings
 end
 
 -- Returns the text in which an entry's words are searched.
@@ -67,7 +67,7 @@ end
 -- Returns a table with the position of each address in the list of a synonym.
 local function by_synonym(joined)
   local positions = {}
-  for position, address in ipairs(addresses_of(joined)) do
+  for position, address in ipairs(synonyms()[joined] or {}) do
     positions[address] = position
   end
   return positions
@@ -91,6 +91,8 @@ function search.find(entries, text)
   return found, sure
 end
 
+-- --- questions ---------------------------------------------------------------------------------
+
 -- Removes the usual endings of a word. Returns a pattern that finds the remaining letters at the start of a word.
 local function stem(word)
   local short = word:gsub("ing$", ""):gsub("ed$", ""):gsub("es?$", "")
@@ -98,30 +100,92 @@ local function stem(word)
   return "%f[%w]" .. short:gsub("%p", "%%%0")
 end
 
-local fillers = { a = 1, an = 1, ["and"] = 1, by = 1, can = 1, ["do"] = 1, does = 1, ["for"] = 1, from = 1, how = 1, i = 1,
-  ["in"] = 1, is = 1, it = 1, my = 1, ["not"] = 1, of = 1, on = 1, ["or"] = 1, the = 1, to = 1, what = 1, with = 1 }
+-- Words of questions that do not describe the subject.
+local fillers = {}
+for word in ([[a about an and any apply are as at be both but by can cannot choose could define do does during each for from
+  get give given has have how i if in into is it its just kind like make many mean means meaning me my need no not of on one
+  only or our own please see set should show so specify such than that the their them then there they this to two us use used
+  using value want was we what when where whether which while who why will with without would you your archard program]]):gmatch "%S+" do
+  fillers[word] = true
+end
 
--- Returns the entries that contain more than half of a phrase, measured by the weights of its words, the best
--- first. A word has a larger weight if fewer entries contain it.
-function search.nearly(entries, text)
-  local texts, score, all = {}, {}, 0
-  for i, entry in ipairs(entries) do texts[i], score[i] = search.plain(text_of(entry)), 0 end
-  for _, word in ipairs(search.words(text)) do
-    local among, pattern = {}, stem(word)
-    for i = 1, fillers[word] and 0 or #entries do
-      if texts[i]:find(pattern) then among[#among + 1] = i end
-    end
-    local weight = among[1] and math.log(#entries / #among) or 0
-    all = all + weight
-    for _, i in ipairs(among) do score[i] = score[i] + weight end
+-- Returns the words of a question that are not fillers, or all words if there are only fillers. Each word is a
+-- table with its pattern.
+local function subject_of(question)
+  local subject, all = {}, {}
+  for _, word in ipairs(search.words(question:gsub("[?!,;:\"']", " "))) do
+    local each = { pattern = stem(word) }
+    all[#all + 1] = each
+    if not fillers[word] then subject[#subject + 1] = each end
   end
-  local found = {}
-  for i in ipairs(entries) do
+  return subject[1] and subject or all
+end
+
+-- Sets the weight of each word, which is larger for words that fewer texts contain. Returns the sum of the weights.
+local function weigh(words, texts)
+  local sum = 0
+  for _, word in ipairs(words) do
+    local count = 0
+    for _, text in ipairs(texts) do
+      if text:find(word.pattern) then count = count + 1 end
+    end
+    word.weight = math.log((#texts + 1) / (count + 1))
+    sum = sum + word.weight
+  end
+  return sum
+end
+
+-- Returns the score of an entry: the weights of the words in its text, smaller for a long text, and a multiple of the
+-- weights of the words in its address.
+local function score_of(words, address, text, mean_length)
+  local of_address, of_length, score = 1.5, 0.15, 0
+  local length = 1 - of_length + of_length * #text / mean_length
+  for _, word in ipairs(words) do
+    if text:find(word.pattern) then score = score + word.weight / length end
+    if address:find(word.pattern) then score = score + of_address * word.weight end
+  end
+  return score
+end
+
+-- Returns a table with scores of the addresses of each synonym whose words all occur in the question.
+local function scores_by_synonym(words, question)
+  local of_synonym, scores = 2, {}
+  question = search.plain(question)
+  for key, addresses in pairs(synonyms()) do
+    local sum, all = 0, true
+    for part in key:gmatch "%S+" do all = all and question:find(stem(part)) end
+    for _, word in ipairs(words) do
+      if key:find(word.pattern) then sum = sum + word.weight end
+    end
+    for position, address in ipairs(all and addresses or {}) do
+      scores[address] = math.max(scores[address] or 0, of_synonym * sum / position)
+    end
+  end
+  return scores
+end
+
+-- Returns the entries that answer a question, the best first: their scores are more than half of the weights of its
+-- words. Of entries with the same text, only the first one is returned.
+function search.answers(entries, question)
+  local words, texts, length = subject_of(question), {}, 0
+  for i, entry in ipairs(entries) do
+    texts[i] = search.plain(text_of(entry))
+    length = length + #texts[i] / #entries
+  end
+  local all, by_meaning = weigh(words, texts), scores_by_synonym(words, question)
+  local found, score = {}, {}
+  for i, entry in ipairs(entries) do
+    score[i] = score_of(words, search.plain(entry.address), texts[i], length) + (by_meaning[entry.address] or 0)
     if score[i] > all / 2 then found[#found + 1] = i end
   end
   table.sort(found, function(a, b) return score[a] > score[b] or score[a] == score[b] and a < b end)
-  for k, i in ipairs(found) do found[k] = entries[i] end
-  return found
+  local list, seen = {}, {}
+  for _, i in ipairs(found) do
+    local entry = entries[i]
+    if not seen[entry.text] then list[#list + 1] = entry end
+    seen[entry.text] = true
+  end
+  return list
 end
 
 return search
