@@ -108,8 +108,8 @@ typedef struct arc_callbacks {
 } arc_callbacks;
 
 /* Sets BLAS and OpenMP of this process to one thread, because more threads are slower for matrices
- * of this size, and a child of fork() would hang. Call it once at the start. Returns a description
- * of the BLAS, or NULL if it is unknown. */
+ * of the sizes used here, and a child of fork() would hang. Call it once at the start. Returns a
+ * description of the BLAS, or NULL if it is unknown. */
 const char *arc_single_threaded(void);
 
 /* Makes BLAS allocate its workspace now. Call it before a memory limit of the process (RLIMIT_AS)

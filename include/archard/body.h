@@ -58,7 +58,7 @@ typedef enum arc_hold { ARC_HOLD_LIST(ARC_CHOICE_ENUM) } arc_hold;
 extern const char *const arc_hold_names[];
 
 /* A layer on the surface of a body, with a material of its own. It has a uniform thickness, or it
- * is the part of an imported mesh with this name. */
+ * is the part of an imported mesh that has the material `name`. */
 #define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
   TEXT(name, "a name of a material in the imported mesh", ARC_OPTIONAL,                            \
        "Name of the layer's physical group in an imported mesh, instead of a thickness.")          \

@@ -31,7 +31,7 @@ typedef struct arc_halfspace_body {
   double depth;               /* [mm] depth of a rigid base below the surface; 0: no base */
   double radius_x, radius_z;  /* [mm] radii along x and z (recess x^2 / 2R); 0: flat */
   arc_recess_fn recess;       /* recess that is added to the parabola of the radii; NULL: none */
-  void *context;              /* argument of recess */
+  void *context;              /* first argument of the function recess */
 } arc_halfspace_body;
 
 typedef struct arc_halfspace_def {
