@@ -251,8 +251,8 @@ arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *wh
       def.mesh.zone[ARC_LOWER] <= before[ARC_LOWER])
     return NULL;
   snprintf(text, sizeof text,
-           "%s: zones of %.4g and %.4g mm are too narrow: new meshes of the model have %.4g and "
-           "%.4g mm",
+           "%s: zones of %.4g and %.4g mm are too narrow; new meshes are built with zones of %.4g "
+           "and %.4g mm",
            where, before[ARC_UPPER], before[ARC_LOWER], def.mesh.zone[ARC_UPPER],
            def.mesh.zone[ARC_LOWER]);
   lua_warning(L, text, 0);

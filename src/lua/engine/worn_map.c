@@ -185,7 +185,7 @@ arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wea
   if (!lua_istable(L, worn))
     error_raise(L, ARC_ARGUMENT, where,
                 "field 'worn': with geometry = \"3-D\" expected a wear object on the same model "
-                "(model = w.model), or a table of functions and maps by body");
+                "(model = w.model), or a table with a function or map for each body");
   half_widths(L, worn, arc_model_definition(model), where, half);
   box *holder = box_push(L, &shape_class);
   arc_status status = fill(L, holder, worn, model, def, half, where, &error);

@@ -56,7 +56,8 @@ static const double *push_times(const reading *r, size_t *count) {
   double *t = array_read(L, r->location, "t", count);
   if (*count < 2)
     error_raise(L, ARC_ARGUMENT, r->location.where,
-                "field '%st': expected at least 2 times, got %d", r->location.prefix, (int)*count);
+                "field '%st': expected at least 2 points in time, got %d", r->location.prefix,
+                (int)*count);
   for (size_t i = 1; i < *count; i++)
     if (!(t[i] > t[i - 1]))
       error_raise(L, ARC_ARGUMENT, r->location.where,
@@ -108,10 +109,10 @@ static void sample_array(const reading *r, const char *name, double *value) {
   size_t count;
   const double *given = array_read(L, r->location, name, &count);
   if (count != r->given || count < 2)
-    error_raise(L, ARC_ARGUMENT, r->location.where,
-                "field '%s%s': expected %d numbers, one for each time, and at least 2; "
-                "got %d",
-                r->location.prefix, name, (int)r->given, (int)count);
+    error_raise(
+        L, ARC_ARGUMENT, r->location.where,
+        "field '%s%s': expected %d numbers (at least 2), one for each point in time; got %d",
+        r->location.prefix, name, (int)r->given, (int)count);
   for (size_t i = 0; i < r->count; i++)
     value[i] = r->t == r->from ? given[i]
                                : arc_measure_interpolate(r->from, given, count, r->t[i], given[0]);
