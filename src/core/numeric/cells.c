@@ -1,4 +1,4 @@
-/* Implements loops over cell values, compiled for wide registers. */
+/* Implements loops over cell values, compiled for processors with wide vector registers. */
 #include "core/numeric/cells.h"
 
 #include "core/base/wide.h"

@@ -1,5 +1,5 @@
 /* Declares loops over the values of cells. Each sum is computed as eight partial sums, so that the
- * result does not depend on the width of the registers. */
+ * result does not depend on the width of the vector registers. */
 #ifndef NUMERIC_CELLS_H
 #define NUMERIC_CELLS_H
 

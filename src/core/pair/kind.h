@@ -22,8 +22,8 @@ typedef struct arc_growth {
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* Optional: creates a new run again, on sites fine enough for its cycles. *finer is NULL if the
-   * sites are fine enough, or if the user set their size. */
+  /* Optional: sets *finer to a copy of a new run on finer sites, which resolve its cycles. Sets it
+   * to NULL if the sites are fine enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
   /* `report` reports that a run has grown, `report_mesh` that the mesh was changed at the user's
    * request. `refuse` composes the error of a step that failed although the run could grow. */

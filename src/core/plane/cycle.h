@@ -242,9 +242,8 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                            arc_error *error);
 
 /* --- rims.c ----------------------------------------------------------------------------------- */
-/* Creates a new run again, on finer meshes that resolve its slip zones. *finer is NULL if this is
- * unnecessary: if the present meshes resolve the zones, if the user chose the sizes, or without
- * friction. */
+/* Sets *finer to a copy of a new run on finer meshes, which resolve its slip zones. Sets it to NULL
+ * if the present meshes resolve the zones, if the user chose the sizes, or without friction. */
 arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
 /* Returns the largest element size [mm] that resolves the slip zones of the last update. Returns
  * INFINITY without slip zones. */

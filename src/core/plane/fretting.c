@@ -19,7 +19,7 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is periodic if the change of forces is below this share of the largest load. */
+/* A cycle is periodic if the change of forces is below this fraction of the largest load. */
 static const double steady = 1e-6;
 
 typedef struct fretting {

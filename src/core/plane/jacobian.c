@@ -15,12 +15,12 @@
 
 typedef struct jacobian_group {
   contact_problem *head; /* solved problem of the point `at`, which represents the group */
-  int at, m;             /* point of the head; size of the head's active set */
-  int *node;             /* [nc] active set, by surface node */
-  int *from, *to; /* [nc] first plate node in the row of B of a cylinder node, and last + 1 */
-  int low, high;  /* first plate node of the active set, and last + 1 */
+  int at, m;             /* point of the head; number of nodes in its active set */
+  int *node;             /* [nc] surface nodes of the active set */
+  int *from, *to; /* [nc] first plate node in the row of B for a cylinder node, and last node + 1 */
+  int low, high;  /* first plate node of the active set, and last node + 1 */
   int points;     /* number of problems in the group */
-  double total;   /* sum of the shares of these problems */
+  double total;   /* sum of the weights `share` of these problems [mm] */
   const double *wc, *wp; /* tributary widths, equal for all problems */
   double *scale;         /* [nc + np] sum of share * dq/dp over the group */
   double *c;             /* [nc x nc] C of the head */
@@ -212,7 +212,7 @@ void arc_wear_jacobian_finish(wear_tangent *j) {
   empty(j);
 }
 
-/* --- which group ------------------------------------------------------------------------------ */
+/* --- choice of the group ---------------------------------------------------------------------- */
 
 static int bin_of(const wear_tangent *j, const wear_block *block, int at) {
   const double x = block->problem_x[at];
@@ -271,8 +271,8 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Returns the largest eigenvalue of diag(k) J by power iteration. The vectors use memory of the
- * group. */
+/* Computes the largest eigenvalue of diag(k) J by power iteration. The vectors are stored in arrays
+ * of the group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
                               wear_tangent *tangent) {
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};

@@ -1,7 +1,6 @@
-/* If surfaces and motion are mirror images about x = 0 to the bit, the wear of the second half
- * of a stroke is the mirror image of the wear of the first half. Half of the contact solutions
- * then suffice. Symmetric runs remain symmetric, because a mirrored rate is symmetric to the
- * bit. */
+/* If surfaces and motion are exactly symmetric about x = 0, the wear of the second half of a stroke
+ * is the mirror image of the wear of the first half. Half of the contact solutions then suffice.
+ * Symmetric runs remain symmetric, because a mirrored rate is exactly symmetric. */
 #include "core/plane/cycle.h"
 
 static int is_mirrored_motion(const wear_block *b) {
@@ -42,8 +41,8 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Returns 0 also for imported meshes, which may be asymmetric inside, for the simple rule, which
- * is one-sided, for elastic slip, and for Jacobians with local factors. */
+/* Also returns 0 in four other cases: imported meshes (they may be asymmetric inside), the simple
+ * rule (it is one-sided), elastic slip, and Jacobians with local factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&

@@ -115,7 +115,7 @@ arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
                           const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
   arc_contact_def def = from->handle.def;
   arc_motion_def whole = *wanted, *motion = &whole;
-  if (motion->load == 0) motion->load = from->handle.def.load; /* the user gave no load */
+  if (motion->load == 0) motion->load = from->handle.def.load; /* no load given: the load remains */
   if (motion->increments == 0) motion->increments = 1;
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;

@@ -37,8 +37,9 @@ arc_status arc_newton_start(wear_stage *stage, double *rate);
  * z equals known + h rate exactly. Errors: ARC_ZONE if the run has outgrown its mesh;
  * ARC_NOT_CONVERGED if a shorter step is necessary. */
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
-/* Filters stiff ripples out of a defect of the depths. Returns the largest fraction of the load
- * that the defect shifts along the surface, or a negative number if it cannot be computed. */
+/* Filters stiff ripples out of `defect`, the estimated error of the depths. Returns the largest
+ * fraction of the load that this error shifts along the surface, or a negative number if the
+ * fraction cannot be computed. */
 double arc_newton_error(wear_stage *stage, double h, double *defect);
 
 /* --- for rest_stage.c ------------------------------------------------------------------------- */

@@ -122,7 +122,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
   return ARC_OK;
 }
 
-/* --- the rest --------------------------------------------------------------------------------- */
+/* --- functions of the kind -------------------------------------------------------------------- */
 
 static arc_status start_shape(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                               arc_shape **shape, arc_error *error) {

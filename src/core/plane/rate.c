@@ -157,11 +157,11 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* On a slope the sliding distance is the distance of the plate divided by the cosine of the slope,
- * and the length of the surface is its projection on x divided by the same cosine. Pressure times
- * the projected width is force. A depth along the normal therefore removes the area k force |dx|.
- * In motion out of the plane every slope slides over the whole distance. In holes pressures refer
- * to the area of the hole; for bodies of revolution areas are projected onto x. */
+/* On a slope the sliding distance is the distance of the plate times the cosine of the slope, and
+ * the projection of the surface on x is its length times the same cosine. Pressure times the
+ * projected width is force. A depth along the normal therefore removes the area k force |dx|. In
+ * motion out of the plane every slope slides over the whole distance. In holes pressures refer to
+ * the area of the hole; for bodies of revolution areas are projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;

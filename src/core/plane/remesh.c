@@ -18,7 +18,7 @@ static const double wider = 1, deeper = 2;
  * scaling of the depths restores this area. */
 static const double rich = 4;
 
-/* --- sizes that have been outgrown */
+/* --- checks of the present sizes */
 
 /* Returns the half width [mm] of the part of a body that is deeper than 1 % of the largest
  * depth. */
@@ -127,7 +127,7 @@ static arc_model_def grown(const arc_wear *w, arc_status why) {
   return def;
 }
 
-/* --- going over ------------------------------------------------------------------------------- */
+/* --- transfer to new meshes ------------------------------------------------------------------- */
 
 static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **result,
                             arc_error *error) {

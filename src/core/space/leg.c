@@ -34,7 +34,7 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
   return arc_halfspace_slide(g->h, g->depth, &to, g->options, state, g->effort, error);
 }
 
-/* --- what halving changes --------------------------------------------------------------------- */
+/* --- effect of halving ------------------------------------------------------------------------ */
 
 /* Largest changes by halving that are accepted in a part of a leg. Changes of motion and shear are
  * relative to full slip. The change of work is relative to the work of the leg (work_share) or of

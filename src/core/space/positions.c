@@ -402,7 +402,7 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
   return check_edge(p, error);
 }
 
-/* --- one by one ------------------------------------------------------------------------------- */
+/* --- independent positions -------------------------------------------------------------------- */
 
 /* Data for the parallel solution of independent positions. */
 typedef struct singles {

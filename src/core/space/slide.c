@@ -186,7 +186,7 @@ static void hold(increment *s, double share) {
     for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);
 }
 
-/* --- sites that enter ------------------------------------------------------------------------- */
+/* --- sites that enter or leave the contact ---------------------------------------------------- */
 
 static arc_status find_entering(increment *s, int *entering, arc_error *error) {
   *entering = 0;

@@ -214,7 +214,7 @@ arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
   return arc_contact_solve(arc_contact_shape(from), &def, callbacks, contact, error);
 }
 
-/* --- below ------------------------------------------------------------------------------------ */
+/* --- stresses below the surface --------------------------------------------------------------- */
 
 arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
                                     double *stress, arc_error *error) {
@@ -237,7 +237,7 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
   return arc_halfspace_stress(h, c->pressure, b->material.nu, y, stress, error);
 }
 
-/* --- as arrays -------------------------------------------------------------------------------- */
+/* --- conversion to arrays --------------------------------------------------------------------- */
 
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};

@@ -224,7 +224,7 @@ arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_progress *prog
   return status;
 }
 
-/* --- its growth ------------------------------------------------------------------------------- */
+/* --- the tangent ------------------------------------------------------------------------------ */
 
 wear_tangent *arc_space_tangent(const arc_wear *w) {
   (void)w;

@@ -249,8 +249,8 @@ static arc_status check(const space_contact *c, const arc_motion_def *motion, do
                   fabs(x) >= fabs(z) ? "tangential" : "tangential_z", carried, hypot(x, z));
 }
 
-/* Gives a warning of a motion across x on shapes that vary with z, because the lower body's
- * shape is evaluated at displacements along x only. */
+/* Gives a warning about a motion along z on shapes that vary with z, because the shape of the lower
+ * body is displaced along x only. */
 static void warn_across(const space_contact *c, double z, const arc_callbacks *callbacks) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_halfspace *h = s->grid->h;

@@ -6,7 +6,8 @@
 #include "core/pair/surfaces.h"
 #include "core/wear/run.h"
 
-/* Half-spaces on cells. All surfaces with the same cells share one object. */
+/* Half-spaces and the coordinates of their cells. All surfaces with the same cells share one
+ * object. */
 typedef struct space_grid {
   int references;
   arc_halfspace *h;
@@ -75,9 +76,9 @@ size_t arc_space_model_bytes(const arc_model *model);
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
 /* Returns the definition of a model's half-spaces without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Chooses cells for a motion along x, or along z if `turned` is 1. The cells suit the load [N], the
- * volume worn at the end [mm3] and positions within stroke / 2 [mm]. The cell size is chosen so
- * that the increment [mm] is a whole number of cells; 0 allows any cell size. */
+/* Chooses cells for a motion along x, or along z if `turned` is 1. They are chosen for the load
+ * [N], the volume worn at the end [mm3] and positions within stroke / 2 [mm]. The cell size is
+ * chosen so that the increment [mm] is a whole number of cells; 0 allows any cell size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
 /* Limits a window to the extent of the bodies' maps. */

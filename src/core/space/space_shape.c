@@ -198,7 +198,7 @@ arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const a
   return status == ARC_OK ? hold_contact(bodies, def->load, shape, error) : status;
 }
 
-/* --- as arrays -------------------------------------------------------------------------------- */
+/* --- conversion to arrays --------------------------------------------------------------------- */
 
 enum { SIZE_X, SIZE_Z, NX, NZ, TRACK, GROOVE, CELLS };
 

@@ -135,7 +135,7 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
   return changes;
 }
 
-/* --- the loop --------------------------------------------------------------------------------- */
+/* --- iteration of the sets -------------------------------------------------------------------- */
 
 /* Computes the errors `missed` of the given forces, divided by the friction limit. Returns the
  * larger error. */
@@ -201,7 +201,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
                   most_sets, missed);
 }
 
-/* --- by the motion ---------------------------------------------------------------------------- */
+/* --- iteration for the motion ----------------------------------------------------------------- */
 
 /* Returns the mean displacement along an axis if all cells carry the friction limit [mm]. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {

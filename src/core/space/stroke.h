@@ -6,8 +6,8 @@
 #include "core/numeric/active_set.h"
 #include "core/space/halfspace.h"
 
-/* Position of the window on the lower body: window row i is interpolated between lower row + i,
- * with weight 1 - share, and the next row, with weight share. */
+/* Position of the window on the lower body. Values at row i of the window are interpolated between
+ * row `row` + i of the lower body (weight 1 - share) and the next row (weight share). */
 typedef struct stroke_place {
   int row;
   double share;

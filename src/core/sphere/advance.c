@@ -27,7 +27,7 @@ static const double *depths(const kept_state *was) {
 }
 
 /* Returns the error estimate: the largest difference in depth between the whole step and the two
- * halves, relative to the wear that all cycles so far would cause at the rate of this step. */
+ * halves, divided by the depth that all cycles so far would cause at the rate of this step. */
 static double difference(const arc_joint *j, const kept_state *was, const kept_state *whole) {
   const double steps = whole->record.cycles / (whole->record.cycles - was->record.cycles);
   double off = 0, gain = 0;

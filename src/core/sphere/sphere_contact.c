@@ -130,8 +130,8 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
-/* Returns true if the load points into the window with a margin of some cells and degrees to the
- * window's rim. */
+/* Returns true if the direction of the load lies in the window and is not too close to its edge: at
+ * least 4 cells and 10 degrees away. */
 static int holds(const arc_joint *j, const double load[3]) {
   const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
   const double margin = fmax(4 * j->d, pi / 18);

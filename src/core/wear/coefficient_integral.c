@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Tolerance of a step, relative to the integral. */
+/* Relative tolerance of the integral over a step. */
 static const double tolerance = 1e-5;
 /* Fractions of the update. A step shorter than `shortest` contains a jump. Closer than `margin` to
  * the ends of the update no function is evaluated, so that a jump at an end belongs to one update

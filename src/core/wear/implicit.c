@@ -117,7 +117,7 @@ static arc_status second_order(implicit *s, double cycles) {
 /* Returns the largest error of the depths of one body, at sites deeper than `counts` times the
  * largest depth. The error is divided by the largest depth. */
 static double depth_error(const implicit *s, int b) {
-  static const double counts = 0.05; /* smallest depth relative to the largest depth */
+  static const double counts = 0.05; /* smallest depth included, relative to the largest */
   const arc_wear *w = s->at.run;
   const wear_sites on = w->kind->sites(s->at.window.shape, (arc_body)b);
   const double *depth = sites_from(w, s->at.worn, b), *off = sites_from(w, s->defect, b);

@@ -18,7 +18,7 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
   depth->pressed = coefficients->cycles * rate->pressed;
 }
 
-/* --- measured quantities */
+/* --- prediction of measured quantities */
 
 /* Returns the integral of k over the distance [mm3/N] between the previous state and a state. */
 static double k_integral_to(const arc_wear_record *state, const arc_wear_record *before) {

@@ -43,7 +43,7 @@ static double depth_limit(const arc_wear *w) {
   return fmax(first_depth * w->kind->natural_depth(w), later_depth * total_depth(w));
 }
 
-/* --- even wear */
+/* --- uniform wear */
 
 /* Returns true if the plate wears uniformly and no other wear occurs. Such wear changes the contact
  * only because layers become thinner. */

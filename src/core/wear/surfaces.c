@@ -77,7 +77,7 @@ arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_
   return status;
 }
 
-/* --- going on --------------------------------------------------------------------------------- */
+/* --- stored states ---------------------------------------------------------------------------- */
 
 arc_status arc_wear_state(const arc_wear *w, arc_array **state, size_t *count, arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);

@@ -28,7 +28,7 @@ static double load_distance(const arc_wear *w, const wear_block *b, int first, i
   return b->repeat * sum * w->manner.thickness;
 }
 
-/* --- by which scheme -------------------------------------------------------------------------- */
+/* --- schemes ---------------------------------------------------------------------------------- */
 
 static int is_explicit(const arc_wear *w, const wear_plan *plan) {
   return w->def.scheme == ARC_EXPLICIT || plan->explicit;

@@ -35,7 +35,7 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   return status;
 }
 
-/* Computes row 0 of the history. The shape may be worn. */
+/* Computes row 0 of the history, from the initial shape, which may be worn. */
 static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
