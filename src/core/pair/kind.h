@@ -115,8 +115,8 @@ typedef struct arc_kind {
    * middle of an update. `depth` contains the depths there. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
-  /* Wears a shape and adds the volumes. Layers limit the depths. On failure the shape must be
-   * destroyed. */
+  /* Removes the depths from a shape and adds their volumes to the record. Layers limit the depths.
+   * On failure the shape must be destroyed. */
   arc_status (*wear)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                      arc_wear_record *record, arc_error *error);
   /* Solves the reference configuration (x = 0, nominal load) of a shape and writes its columns of

@@ -32,7 +32,7 @@ typedef struct fretting {
   double *least;     /* [nc] smallest normal force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] workspace */
-  double between;    /* energy between the nodes up to the start of the cycle, per thickness [N] */
+  double between;    /* energy dissipated between the nodes before the cycle, per thickness [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {

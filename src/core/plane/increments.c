@@ -54,7 +54,7 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
  * is one increment. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* upper limit of a segment for a contact at rest under a varying load */
+  enum { of_load = 100 }; /* limit per segment for a contact at rest under a varying load */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;

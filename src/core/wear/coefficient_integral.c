@@ -43,7 +43,7 @@ typedef struct integration {
   const wear_plan *plan;
   const wear_rate *rate;
   arc_error *error;
-  double length;        /* length of the plan [mm] */
+  double length;        /* sliding distance of the plan [mm] */
   double at;            /* fraction of the update that is integrated so far */
   double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over this fraction */
   double k[COMPONENTS]; /* coefficients at `at` */

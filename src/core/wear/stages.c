@@ -36,10 +36,10 @@ typedef struct staged {
   wear_rate *rate; /* rate of the last stage */
   int n, stages;
   double even, energy;  /* sums of the rates so far */
-  double pressed;       /* sum of the normal forces over the sliding distance */
+  double pressed;       /* sum of wear_rate.pressed so far [N] */
   double peak;          /* pressure at the first stage */
   double *z, *sum;      /* [n] depths so far [mm]; sum of the rates */
-  double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
+  double *first, *bend; /* [n] first rate; second difference of the sums over thirds */
 } staged;
 
 static arc_status staged_create(staged *s) {
@@ -57,8 +57,8 @@ static void go_through_layers(const staged *s, double *depth) {
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Returns the wear of site i over the whole update per rate [mm per MPa mm]. It is 0 for a body
- * that wears uniformly. */
+/* Returns the wear of site i in the update divided by its mean rate [mm per MPa mm]. It is 0 for a
+ * body that wears uniformly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
