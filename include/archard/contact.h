@@ -45,9 +45,11 @@ extern const char *const arc_corrections_names[];
 typedef struct arc_shape arc_shape;
 
 /* Creates unworn surfaces. The stiffness of the wear box (the elements at the surface) is condensed
- * again when a surface node has moved beyond a limit. This limit is `refresh` [-] times the present
- * height of its element, a fifth of `refresh` times the remaining layer, or along x a hundredth of
- * `refresh` times the width of an element. With refresh 0 the box is condensed after every motion.
+ * again when a surface node has moved too far since the last condensation: across the surface by
+ * `refresh` [-] times the present height of its element or by a fifth of `refresh` times the
+ * remaining layer, along x by a hundredth of `refresh` times the width of an element. For unlike
+ * materials the change of slope has a limit too. With refresh 0 the box is condensed after every
+ * motion.
  * Between two condensations the compliance of a body without layers is updated to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);

@@ -216,9 +216,9 @@ typedef struct arc_loading {
          "radians.")                                                                               \
   NUMBER(track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
          "For a pin on a disc: mean radius of its track, larger than the radius of the contact. "  \
-         "A cycle is then a revolution, and stroke is not used. The disc stays flat; its depth "   \
-         "is the mean over a track as wide as the present contact. In 3-D a track is worn into "   \
-         "the disc, with the same cross-section along the whole track.")                           \
+         "A cycle is then a revolution, and stroke is not used. Except in 3-D, the disc stays "    \
+         "flat, and its depth is the mean over a track as wide as the present contact. In 3-D a "  \
+         "groove is worn into the disc, with the same cross-section along the whole track.")       \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0,                                                             \
          "Integration over the increments: \"simple\", Eq. (4); "                                  \
          "\"trapezoid\", Eq. (5).")                                                                \

@@ -47,7 +47,7 @@ end
 -- Raises an error if `setting` is nil or its type is not a number.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
-    check.fail(where, ("field '%s': expected the name of a numeric field of wear{} or model{}, "
+    check.fail(where, ("field '%s': expected the name of a field of wear{} or model{} that is a number, "
       .. "got %s"):format(field, setting and "a field of type " .. setting.type or "an unknown name"))
   end
 end

@@ -232,7 +232,7 @@ return {
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies, for plot.stress, export.vtk and export.csv. In 3-D: "
       .. "stresses in a plane below the surface, c:stress{ y=-0.05 }, or in a section down to a depth of three "
-      .. 'half widths, c:stress{ z=0 } or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, '
+      .. 'half widths, c:stress{ z=0 } (the default) or { x=0 }; body="lower" chooses the body. The result has maps sxx, syy, '
       .. "szz, sxy, syz, sxz and mises in MPa for plot.map; the second axis of a section is y. The largest von "
       .. "Mises stress m of f = c:stress() in 2-D and its depth: local m, depth = 0; for i, s in "
       .. "ipairs(f.plate.mises) do if s > m then m, depth = s, -f.plate.y[i] end end." },

@@ -64,8 +64,8 @@ end
 -- --- functions for completion and the manual --------------------------------------------------
 
 -- Returns the entry at an address, or nil. Fields of an entry: address, name, owner, kind, type, unit,
--- default, values, text; class: class of its value or result; takes: object whose definition has further
--- fields of this table; use: an example of its use.
+-- default, values, text; class: class of its value or result; takes: name of an object, such as "plot",
+-- whose options the table of this function or field also accepts; use: an example.
 function help.entry(address)
   load_entries()
   return entries[address]

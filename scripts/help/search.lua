@@ -105,7 +105,7 @@ local fillers = {}
 for word in ([[a about an and any apply are as at be both but by can cannot choose could define do does during each for from
   get give given has have how i if in into is it its just kind like make many mean means meaning me my need no not of on one
   only or our own please see set should show so specify such than that the their them then there they this to two us use used
-  using value want was we what when where whether which while who why will with without would you your archard program]]):gmatch "%S+" do
+  using value was we what when where whether which while who why will with without would you your archard program]]):gmatch "%S+" do
   fillers[word] = true
 end
 

@@ -311,11 +311,11 @@ return {
     .. "and across it instead of x and y." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "Draws a stress inside both bodies in colours with contours, for a contact, a worn run, or a "
-      .. "field f = c:stress(). If the stress in one body is more than three times that in the other, the "
-      .. "colour scale is that of the body with less stress, with a note; vrange= overrides it. In "
-      .. "3-D it draws a section of the body given by body= (default: the lower one). Accepts the options "
-      .. "of plot{}." },
+    text = "Draws a stress in colours with contours, for a contact, a worn run, or a field f = c:stress(): "
+      .. "inside both bodies, in 3-D on a section of one body (body=; default: the lower one). If the largest "
+      .. "mises or shear in one body is more than three times that in the other, the colour scale covers the "
+      .. "body with less stress, and its label has the maximum of the other body; vrange= sets another range. "
+      .. "Accepts the options of plot{}." },
   { "plot.stress{section}", type = "table { z= }, { x= } or { y= }", default = "{ z = 0 }",
     text = "In 3-D: a section along (z=) or across (x=) the motion, or the plane at y <= 0 below the surface." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,

@@ -81,8 +81,8 @@ end
 -- The functions grid and words check nx and nz against the size of the file. Callers therefore make the
 -- lists of x and z only after reading the values.
 
--- Reads nz rows of nx values in the binary format `item` and returns a flat list by rows of x.
--- options.from_top: true if rows start at the largest z; options.row: bytes from one row to the next;
+-- Reads nz rows of nx values in the binary format `item` and returns a flat list in which the
+-- value at x[i], z[j] is number (i - 1) * nz + j. options.from_top: true if rows start at the largest z; options.row: bytes from one row to the next;
 -- options.is_missing(value): true for a missing value.
 function source:grid(nx, nz, item, options)
   local size, y, from = string.packsize(item), {}, self.at

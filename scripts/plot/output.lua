@@ -144,7 +144,8 @@ local function chosen(where, figure, given, moving)
     check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
   end
   local to = to_screen(where, figure, given, kind, moving)
-  local size = given.size or output.default.size -- the default size is in characters
+  local size = given.size or output.default.size
+  -- in characters if the output on a terminal was chosen automatically, otherwise in the unit of the output
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- convert from characters to pixels

@@ -92,6 +92,7 @@ function shear.slip(...)
   local where = "plot.slip"
   local first, second = ...
   if type(first) == "userdata" and type(curves.get(first, "stick")) == "number" then
+    if type(second) == "userdata" then check.fail(where, "expected one contact in three dimensions, got several") end
     return draw_map(where, first, first.slip, second)
   end
   local objects, words, options = curves.split(where, "stick", { titles = check.table, axis = axes }, ...)

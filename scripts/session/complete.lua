@@ -136,7 +136,7 @@ local function class_of(value)
   return help.entry(name) and name
 end
 
--- Returns the table in which Lua looks up a missing key of `value`. Returns nil if the lookup would call a
+-- Returns the table in which Lua finds a missing key of `value`. Returns nil if the lookup would call a
 -- function.
 local function fallback_of(value)
   if type(value) == "string" then return rawget(globals, "string") end

@@ -154,7 +154,7 @@ local own = { id = true, label = true, status = true, message = true, seconds = 
 local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
 
--- Looks up a field. The given settings have priority over the stored definition, which also contains
+-- Returns the value of a field. The given settings have priority over the stored definition, which also contains
 -- defaults.
 function case.__index(self, name)
   local value = methods[name]

@@ -72,8 +72,8 @@ static void on_grace_over(int signal_number) {
   (void)signal_number;
   say("archard: ");
   if (reached) say(reached);
-  say(reached ? ": ended: it did not stop within grace time\n"
-              : "ended: it did not stop within grace time\n");
+  if (reached) say("; ");
+  say("ended, because the script did not stop within the grace time\n");
   _exit(reached ? STATUS_ERROR : STATUS_INTERRUPTED);
 }
 

@@ -56,8 +56,8 @@ fails(function() pin{ track = 0.1 } end, "field 'track': expected more than the 
 fails(function() pin{ spin = 1 } end, "field 'track': expected none together with spin", "track and spin")
 fails(function() pin{ procedure = "SP" } end, [[field 'procedure': expected "NSP" with track]], "a disc that would not stay flat")
 fails(function() pin{ model = ball{ axis = 40 } } end, "field 'track': expected model.axis = 0", "a ring on a track")
-fails(function() wear{ track = 3 } end, "field 'track': expected an axisymmetric model", "a track of plane bodies")
-fails(function() wear{ spin = 3 } end, "field 'spin': expected an axisymmetric model", "a spin of plane bodies")
+fails(function() wear{ track = 3 } end, "field 'track': expected 0, or an axisymmetric model", "a track of plane bodies")
+fails(function() wear{ spin = 3 } end, "field 'spin': expected 0, or an axisymmetric model", "a spin of plane bodies")
 fails(function() pin{ slip = "total" } end, "field 'slip'", "elastic slip around")
 
 local w = pin{ alpha = 0.5 }:run()

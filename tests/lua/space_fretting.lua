@@ -76,9 +76,16 @@ end
 local loop = fret():loop()
 near(math.max(table.unpack(loop.tangential)), 3.5, 1e-3, "the loop's force")
 ok(#loop.x > 30, "it has points enough to draw")
-local area = 0
-for i = 2, #loop.x do area = area + (loop.tangential[i] + loop.tangential[i - 1]) / 2 * (loop.x[i] - loop.x[i - 1]) end
-near(area, loop.energy, 0.02, "its area is its energy")
+local function area_of(l)
+  local area = 0
+  for i = 2, #l.x do area = area + (l.tangential[i] + l.tangential[i - 1]) / 2 * (l.x[i] - l.x[i - 1]) end
+  return area
+end
+near(area_of(loop), loop.energy, 0.02, "its area is its energy")
+for _, stroke in ipairs{ 0.002, 0.04, 0.2 } do
+  local gross = fret{ stroke = stroke, tangential = false, cycles = 10 }:loop()
+  near(area_of(gross), gross.energy, 0.005, ("the area of a loop in gross slip, stroke %g mm"):format(stroke))
+end
 near(loop.energy, 0.9 * 0.25 * 100 / 0.0880442 * 4 * 1.7 * 1.3 / 200e3 * (1 - 0.3 ^ (5 / 3) - 5 * 0.7 / 6 * (1 + 0.3 ^ (2 / 3))), 0.03,
   "Mindlin's loop")
 

@@ -46,8 +46,20 @@ do
 end
 
 -- Tests a motion that needs too much memory.
-fails(function() c:move{ x = 1e300 } end, "cells at all positions of the stroke needs about", "a motion that needs too much memory")
+fails(function() c:move{ x = 1e300 } end, "cells at all positions of the motion needs about", "a motion that needs too much memory")
 fails(function() c:move{ load = 1e6 } end, "cells in the half width, expected at most 512", "a load whose contact needs too many cells")
+
+-- Tests the warning of several solutions: beta is 0.375 for a nearly rigid ball on a body of nu = 0.2.
+do
+  local warnings = require "archard.warnings"
+  local uneven = model{ geometry = "3-D", upper = body.ball{ radius = 10, material = { E = 1e7, nu = 0.2 } },
+    lower = body.block{ material = { E = 3000, nu = 0.2 } }, mesh = { size = 0.04 } }
+  for friction, warned in pairs{ [0.6] = false, [1.2] = true } do
+    warnings.keep()
+    contact{ model = uneven, load = 10, friction = friction, increments = 1 }
+    ok((warnings.take() or ""):find("Dundurs' beta 0.3", 1, true) ~= nil == warned, "several solutions at friction " .. friction)
+  end
+end
 
 -- Tests motion along z, and changes of direction.
 local z = c:move{ tangential_z = 3, increments = 2 }

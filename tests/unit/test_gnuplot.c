@@ -70,7 +70,7 @@ static void test_killed_in_mid_plot(void **state) {
   char command[80];
   snprintf(command, sizeof command, "system('kill -9 %ld')", arc_gnuplot_process(session));
   assert_int_equal(arc_gnuplot_run(session, command, strlen(command), NULL, NULL, &error), ARC_IO);
-  assert_non_null(strstr(error.message, "in the middle of a plot (killed by signal 9"));
+  assert_non_null(strstr(error.message, "during a plot (killed by signal 9"));
   assert_draws(session);
 }
 

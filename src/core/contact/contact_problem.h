@@ -92,7 +92,8 @@ void arc_contact_problem_start_from(contact_problem *p, const contact_problem *n
 /* Checks that the contact does not reach the edges of the candidates. Otherwise returns ARC_ZONE
  * and drops the warm start. */
 arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error);
-/* Fails with ARC_NUMERIC and drops the warm start. */
+/* Reports a failed solution: drops the warm start, writes the message to *error and returns
+ * ARC_NUMERIC. */
 arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error);
 
 /* Adds the change of both compliances times the forces to the gaps (compliance_update.c). Returns 0

@@ -90,8 +90,9 @@ double arc_shape_even_stiffening(const shape_side *side);
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* Returns the number of rows that the wear box needs to extend below evenly worn layers, limited by
- * the size of the body. Returns 0 if no additional rows are needed or possible (wear_box.c). */
+/* Returns the total number of rows with which the wear box of an evenly worn body reaches below all
+ * layers, at most ARC_SHAPE_MOST_ROWS and within the body. Returns 0 if the present rows suffice or
+ * no more are possible (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
 /* Checks the elements of the wear box with the surface at xy: every column must retain a tenth of

@@ -49,9 +49,10 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   return -shape_inward(side) * (here[0] * next[1] - here[1] * next[0]);
 }
 
-/* Computes the depths by iteration. With displacements d_i = h_i n_i, depth times normal, the
- * polygon loses the area sum (h_i span_i + (d_i x d_i+1) / 2). Half of each product is assigned to
- * each of its two nodes. */
+/* Corrects the depths by iteration, so that the polygon loses the area depth times span at each
+ * node. If the nodes move by depth h_i times inward normal, the polygon loses
+ * sum (h_i span_i + t_i / 2), where t_i = h_i h_i+1 turn_i. Half of t_i / 2 is assigned to node i,
+ * the other half to node i + 1. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   enum { sweeps = 4 }; /* each sweep reduces the error by the factor depth / radius of curvature */
   const shape_side *side = &shape->side[body];

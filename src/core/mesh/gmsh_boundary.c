@@ -73,8 +73,9 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Links the boundary edges of the body. Error: ARC_GEOMETRY unless two elements that share an
- * inner edge traverse the edge in opposite directions. */
+/* Sets b->next of each boundary node to the following node of the boundary. Errors: ARC_GEOMETRY if
+ * elements overlap (an edge belongs to more than two elements, or two elements traverse it in the
+ * same direction) or if two parts of the body share only one node. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;

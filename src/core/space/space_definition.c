@@ -64,7 +64,8 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
           error, "friction",
           "expected 0 with layers or a rigid base, whose compliance to shear is not known");
   if (d->track > 0 || (d->procedure == ARC_NSP && !arc_wear_alpha_stays_one(d)))
-    return refuse(error, "friction", "expected 0 along a track or groove");
+    return refuse(error, "friction",
+                  "expected 0 with track, or with procedure = \"NSP\" and alpha < 1");
   for (int b = 0; b < d->blocks; b++)
     for (int i = 0; i < d->loading[b].count; i++)
       if (!(d->loading[b].load[i] > 0))

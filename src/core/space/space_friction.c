@@ -177,7 +177,7 @@ static arc_status read_state(space_contact *c, const arc_halfspace_effort *effor
 static void warn_coupling(const space_contact *c, const arc_halfspace_def *d,
                           const arc_callbacks *callbacks) {
   static const double unique = 0.4;
-  const double beta = 2 * acos(-1) * fabs(arc_cerruti_unlike(d)) / arc_space_surface_compliance(d);
+  const double beta = acos(-1) * fabs(arc_cerruti_unlike(d)) / arc_space_surface_compliance(d);
   if (c->handle.def.friction * beta > unique)
     arc_warn(
         callbacks,
@@ -223,7 +223,7 @@ arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc
 
 /* Returns ARC_ARGUMENT if the contact under the load would have too many cells. */
 static arc_status check_cells(const space_contact *c, double load, arc_error *error) {
-  static const double most = 512;
+  static const double most_in_motion = 512;
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_model_def *model = arc_model_definition(arc_shape_model(c->handle.shape));
   if (model->periodic) return ARC_OK;
@@ -231,11 +231,11 @@ static arc_status check_cells(const space_contact *c, double load, arc_error *er
   const arc_hertz_ellipse hertz = arc_space_hertz(model, load);
   const double cells = fmax(hertz.half_width / (d->turned ? d->size_z : d->size_x),
                             hertz.half_width_z / (d->turned ? d->size_x : d->size_z));
-  if (cells <= most) return ARC_OK;
+  if (cells <= most_in_motion) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'load': %g N gives %.3g cells in the half width, expected at most %g: "
                   "press a contact under a load closer to this one, or use a larger mesh.size",
-                  load, cells, most);
+                  load, cells, most_in_motion);
 }
 
 static arc_status check(const space_contact *c, const arc_motion_def *motion, double load,

@@ -44,9 +44,9 @@ static arc_status check_memory(const arc_halfspace_def *d, arc_error *error) {
   return arc_fail(error, ARC_MEMORY,
                   "a window of %d x %d cells%s needs about %.2g GB of memory, and %.2g GB are "
                   "free: use a mesh.size above %.2g mm%s",
-                  d->nx, d->nz, positions > 1 ? " at all positions of the stroke" : "",
+                  d->nx, d->nz, positions > 1 ? " at all positions of the motion" : "",
                   needed / 1e9, left / 1e9, d->size_x,
-                  positions > 1 ? ", a shorter stroke or procedure = \"NSP\"" : "");
+                  positions > 1 ? ", a shorter motion or, in wear{}, procedure = \"NSP\"" : "");
 }
 
 static arc_status create_grid(const arc_halfspace_def *cells, space_grid **made, arc_error *error) {

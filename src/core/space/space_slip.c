@@ -421,22 +421,37 @@ arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const
 
 enum { points_of_loop = 40 };
 
-/* Returns load and motion at the end of part `part` of an increment that has `parts` equal parts.
- * The pressures at this point are known only under a constant load. */
+/* Returns true if the motion reverses at the start of an increment of a cycle in gross slip. The
+ * force then changes within a motion that may be much shorter than the increment. */
+static int reverses(const cycle *c, int at) {
+  const double *x = c->block->x;
+  return c->rate->gross && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
+}
+
+/* Returns the number of parts of an increment of which a loop has at least `parts`. */
+static int parts_of(const cycle *c, int at, int parts) {
+  enum { after_reversal = 16 };
+  return reverses(c, at) && parts < after_reversal ? after_reversal : parts;
+}
+
+/* Returns load and motion at the end of part `part` of an increment. The parts are equal, or grow
+ * from a reversal on. The pressures at this point are known only under a constant load. */
 static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
-  arc_halfspace_increment to = conditions(c, at, (double)part / parts);
+  const double share = (double)part / parts;
+  arc_halfspace_increment to = conditions(c, at, reverses(c, at) ? share * share : share);
   if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
   return to;
 }
 
-/* Computes one cycle with each increment divided into `parts` parts. Stores the points of the loop
- * unless `loop` is NULL. */
-static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state, arc_loop *loop,
+/* Computes one cycle with each increment divided into at least `least` parts. Stores the points of
+ * the loop unless `loop` is NULL. */
+static arc_status trace(const cycle *c, int least, arc_halfspace_friction *state, arc_loop *loop,
                         arc_error *error) {
   double *x = loop ? (double *)(size_t)loop->x : NULL;
   double *force = loop ? (double *)(size_t)loop->tangential : NULL;
   size_t i = 0;
-  for (int at = 1; at < c->block->count; at++)
+  for (int at = 1; at < c->block->count; at++) {
+    const int parts = loop ? parts_of(c, at, least) : least;
     for (int part = at > 1; part <= parts; part++) {
       const arc_halfspace_increment to = part_of(c, at, part, parts);
       const arc_status status = part > 0 ? solve(c, &to, state, error) : ARC_OK;
@@ -445,6 +460,7 @@ static arc_status trace(const cycle *c, int parts, arc_halfspace_friction *state
       x[i] = state->xi[0] + reference(c->block);
       force[i++] = state->force[0];
     }
+  }
   return ARC_OK;
 }
 
@@ -465,8 +481,10 @@ static arc_status trace_steady(const cycle *c, int parts, arc_loop *loop, arc_er
 static arc_status draw(cycle *c, arc_loop **loop, arc_error *error) {
   const int increments = c->block->count - 1;
   const int parts = increments < points_of_loop ? (points_of_loop - 1) / increments + 1 : 1;
+  int points = 1;
+  for (int at = 1; at <= increments; at++) points += parts_of(c, at, parts);
   arc_loop *made;
-  arc_status status = arc_loop_create((size_t)(increments * parts + 1), &made, error);
+  arc_status status = arc_loop_create((size_t)points, &made, error);
   if (status != ARC_OK) return status;
   made->energy = c->rate->energy / c->block->repeat;
   made->stick_width = c->rate->stick;

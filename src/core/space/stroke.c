@@ -23,8 +23,9 @@ arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *plac
   place->share = is_whole ? 0 : offset - from;
   if (place->row >= 0 && place->row + d->nx + (place->share > 0) <= h->rows) return ARC_OK;
   return arc_fail(error, ARC_ZONE,
-                  "position x = %g mm: expected at most %g mm on this track of %d rows", x,
-                  (h->rows - d->nx) / 2 * d->size_x, h->rows);
+                  "position x = %g mm: expected -%g to %g mm, because the grid of the lower body "
+                  "has %d rows of cells",
+                  x, (h->rows - d->nx) / 2 * d->size_x, (h->rows - d->nx) / 2 * d->size_x, h->rows);
 }
 
 /* --- sums over positions ---------------------------------------------------------------------- */

@@ -125,8 +125,9 @@ static arc_status check_load(const arc_joint *j, const double load[3], arc_error
     return arc_fail(error, ARC_ARGUMENT, "field 'load': expected a number > 0 N, got %g", size);
   if (load[2] > 0 && dot(load, axis) > size * cos(fmin(90, j->def.cover) * pi / 180)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
-                  "field 'direction': expected a load into the cup, got one %.3g degrees from its "
-                  "axis",
+                  "field 'direction': expected z > 0 and less than %g degrees from the cup's axis, "
+                  "got z = %.3g and %.3g degrees",
+                  fmin(90, j->def.cover), load[2] / size,
                   acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
 }
 
@@ -138,8 +139,9 @@ static int holds(const arc_joint *j, const double load[3]) {
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* Sets u, the displacement used for the next gaps, to `approach`. Returns 1 if the previous u was
- * accurate enough. */
+/* With gaps of second order, sets u, the displacement used for the next gaps, to `approach` and
+ * returns true if u changed by less than 1e-9 radii. Otherwise gaps do not depend on u, which
+ * remains 0, and true is returned. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
   if (!j->def.second_order) return 1;

@@ -11,7 +11,8 @@
 enum { COMPONENTS = 6, MISES = COMPONENTS, ARRAYS, DEPTHS = 41 };
 static const char *const names[] = {"sxx", "syy", "szz", "sxy", "syz", "sxz", "mises"};
 
-/* The requested cut: the plane at a depth y <= 0, or a section at a position x or z. */
+/* The requested cut: the plane at a depth y <= 0, or a section at a position x or z. Default: the
+ * section of the lower body at z = 0. */
 typedef struct cut {
   char axis;
   double at;
@@ -23,6 +24,7 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
       ARGS_OTHER("x"), ARGS_OTHER("y"), ARGS_OTHER("z"), ARGS_OTHER("body"), {.name = NULL}};
   const args_location location = {where, ""};
   cut c = {0, 0, ARC_LOWER};
+  if (lua_isnoneornil(L, index)) return (cut){'z', 0, ARC_LOWER};
   args_check_table(L, index, where);
   args_check_names(L, index, location, known);
   for (const char *axis = "xyz"; *axis; axis++) {
@@ -38,10 +40,7 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
     }
     lua_pop(L, 1);
   }
-  if (!c.axis)
-    error_raise(
-        L, ARC_ARGUMENT, where,
-        "fields 'x', 'y' and 'z': expected one of them (position of the section), got none");
+  if (!c.axis) c.axis = 'z';
   if (args_get(L, index, "body") != LUA_TNIL)
     c.body = body_argument(L, lua_gettop(L), where, def, -1);
   lua_pop(L, 1);
