@@ -142,12 +142,14 @@ typedef struct arc_loading {
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
          "Direction of the load in a hole: its angle from the point of first contact, positive "   \
          "towards +x. With loading, the angle at which pressures and widths are reported.")        \
-  NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
-         "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
-         "reciprocating test give cycles = frequency times time. The strokes in the paper are a, " \
-         "2a, 4a (0.11, 0.22, 0.44 mm; a is the half width of the contact) and 2R (20 mm); with "  \
-         "2R the whole plate passes the cylinder in one direction (r = 1 stroke per cycle "        \
-         "instead of 2).")                                                                         \
+  NUMBER(                                                                                          \
+      stroke, "mm", 0.11, ABOVE(0), 0,                                                             \
+      "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "             \
+      "reciprocating test give cycles = frequency times time; results do not depend on the "       \
+      "frequency or on whether the motion is sinusoidal. The strokes in the reference paper "      \
+      "are a, 2a, 4a (0.11, 0.22, 0.44 mm; a is the half width of the contact) and 2R (20 mm). "   \
+      "With 2R, twice the radius, the whole plate passes the cylinder in one direction, and a "    \
+      "cycle is one stroke instead of two.")                                                       \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
          "is the end of its last block.")                                                          \
@@ -185,7 +187,8 @@ typedef struct arc_loading {
          "Sliding distance of an increment. \"rigid\": the motion of the plate; the wear volume "  \
          "is then k L_N d to rounding. \"total\": the motion plus the elastic displacements of "   \
          "the touching points, which matter if the stroke is short. In both cases the volumes "    \
-         "of the bodies have the ratio k_c / k_p.")                                                \
+         "of the bodies have the ratio k_c / k_p. Not used with friction, where wear uses the "    \
+         "local slip.")                                                                            \
   QUANTITY(                                                                                        \
       friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                         \
       "Coefficient of friction between the bodies: a number, a function of the state or a table "  \
@@ -193,7 +196,8 @@ typedef struct arc_loading {
       "both strokes are solved with stick and slip, starting from newly pressed bodies, until "    \
       "the cycle is periodic; the last cycle is used. With jump = \"auto\" and implicit updates "  \
       "a change of the coefficient within an update is integrated; updates of a fixed number of "  \
-      "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\".")        \
+      "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\", the "    \
+      "default.")                                                                                  \
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
          "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \

@@ -38,8 +38,8 @@ return {
     text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, "
       .. "fixed at its flat top, on a plate of width 2 radius and height radius, in plane strain. A model "
       .. 'does not change; several contacts and runs can share one. Other geometries: help "axisymmetric". '
-      .. 'mesh = "pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials: model{ '
-      .. "cylinder={ E=200e3, nu=0.3 }, plate={ E=114e3, nu=0.34 } }. In runs and contacts with friction the "
+      .. 'mesh = "pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials and wear coefficients: '
+      .. "model{ cylinder={ E=200e3, nu=0.3, k=1e-9 }, plate={ E=114e3, nu=0.34, k=1e-8 } }. In runs and contacts with friction the "
       .. "coupling of pressure and shear between different materials (Dundurs' beta) is included." },
   { "model.upper", kind = "field", text = "Definition of the upper body; nil for the default cylinder." },
   { "model.lower", kind = "field", text = "Definition of the lower body; nil for the default block." },
@@ -55,9 +55,9 @@ return {
       .. "of layers." },
   { "body{layers}", type = "list of tables { thickness=, material= }",
     text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. If its "
-      .. "material has k, a layer wears with this coefficient: layers={{ thickness=0.005, material=material{ "
-      .. "E=300e3, nu=0.2, k=1e-10 } }} is a coating of 5 um; w:run{ depth={ plate=0.005 } } stops when it is worn "
-      .. "through." },
+      .. "material has k, a layer wears with this coefficient. A plate with a coating of 5 um: w = wear{ model={ "
+      .. "lower=body.block{ k=1e-8, layers={{ thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} "
+      .. "} } }. w:run{ depth={ plate=0.005 } } stops when it is worn through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
       .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
@@ -343,7 +343,7 @@ return {
       .. "function(w) if w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
-      .. "continues it with the same results. Functions of the definition are not stored and must be given again: "
+      .. "continues it with the same results, w:run{ cycles=20000 } continues a finished one. Functions of the definition are not stored and must be given again: "
       .. "wear.open(path, { k = f }). If the program was killed, the run continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
@@ -436,7 +436,8 @@ return {
   { "wear.vector_depth", kind = "field", unit = "mm",
     text = "Largest length of the vector sum of the wear (Eq. 8) of each body; depth is the scalar sum (Eq. 6)." },
   { "wear.volume", kind = "field", unit = "mm3",
-    text = "Volumes worn from the bodies in this run: in 2-D over the thickness of the model (1 mm by default), in "
+    text = "Volumes worn from the bodies in the run w: w.volume.plate, w.volume.cylinder and w.volume.total, with "
+      .. "the names of the bodies, such as w.volume.ball in 3-D. In 2-D over the thickness of the model (1 mm by default), in "
       .. "3-D and for bodies of revolution from the whole scar. Initial scars (worn=) are not included in volumes; "
       .. "they are included in depths." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },

@@ -282,8 +282,12 @@ local function answer(question)
   local found = search.answers(everything(), question)
   local best = table.remove(found, 1)
   if not best then return nil end
+  local others = {}
+  for _, entry in ipairs(found) do
+    if entry.owner ~= best.address then others[#others + 1] = entry end
+  end
   local text = show.entry(help, best)
-  return found[1] and text .. "\n\n" .. show.found(found, question, 5) or text
+  return others[1] and text .. "\n\n" .. show.others(others, 5) or text
 end
 
 -- Returns the help text of a name. If no entry has the name, returns the answer to a question of several words, the

@@ -6,8 +6,8 @@ return {
       .. "spheres and shells, frictionless, first order in displacement over radius. Default: a "
       .. "metal-on-metal hip of 28 mm. The wear depths of head and cup are maps on each body. Not simulated: "
       .. "edge loading, microseparation, lubrication and plastic flow, which cause many clinical failures. "
-      .. "Polyethylene: cup={ layers={{ thickness=8, material=material{ E=600, nu=0.4 } }} }, with k as a "
-      .. 'function of cross_shear and p_mean: help "joint.wear{k}". w.volume.cup is the worn volume [mm3]. '
+      .. "Polyethylene: cup={ layers={{ thickness=8, material=material{ E=600, nu=0.4 } }} }, with alpha = 0 (only "
+      .. 'the cup wears) and k as a function of cross_shear and p_mean: help "joint.wear{k}". w.volume.cup is the worn volume [mm3]. '
       .. "contact{ model=j, load= } and wear{ model=j, loading= } are the same as j:contact{} and j:wear{}." },
   { "joint{head}", type = "table { radius=, material=, layers= }", unit = "mm",
     text = "The head: its radius, its material and its layers {{ thickness=, material= }, ...} from the "

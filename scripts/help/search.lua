@@ -121,7 +121,8 @@ local function subject_of(question)
   return subject[1] and subject or all
 end
 
--- Sets the weight of each word, which is larger for words that fewer texts contain. Returns the sum of the weights.
+-- Sets the weight of each word, which is larger for words that fewer texts contain. Returns the sum of the weights of
+-- the words that a text contains.
 local function weigh(words, texts)
   local sum = 0
   for _, word in ipairs(words) do
@@ -130,21 +131,29 @@ local function weigh(words, texts)
       if text:find(word.pattern) then count = count + 1 end
     end
     word.weight = math.log((#texts + 1) / (count + 1))
-    sum = sum + word.weight
+    sum = sum + (count > 0 and word.weight or 0)
   end
   return sum
 end
 
+-- Returns the factor of an entry's score. Topics, objects and functions explain more than single fields.
+local function importance(entry)
+  if entry.kind == "topic" then return 1.3 end
+  if entry.kind == "example" then return 0.8 end
+  if entry.kind ~= "option" and entry.kind ~= "field" then return 1.2 end
+  return entry.owner and entry.owner:find(".", 1, true) and 0.7 or 0.9
+end
+
 -- Returns the score of an entry: the weights of the words in its text, smaller for a long text, and a multiple of the
 -- weights of the words in its address.
-local function score_of(words, address, text, mean_length)
-  local of_address, of_length, score = 1.5, 0.15, 0
-  local length = 1 - of_length + of_length * #text / mean_length
+local function score_of(words, entry, text, mean_length)
+  local of_address, of_length, score = 1, 0.1, 0
+  local address, length = search.plain(entry.address), 1 - of_length + of_length * #text / mean_length
   for _, word in ipairs(words) do
     if text:find(word.pattern) then score = score + word.weight / length end
     if address:find(word.pattern) then score = score + of_address * word.weight end
   end
-  return score
+  return importance(entry) * score
 end
 
 -- Returns a table with scores of the addresses of each synonym whose words all occur in the question.
@@ -164,7 +173,7 @@ local function scores_by_synonym(words, question)
   return scores
 end
 
--- Returns the entries that answer a question, the best first: their scores are more than half of the weights of its
+-- Returns the entries that answer a question, the best first: their scores are more than a third of the weights of its
 -- words. Of entries with the same text, only the first one is returned.
 function search.answers(entries, question)
   local words, texts, length = subject_of(question), {}, 0
@@ -175,8 +184,8 @@ function search.answers(entries, question)
   local all, by_meaning = weigh(words, texts), scores_by_synonym(words, question)
   local found, score = {}, {}
   for i, entry in ipairs(entries) do
-    score[i] = score_of(words, search.plain(entry.address), texts[i], length) + (by_meaning[entry.address] or 0)
-    if score[i] > all / 2 then found[#found + 1] = i end
+    score[i] = score_of(words, entry, texts[i], length) + (by_meaning[entry.address] or 0)
+    if score[i] > all / 3 then found[#found + 1] = i end
   end
   table.sort(found, function(a, b) return score[a] > score[b] or score[a] == score[b] and a < b end)
   local list, seen = {}, {}

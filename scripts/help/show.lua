@@ -116,6 +116,17 @@ function show.found(found, text, most)
     .. (left > 0 and ('\n\nmore: help.search "%s"'):format(text) or "")
 end
 
+-- Returns a text with the first `most` of a list of entries. Each entry is shown with its first sentence.
+function show.others(entries, most)
+  local list = {}
+  for i = 1, math.min(#entries, most) do
+    local entry = entries[i]
+    local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
+    list[i] = { name = title, text = show.first_sentence(entry.text, 200) }
+  end
+  return listing("See also", list)
+end
+
 local function of_kind(entries, wanted)
   local list = {}
   for _, entry in ipairs(entries) do

@@ -173,6 +173,11 @@ included in k: a number for each body, a function of distance, or local_factor, 
 value, for abrasive wear and for adhesive wear. Results depend on sliding distance, not on speed or frequency, so PV limits are not
 predicted. In 3-D, each layer wears with its own k; the compliance is that of the unworn layers.
 
+Bodies in 3-D are half-spaces: the contact must be small compared with the radii (a warning is given from a fifth on). For
+conforming bodies use joint{} (a ball in a socket) or a pin in a bush in 2-D: examples "pin_in_bush". Bodies do not tilt under
+load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. There is no generator of
+random rough surfaces; a function y(x, z) in map{} can add waves, as in examples "rough_ball".
+
 Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. If you measured a mass,
 convert it to a volume for calibrate{}.]] },
 
@@ -195,7 +200,8 @@ A warning is printed once, when it is found, and the run continues. The most fre
 
   past the stability limit     the jump is too long: help "steps"
   outgrows its mesh            the run continues on new meshes; nothing to do
-  k = ... mm2/N: was ... meant a probable error of units: help "units"
+  k = 1e-5 mm2/N: was 1e-8 meant?
+                               k was probably given in mm3/(N m): help "units"
   cells or elements too large  the friction or a layer is not resolved: use a
                                smaller mesh.size, or omit it
   contact beyond half-spaces   a > radius / 5 in 3-D: results are approximate

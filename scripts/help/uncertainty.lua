@@ -39,7 +39,9 @@ return {
   { "normal{high}", type = "number", text = "Upper limit of a truncated distribution." },
   { "lognormal", kind = "function", class = "distribution",
     use = "lognormal{ mean=1e-8, variation=0.4 }",
-    text = "Lognormal distribution, of a positive number such as a wear coefficient." },
+    text = "Lognormal distribution, of a positive number such as a wear coefficient, for study{ sample={ "
+      .. "k=lognormal{ mean=1e-8, variation=0.4 } } }. A scatter by a factor f, one standard deviation, is the "
+      .. "variation sqrt(exp(log(f)^2) - 1): 0.79 for a factor of 2, 1.5 for 3." },
   { "lognormal{mean}", type = "number > 0", text = "Mean of the number itself, in the unit of the field." },
   { "lognormal{deviation}", type = "number > 0", text = "Standard deviation of the number itself, in the "
     .. "unit of the field." },

@@ -178,10 +178,10 @@ fails(function() joint{ cup = { layers = { { thickness = 1, material = { E = -1 
 fails(function() joint{ head = { material = { E = 1, nue = 0.3 } } } end, "did you mean 'nu'?", "a misspelt field of a material")
 fails(function() joint{ head = { material = gait "iso" } } end, "field 'head.material'", "a material that is none")
 fails(function() wear{ model = joint{}, k = function() return "1" end }:run{ progress = false } end, "got string", "k as a string")
-fails(function() contact{ model = tilted, load = 3000, direction = { -1, 0, 0.5 } } end, "degrees from its axis", "a load that points out of the cup")
-fails(function() wear{ model = tilted, loading = gait{ load = { x = -900, z = 300 } } }:run{ progress = false } end, "degrees from its axis", "in a run")
+fails(function() contact{ model = tilted, load = 3000, direction = { -1, 0, 0.5 } } end, "degrees from the cup's axis", "a load that points out of the cup")
+fails(function() wear{ model = tilted, loading = gait{ load = { x = -900, z = 300 } } }:run{ progress = false } end, "degrees from the cup's axis", "in a run")
 fails(function() wear{ model = joint{ mesh = { size = 4 } }, loading = gait{ flexion = { 0, 20, 0 }, load = { z = { 2000, -1000, 2000 } } } }:run{ progress = false } end,
-  "180 degrees from its axis, in increment", "a load that pulls for a part of the cycle")
+  "got z = -1 and 180 degrees, in increment", "a load that pulls for a part of the cycle")
 fails(function() contact{ model = joint{ mesh = { size = 10 } }, load = 300 } end, "cells across the contact", "cells too large for the contact")
 local edge = joint{ head = { material = material{ E = 1e15 } }, mesh = { size = 4 }, cup = { clearance = 0.1, cover = 45, layers = { { thickness = 8, material = pe } } } }
 ok(contact{ model = edge, load = 3000 }.rim_margin < 4, "a contact that reaches the rim has a margin below a cell")
