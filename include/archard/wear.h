@@ -128,7 +128,8 @@ typedef struct arc_loading {
            "Wear partition factor k_c / k (Eq. 19 of the paper): the upper body's (cylinder's) "   \
            "share of the wear volume. 0: only the plate wears, 1: only the cylinder (pin, ball) "  \
            "wears. It is measured as the worn volume of the upper body divided by the worn "       \
-           "volume of both bodies: calibrate{ volume={...} }.")                                    \
+           "volume of both bodies: calibrate{ volume={...} }. For a polymer on metal, of which "   \
+           "only the polymer wears: 0 if the polymer is the lower body, 1 if it is the upper.")    \
   OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
         "Wear coefficient of the cylinder alone, k_c = alpha k. If both bodies wear with "         \
         "different coefficients, give k_cylinder and k_plate (0 for a body that does not wear) "   \
@@ -142,14 +143,14 @@ typedef struct arc_loading {
   NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
          "Direction of the load in a hole: its angle from the point of first contact, positive "   \
          "towards +x. With loading, the angle at which pressures and widths are reported.")        \
-  NUMBER(                                                                                          \
-      stroke, "mm", 0.11, ABOVE(0), 0,                                                             \
-      "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "             \
-      "reciprocating test give cycles = frequency times time; results do not depend on the "       \
-      "frequency or on whether the motion is sinusoidal. The strokes in the reference paper "      \
-      "are a, 2a, 4a (0.11, 0.22, 0.44 mm; a is the half width of the contact) and 2R (20 mm). "   \
-      "With 2R, twice the radius, the whole plate passes the cylinder in one direction, and a "    \
-      "cycle is one stroke instead of two.")                                                       \
+  NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
+         "Stroke s_t of the plate, from one end to the other, twice the amplitude. In a "          \
+         "reciprocating test give cycles = frequency times time; results do not depend on the "    \
+         "frequency or on whether the motion is sinusoidal. For fretting give friction too: "      \
+         "wear{ friction=0.6, stroke=0.05 } has an amplitude of 25 um. With a stroke of 2 radius " \
+         "the whole plate passes the cylinder in one direction, and a cycle is one stroke "        \
+         "instead of two. The strokes in the reference paper are 0.11, 0.22, 0.44 mm (a, 2a, 4a; " \
+         "a is the half width of the contact) and 20 mm (2R).")                                    \
   NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Sliding distance d_t to simulate. Give distance or cycles. With loading, the default "   \
          "is the end of its last block.")                                                          \

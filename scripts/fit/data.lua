@@ -136,8 +136,9 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- Returns the shift [mm] at which a search starts: the middle of the scar if the profile contains the ends
--- of its scar, or if a scar is detected in the depths and does not include x = 0; else 0.
+-- Returns the shift [mm] at which a search starts. named: the ends { from, to } of the scar that are stored with the
+-- profile, or nil. If they are given, returns their middle. Otherwise returns the middle of a scar that is detected
+-- in the depths if x = 0 is outside it, else 0.
 local function start_of(x, h, named)
   if named then return (named.from + named.to) / 2 end
   local heights = {}

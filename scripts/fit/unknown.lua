@@ -192,8 +192,9 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Returns the roughness of all curves as rows of a matrix over the parameters: second differences of the
--- values at the knots, divided by the typical range. Distances are divided by the mean knot spacing.
+-- Returns a matrix that gives the roughness of the curves when multiplied by the parameters. It has one row for
+-- each inner knot: the second difference of the values there, divided by their typical range. Distances of knots
+-- are divided by their mean.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do

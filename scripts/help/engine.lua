@@ -359,9 +359,9 @@ return {
     text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30), { x=, value= }." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
-    text = "Amplitude of the sawtooth part of a profile over its depth [-], root mean square over the middle of "
-      .. "the contact: 1 for a sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values "
-      .. "indicate that the jump is too large." },
+    text = "Numerical oscillation of a profile from node to node (sawtooth), divided by its depth [-]: 1 for a "
+      .. "sawtooth as high as the depth, below 1e-4 for a smooth profile. Larger values indicate that a fixed jump is "
+      .. 'too large: use jump = "auto". The roughness of measured surfaces is profile.roughness.' },
   { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
     text = "In 3-D: a map of a body over x and z: wear depth [mm] (default), worn height [mm], or pressure [MPa] "
       .. "under the nominal load with the plate at x = 0. For sections see w:profile(body, { z = 0 }) or { x = 0 "

@@ -2,9 +2,10 @@
 
 return {
   { "fit", kind = "function", class = "fitted",
-    use = "f = fit{ unknown={ k=1e-8, alpha={ start=0.5 } }, data={...} }",
-    text = "Identifies parameters of wear{} and model{} from measurements, with standard errors, in one search of "
-      .. "some tens of runs; k and alpha together need data of both bodies. The method is weighted nonlinear least "
+    use = 'fit{ unknown={ k=1e-8 }, data={{ of="depth_plate", cycle={}, value={} }} }',
+    text = "Identifies parameters of wear{} and model{} from measured depths, volumes, profiles or loops, with standard "
+      .. "errors: print(f), f.value.k, f.low.k and f.high.k (95 % interval). k and alpha together need data of both "
+      .. "bodies. calibrate{} is simpler for volumes of repeated tests. The method is weighted nonlinear least "
       .. "squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are finite differences between "
       .. "runs, with steps chosen from the noise of the runs. Data of several kinds need standard errors; with one "
       .. "kind they can be omitted and are then estimated from the residuals. Standard errors, correlations and "

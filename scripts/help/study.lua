@@ -5,9 +5,10 @@ return {
   -- --- study ----------------------------------------------------------------------------------
   { "study", kind = "constructor",
     use = "s = study{ base={...}, vary={ alpha={0, 0.5, 1}, stroke={0.11, 0.22} } }",
-    text = "Many wear runs: a case for each combination of the varied fields, all with the fields of base. Results "
-      .. "are stored after each case; an interrupted study continues. Without vary and cases, base is the only "
-      .. "case." },
+    text = "Many wear runs: a case for each combination of the varied fields, all with the fields of base. s:run() "
+      .. 'computes them, print(s) shows the results, plot.response(s, { x="stroke", y="volume_plate" }) draws a result '
+      .. "over a field. Results are stored after each case; an interrupted study continues. Without vary and cases, "
+      .. "base is the only case." },
   { "study{base}", type = "table", takes = "wear",
     text = "Fields of wear{} that all cases have in common. Functions are refused because they cannot be stored. "
       .. "Fields of a case override them: tables of fields are merged, lists and numbers are replaced." },
@@ -188,11 +189,12 @@ return {
   { "convergence.mesh", kind = "field",
     text = "The search for the element size: { size=, steps= }, the size [mm] and a list of the trials." },
   { "convergence.cases", kind = "field",
-    text = "A list of { label=, status=, settings=, found= }. found has jump, limit (stability), judged (number of "
-      .. "updates of the trial), increments, roughness and asymmetry (at this jump), smooth (the accepted "
-      .. "roughness, if it was increased), change (of the profiles with these increments), first_depth [mm], and "
-      .. "the lists jumps and roughnesses of the trials; capped is true if no larger jump was tried; bound is then "
-      .. 'the reason, "stability", or "cycles" for a tenth of all cycles.' },
+    text = "A list of { label=, status=, settings=, found= }. Fields of found: jump, the largest good jump; limit, "
+      .. "the stability limit of the jump; judged, the number of updates in a trial; roughness and asymmetry at this "
+      .. "jump; smooth, the accepted roughness if it was increased; increments, the number in a cycle; change, the "
+      .. "difference of the profiles from those with the most increments; first_depth [mm]; jumps and roughnesses, "
+      .. "lists of all trials. capped is true if no larger jump was tried. bound then names the limit: "
+      .. '"stability", or "cycles" (a tenth of all cycles).' },
   { "convergence.notes", kind = "method", use = "c:notes()",
     text = "A list of texts about the cases whose search ended at a limit." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",

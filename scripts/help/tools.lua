@@ -334,7 +334,7 @@ return {
   { "plot.animate{what}", values = { "profile", "pressure", "both", "stroke" }, default = '"profile"',
     text = 'Quantity to draw; "stroke": in 3-D, the pressures over a stroke on the present surfaces.' },
   { "plot.animate{frames}", type = "whole number >= 1", default = 30,
-    text = "Approximate number of pictures; if `every` is given, the largest number of pictures." },
+    text = "Approximate number of pictures. If `every` is given: largest number of pictures, by default no limit." },
   { "plot.animate{every}", type = "whole number >= 1",
     text = "Number of updates between two pictures; default: computed from `frames`." },
   { "plot.animate{delay}", type = "number > 0", unit = "s", default = 0.1,

@@ -202,7 +202,7 @@ function check.definition(where, given, fields, or_else, name)
       check.shown(given)))
   end
   if given[1] ~= nil then
-    check.fail(where, "fields are given by name; found [1]" .. (name and " in " .. name or ""))
+    check.fail(where, "expected fields by name (field = value), got a value without a name" .. (name and " in " .. name or ""))
   end
   return check.fields(where, given, fields)
 end

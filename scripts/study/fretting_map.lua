@@ -115,7 +115,7 @@ local function regime_of(self, i, motion)
   return motion >= self.partial_from[i] and "partial" or "stick"
 end
 
--- Computes one load and appends it to the map as a row.
+-- Computes the transitions and the regimes at one load and appends them to the map as a row.
 local function add_load(self, given, load)
   local i = #self.load + 1
   local pressed = check.as(where, contact, merged(given, { load = load }))

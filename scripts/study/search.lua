@@ -10,8 +10,8 @@ local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- largest error of the contact pressure, as a fraction of the Hertz pressure
-  -- largest sawtooth of the pressure in the middle of the contact as a fraction of p_center, beyond the
-  -- sawtooth that occurs with small steps
+  -- largest oscillation of the pressure from node to node (sawtooth) in the middle of the contact, as a fraction
+  -- of p_center, minus the oscillation in a run with a small jump
   smooth = 0.005,
   symmetric = 1e-3,    -- largest difference between a profile and its mirror image, as a fraction of the depth
   -- largest difference from profiles with many increments per cycle, as a fraction of the depth

@@ -79,8 +79,9 @@ local function results_at(self, definition)
   return repeated.run(definition, self.distance, self.of)
 end
 
--- Returns a function(h) that returns the central differences. `changed`, if given, changes the definition of
--- each run further.
+-- Returns a function(h) that computes central differences of the results: those at value + h minus those at
+-- value - h, divided by 2 h. set(x) returns the definition of the run with the number x, which the function
+-- `changed`, if given, modifies.
 local function differences_for(self, value, set, changed)
   local function results(at)
     local definition = set(at)

@@ -237,8 +237,8 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
 
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  int free = panel->field || arc_look_scale(w, panel, range); /* the colour scale needs the space */
-  if (w->canvas->text || free || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
+  int has_scale = panel->field || arc_look_scale(w, panel, range); /* gnuplot's margin fits it */
+  if (w->canvas->text || has_scale || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 

@@ -260,7 +260,7 @@ bad({ x = function(t) return t < 0.5 and 0 or error("no x") end, increments = 4 
 fails(function() run_of{ cycles = 3, loading = { x = position, cycles = 2 } } end, "field 'cycles': expected more than",
   "cycles of both")
 fails(function() run_of{ stroke = 0.1, loading = { x = position } } end, "'stroke' and 'loading': expected one", "two motions")
-fails(function() cosine:run{ cycles = 3 } end, "a run with loading needs a distance", "run by cycles")
+fails(function() cosine:run{ cycles = 3 } end, "expected a distance instead, because the cycles of 'loading' may differ", "run by cycles")
 
 -- --- changes --------------------------------------------------------------------------------------
 

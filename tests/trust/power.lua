@@ -1,7 +1,8 @@
 -- Simulates power cuts: replays the operations of a program on a folder, recorded by tests/memory/power.c,
 -- computes states that a disk may have after a power cut, and checks each state.
 --   archard tests/trust/power.lua BEFORE LOG WORK COUNT SEED TARGET...
--- BEFORE is a copy of the folder at the start. Each TARGET must have its initial content or the content after
+-- BEFORE is a copy of the folder at the start, LOG the record of the operations, WORK a folder for the computed
+-- states, COUNT the approximate number of states, SEED the seed of the random numbers. Each TARGET must have its initial content or the content after
 -- one of the program's own commits. Prints the errors found and the number of states checked.
 --
 -- Model of the disk: a sector of 512 bytes is written completely or not at all. Data written since the last

@@ -37,7 +37,8 @@ static void spoil(const char *name, const char *sql) {
   seal(name);
 }
 
-/* Replaces one number of the stored array with the name `name_of` by `value`. */
+/* Copies the good file to `name`, sets number `at` of the plate's state array `name_of` to `value`
+ * and updates the checksums. */
 static void set_number(const char *name, const char *name_of, int at, double value) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -338,7 +339,7 @@ static void test_cases(void **state) {
   assert_damaged("status", "odd");
 }
 
-/* --- effects of SQLite on untrusted files ----------------------------------------------------- */
+/* --- views, triggers and page trees in untrusted files ---------------------------------------- */
 
 static void test_structure(void **state) {
   (void)state;

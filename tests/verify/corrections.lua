@@ -6,7 +6,7 @@ local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local mu, size = 0.6, 0.02
 local usual = model{}
 
--- Returns the root mean square and the largest value of a list.
+-- Returns the root mean square and the largest absolute value of a list.
 local function spread(list)
   local sum, most = 0, 0
   for _, value in ipairs(list) do sum, most = sum + value * value, math.max(most, math.abs(value)) end

@@ -60,7 +60,8 @@ for _, row in ipairs{ { 0.05, 200e3 }, { 0.05, 400e3 }, { 0.02, 100e3 } } do
   within(d.half_width, elements.half_width, 0.02, name .. "half width by them [mm]")
 end
 
--- Tests a flat round punch of radius c given as a map of steps: approach P / (2 E* c), p(0) = P / (2 pi c^2).
+-- Tests a flat round punch of radius c, given as a map of heights with a step at its edge. Exact: approach
+-- P / (2 E* c), p(0) = P / (2 pi c^2).
 -- The convergence is of first order because cells approximate the edge by a staircase.
 for _, row in ipairs{ { 41, 1.83020e-3 }, { 81, 1.82612e-3 }, { 161, 1.82197e-3 } } do
   local size, half = 2.2 * 0.25 / row[1], 0.3

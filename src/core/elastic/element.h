@@ -1,6 +1,6 @@
 /* Plane elements CPE3, CPE4, CPE4I and their forms in plane stress, and elements of revolution CAX3
- * and CAX4. If CPE4I is chosen, CAX4 has one common dilatation. Shear strains are engineering
- * strains; components are in the order xx, yy, xy. */
+ * and CAX4. If CPE4I is chosen, CAX4 has one dilatation for the whole element (B-bar). Shear
+ * strains are engineering strains; components are in the order xx, yy, xy. */
 #ifndef ELASTIC_ELEMENT_H
 #define ELASTIC_ELEMENT_H
 

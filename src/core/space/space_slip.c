@@ -2,51 +2,32 @@
  * lag, and no solver is needed. In partial slip the increments of stick and slip are solved. Each
  * evaluation begins with separated bodies, so it does not depend on earlier evaluations. */
 #include "core/base/carve.h"
-#include "core/space/cerruti.h"
-#include "core/space/positions.h"
-#include "core/space/space_kind.h"
+#include "core/space/slip_cycle.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct cycle {
-  arc_wear *w;
-  const wear_window *v;
-  const wear_block *block;
-  arc_halfspace *h;
-  const double *const *depth;
-  space_path *path;
-  double *pressure; /* [count][window] */
-  wear_progress *progress;
-  wear_rate *rate;
-  int cells, unlike;
-  double *slid, *lag, *strain, *total; /* [mm] slip of an increment [window], elastic displacement
-                                          at full friction [count][window], present elastic
-                                          displacement [window], slip of the cycle [window] */
-  int whole;                           /* 1 if the whole contact slips in at least one increment */
-} cycle;
-
-static size_t row_of(const cycle *c, int at) {
+static size_t row_of(const slip_cycle *c, int at) {
   return (size_t)c->path->of[at] * (size_t)c->cells;
 }
 
 /* --- sums over a cycle ------------------------------------------------------------------------ */
 
-static void clear(cycle *c) {
+static void clear(slip_cycle *c) {
   memset(c->path->slip, 0, (size_t)c->path->count * (size_t)c->cells * sizeof *c->path->slip);
   memset(c->total, 0, (size_t)c->cells * sizeof *c->total);
   c->whole = 0;
 }
 
-static void add_to(const cycle *c, int at, double share) {
+static void add_to(const slip_cycle *c, int at, double share) {
   double *slip = c->path->slip + row_of(c, at);
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
 /* Adds the slip of an increment, c->slid, multiplied by `times`, to the positions at the two ends
  * of the increment. */
-static void add_increment(cycle *c, int at, double times) {
+static void add_increment(slip_cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;
   int sticks = 0;
@@ -66,7 +47,7 @@ static void add_increment(cycle *c, int at, double times) {
 /* --- gross slip ------------------------------------------------------------------------------- */
 
 /* Computes for every position the elastic displacement under full friction [mm]. */
-static void find_lags(const cycle *c) {
+static void find_lags(const slip_cycle *c) {
   for (int j = 0; j < c->path->count; j++) {
     double *lag = c->lag + (size_t)j * (size_t)c->cells;
     arc_cerruti_along(c->h, 0, c->pressure + (size_t)j * (size_t)c->cells, lag);
@@ -76,7 +57,7 @@ static void find_lags(const cycle *c) {
 
 /* Computes the slip of each site in the increment to point `at`: the motion minus the change of the
  * elastic displacement. */
-static void follow(const cycle *c, int at) {
+static void follow(const slip_cycle *c, int at) {
   const double motion = c->block->x[at] - c->block->x[at - 1], *lag = c->lag + row_of(c, at);
   for (int k = 0; k < c->cells; k++) {
     const double strain = fmax(-lag[k], fmin(c->strain[k] + motion, lag[k]));
@@ -86,7 +67,7 @@ static void follow(const cycle *c, int at) {
 }
 
 /* Returns true if every site in contact slips at some point of the cycle. */
-static int all_slip(const cycle *c) {
+static int all_slip(const slip_cycle *c) {
   for (int j = 0; j < c->path->count; j++)
     for (int k = 0; k < c->cells; k++)
       if (c->pressure[(size_t)j * (size_t)c->cells + (size_t)k] > 0 && c->total[k] == 0) return 0;
@@ -95,7 +76,7 @@ static int all_slip(const cycle *c) {
 
 /* Computes the gaps due to the shear of gross slip, which is proportional to the elastic
  * displacement. */
-static void add_gap(cycle *c, int at) {
+static void add_gap(slip_cycle *c, int at) {
   const size_t from = row_of(c, at);
   const double *p = c->pressure + from, *lag = c->lag + from;
   double *gap = c->path->gap + from, *q = c->slid, most = 0, change = 0;
@@ -116,7 +97,7 @@ static void add_gap(cycle *c, int at) {
   if (most > 0) c->path->unsteady = fmax(c->path->unsteady, change / most);
 }
 
-static void slide(cycle *c) {
+static void slide(slip_cycle *c) {
   find_lags(c);
   memset(c->strain, 0, (size_t)c->cells * sizeof *c->strain);
   for (int round = 0; round < 2; round++) {
@@ -136,21 +117,18 @@ static void slide(cycle *c) {
 
 /* --- partial slip ----------------------------------------------------------------------------- */
 
-static arc_status solve(const cycle *c, const arc_halfspace_increment *to,
-                        arc_halfspace_friction *state, arc_error *error) {
+arc_status arc_slip_solve(const slip_cycle *c, const arc_halfspace_increment *to,
+                          arc_halfspace_friction *state, arc_error *error) {
   const arc_halfspace_options options = {.callbacks = c->progress->callbacks};
   c->progress->solutions++;
   return arc_halfspace_slide(c->h, c->depth, to, &options, state, NULL, error);
 }
 
-/* Returns the position at which the bodies are pressed together: the middle of a plain stroke,
- * otherwise the start of the cycle. */
-static double reference(const wear_block *b) {
+double arc_slip_reference(const wear_block *b) {
   return b->press > 0 ? (b->x[0] + b->x[(b->count - 1) / 2]) / 2 : b->x[0];
 }
 
-/* Presses the bodies together under the load of point 0. */
-static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error *error) {
+arc_status arc_slip_press(const slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   enum { increments = 4 };
   const int rubs = c->unlike && c->w->def.press == ARC_PRESS_FRICTION, n = rubs ? increments : 1;
   arc_status status = ARC_OK;
@@ -159,14 +137,12 @@ static arc_status press(const cycle *c, arc_halfspace_friction *state, arc_error
                                   .pressure = c->unlike ? NULL : c->pressure + row_of(c, 0)};
     to.position =
         (arc_halfspace_position){.x = c->block->problem_x[0], .load = c->block->line[0] * i / n};
-    status = solve(c, &to, state, error);
+    status = arc_slip_solve(c, &to, state, error);
   }
   return status;
 }
 
-/* Returns load and motion (or force) at the fraction `share` (0 to 1) of the increment that ends at
- * point `at`. */
-static arc_halfspace_increment conditions(const cycle *c, int at, double share) {
+arc_halfspace_increment arc_slip_conditions(const slip_cycle *c, int at, double share) {
   const wear_block *b = c->block;
   const int from = at > 0 ? at - 1 : 0;
   const double left = 1 - share;
@@ -175,19 +151,19 @@ static arc_halfspace_increment conditions(const cycle *c, int at, double share) 
                                 .pressure = c->unlike ? NULL : c->pressure + row_of(c, at)};
   to.position.x = left * b->problem_x[from] + share * b->problem_x[at];
   to.position.load = left * b->line[from] + share * b->line[at];
-  to.xi[0] = left * b->x[from] + share * b->x[at] - reference(b);
+  to.xi[0] = left * b->x[from] + share * b->x[at] - arc_slip_reference(b);
   if (b->tangential) to.force[0] = left * b->tangential[from] + share * b->tangential[at];
   return to;
 }
 
-static void take_slip(cycle *c, const arc_halfspace_friction *state) {
+static void take_slip(slip_cycle *c, const arc_halfspace_friction *state) {
   for (int k = 0; k < c->cells; k++)
     c->slid[k] = state->stick[k] > 0 ? 0 : hypot(state->moved[0][k], state->moved[1][k]);
 }
 
 /* Copies the pressures of a state, and the gaps due to its shear, to point `at`. Does nothing
  * for like bodies, whose pressures do not depend on shear. */
-static void take_pressures(const cycle *c, int at, const arc_halfspace_friction *state) {
+static void take_pressures(const slip_cycle *c, int at, const arc_halfspace_friction *state) {
   if (!c->unlike) return;
   double *gap = c->path->gap + row_of(c, at);
   memcpy(c->pressure + row_of(c, at), state->pressure, (size_t)c->cells * sizeof *c->pressure);
@@ -197,18 +173,18 @@ static void take_pressures(const cycle *c, int at, const arc_halfspace_friction 
 
 /* Solves the increment to point `at` with the last solution at this point as initial guess, and
  * stores the new solution. */
-static arc_status solve_again(const cycle *c, int at, arc_halfspace_increment *to,
+static arc_status solve_again(const slip_cycle *c, int at, arc_halfspace_increment *to,
                               arc_halfspace_friction *state, arc_error *error) {
   to->guess = arc_space_guess_at(c->path, at);
-  const arc_status status = solve(c, to, state, error);
+  const arc_status status = arc_slip_solve(c, to, state, error);
   if (status == ARC_OK) arc_space_remember(c->path, at, state, c->cells);
   return status;
 }
 
 /* Solves the increment to point `at`, and adds its slip multiplied by `times`. */
-static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *state,
+static arc_status go_to(slip_cycle *c, int at, double times, arc_halfspace_friction *state,
                         arc_error *error) {
-  arc_halfspace_increment to = conditions(c, at, 1);
+  arc_halfspace_increment to = arc_slip_conditions(c, at, 1);
   const arc_status status = solve_again(c, at, &to, state, error);
   if (status != ARC_OK) return status;
   take_slip(c, state);
@@ -220,7 +196,7 @@ static arc_status go_to(cycle *c, int at, double times, arc_halfspace_friction *
 
 /* Returns true if the slip in the second half of a cycle is the reverse of the slip in the first
  * half. This is the case for like bodies under a constant load in a symmetric motion. */
-static int returns(const cycle *c) {
+static int returns(const slip_cycle *c) {
   const wear_block *b = c->block;
   const double *drive = b->tangential ? b->tangential : b->x;
   const int last = b->count - 1;
@@ -233,7 +209,8 @@ static int returns(const cycle *c) {
 }
 
 /* Returns the change of shear between two cycles, divided by the friction limit. */
-static double change_of(const cycle *c, const double *before, const arc_halfspace_friction *state) {
+static double change_of(const slip_cycle *c, const double *before,
+                        const arc_halfspace_friction *state) {
   double change = 0, carried = 0;
   for (int k = 0; k < c->cells; k++) {
     change += fabs(state->q[0][k] - before[k]) + fabs(state->q[1][k] - before[c->cells + k]);
@@ -243,7 +220,7 @@ static double change_of(const cycle *c, const double *before, const arc_halfspac
 }
 
 /* Repeats cycles from point 0 until the shear no longer changes. */
-static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+static arc_status repeat(slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   enum { most_cycles = 40 };
   static const double steady = 1e-4;
   const size_t bytes = (size_t)c->cells * sizeof(double);
@@ -263,9 +240,9 @@ static arc_status repeat(cycle *c, arc_halfspace_friction *state, arc_error *err
 /* Computes a cycle of like bodies with one increment per leg. The first increment covers half of
  * the motion or force. A whole leg has twice the shear and slip of this increment, because both are
  * proportional to the motion. */
-static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+static arc_status single(slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   const wear_block *b = c->block;
-  arc_halfspace_increment to = conditions(c, 1, 1);
+  arc_halfspace_increment to = arc_slip_conditions(c, 1, 1);
   if (b->tangential) to.force[0] = (b->tangential[1] - b->tangential[0]) / 2;
   to.xi[0] = (b->x[1] - b->x[0]) / 2;
   memcpy(state->pressure, to.pressure, (size_t)c->cells * sizeof *state->pressure);
@@ -281,9 +258,9 @@ static arc_status single(cycle *c, arc_halfspace_friction *state, arc_error *err
 
 /* Computes a cycle from separated bodies. Initial guesses are used only from one repetition of the
  * cycle to the next. */
-static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *error) {
+static arc_status several(slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   arc_space_forget(c->path);
-  arc_status status = press(c, state, error);
+  arc_status status = arc_slip_press(c, state, error);
   if (status == ARC_OK) status = go_to(c, 0, 0, state, error);
   if (status != ARC_OK) return status;
   if (!returns(c)) return repeat(c, state, error);
@@ -292,7 +269,7 @@ static arc_status several(cycle *c, arc_halfspace_friction *state, arc_error *er
   return status;
 }
 
-static arc_status stick(cycle *c, arc_error *error) {
+static arc_status stick(slip_cycle *c, arc_error *error) {
   arc_halfspace_friction state;
   arc_status status = arc_halfspace_friction_begin(c->h, &state, error);
   if (status != ARC_OK) return status;
@@ -313,7 +290,7 @@ static void average(double *a, double *b) {
 /* Averages a field of each position with its mirror image across the motion. For like bodies in a
  * single middle position, also averages along the motion. Symmetric bodies then remain symmetric.
  */
-static void make_even(const cycle *c, double *value) {
+static void make_even(const slip_cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
   const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
@@ -329,7 +306,7 @@ static void make_even(const cycle *c, double *value) {
 
 /* Returns the width of the stick zone [mm]. The shape of the zone is assumed to be similar to
  * that of the contact. */
-static double stick_width(const cycle *c) {
+static double stick_width(const slip_cycle *c) {
   const double *p = c->pressure + row_of(c, c->block->count - 1);
   const arc_halfspace_extent e = arc_halfspace_contact_extent(c->h, p);
   int stuck = 0, on = 0;
@@ -340,14 +317,14 @@ static double stick_width(const cycle *c) {
   return on > 0 ? 2 * e.half_width * sqrt((double)stuck / on) : 0;
 }
 
-static double energy_of(const cycle *c) {
+static double energy_of(const slip_cycle *c) {
   const size_t all = (size_t)c->path->count * (size_t)c->cells;
   double sum = 0;
   for (size_t k = 0; k < all; k++) sum += c->pressure[k] * c->path->slip[k];
   return c->v->mu * sum * arc_halfspace_site_area(c->h, ARC_UPPER);
 }
 
-static void finish(cycle *c) {
+static void finish(slip_cycle *c) {
   c->rate->gross = c->whole && c->v->mu > 0;
   c->rate->stick = stick_width(c);
   c->rate->energy = energy_of(c);
@@ -357,7 +334,7 @@ static void finish(cycle *c) {
   }
 }
 
-static int begin(cycle *c) {
+static int begin(slip_cycle *c) {
   const size_t n = (size_t)c->cells, fields = (size_t)(c->path->count > 2 ? c->path->count : 2);
   const carve_part parts[] = {
       {&c->slid, n}, {&c->lag, fields * n}, {&c->strain, n}, {&c->total, n}};
@@ -367,7 +344,7 @@ static int begin(cycle *c) {
 
 /* Computes slip and shear of the cycle. A motion longer than a cell may be gross slip; for all
  * other motions the increments are solved. */
-static arc_status run(cycle *c, arc_error *error) {
+static arc_status run(slip_cycle *c, arc_error *error) {
   const wear_block *b = c->block;
   const double cell = arc_space_reach(arc_model_definition(c->w->model), b->load);
   if (b->travel > cell && !b->tangential) {
@@ -380,28 +357,28 @@ static arc_status run(cycle *c, arc_error *error) {
   return stick(c, error);
 }
 
-static cycle cycle_of(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
-                      space_path *path, double *pressure, wear_progress *progress,
-                      wear_rate *rate) {
+slip_cycle arc_slip_cycle(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
+                          space_path *path, double *pressure, wear_progress *progress,
+                          wear_rate *rate) {
   const space_shape *s = space_shape_of(v->shape);
-  return (cycle){.w = w,
-                 .v = v,
-                 .block = v->block,
-                 .h = s->grid->h,
-                 .depth = depth,
-                 .path = path,
-                 .pressure = pressure,
-                 .progress = progress,
-                 .rate = rate,
-                 .cells = space_sites(s, ARC_UPPER),
-                 .unlike = path->gap != NULL};
+  return (slip_cycle){.w = w,
+                      .v = v,
+                      .block = v->block,
+                      .h = s->grid->h,
+                      .depth = depth,
+                      .path = path,
+                      .pressure = pressure,
+                      .progress = progress,
+                      .rate = rate,
+                      .cells = space_sites(s, ARC_UPPER),
+                      .unlike = path->gap != NULL};
 }
 
 arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
                           space_path *path, double *pressure, wear_progress *progress,
                           wear_rate *rate, arc_error *error) {
   const space_shear_kernels *kernels;
-  cycle c = cycle_of(w, v, depth, path, pressure, progress, rate);
+  slip_cycle c = arc_slip_cycle(w, v, depth, path, pressure, progress, rate);
   arc_status status = arc_cerruti_kernels(c.h, &kernels, error);
   if (status != ARC_OK) return status;
   make_even(&c, pressure);
@@ -414,107 +391,5 @@ arc_status arc_space_slip(arc_wear *w, const wear_window *v, const double *const
     finish(&c);
   }
   free(c.slid);
-  return status;
-}
-
-/* --- the loop --------------------------------------------------------------------------------- */
-
-enum { points_of_loop = 40 };
-
-/* Returns true if the motion reverses at the start of an increment of a cycle in gross slip. The
- * force then changes within a motion that may be much shorter than the increment. */
-static int reverses(const cycle *c, int at) {
-  const double *x = c->block->x;
-  return c->rate->gross && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
-}
-
-/* Returns the number of parts of an increment of which a loop has at least `parts`. */
-static int parts_of(const cycle *c, int at, int parts) {
-  enum { after_reversal = 16 };
-  return reverses(c, at) && parts < after_reversal ? after_reversal : parts;
-}
-
-/* Returns load and motion at the end of part `part` of an increment. The parts are equal, or grow
- * from a reversal on. The pressures at this point are known only under a constant load. */
-static arc_halfspace_increment part_of(const cycle *c, int at, int part, int parts) {
-  const double share = (double)part / parts;
-  arc_halfspace_increment to = conditions(c, at, reverses(c, at) ? share * share : share);
-  if (part < parts && c->block->line[at] != c->block->line[at - 1]) to.pressure = NULL;
-  return to;
-}
-
-/* Computes one cycle with each increment divided into at least `least` parts. Stores the points of
- * the loop unless `loop` is NULL. */
-static arc_status trace(const cycle *c, int least, arc_halfspace_friction *state, arc_loop *loop,
-                        arc_error *error) {
-  double *x = loop ? (double *)(size_t)loop->x : NULL;
-  double *force = loop ? (double *)(size_t)loop->tangential : NULL;
-  size_t i = 0;
-  for (int at = 1; at < c->block->count; at++) {
-    const int parts = loop ? parts_of(c, at, least) : least;
-    for (int part = at > 1; part <= parts; part++) {
-      const arc_halfspace_increment to = part_of(c, at, part, parts);
-      const arc_status status = part > 0 ? solve(c, &to, state, error) : ARC_OK;
-      if (status != ARC_OK) return status;
-      if (!loop) continue;
-      x[i] = state->xi[0] + reference(c->block);
-      force[i++] = state->force[0];
-    }
-  }
-  return ARC_OK;
-}
-
-static arc_status trace_steady(const cycle *c, int parts, arc_loop *loop, arc_error *error) {
-  arc_halfspace_friction state;
-  arc_status status = arc_halfspace_friction_begin(c->h, &state, error);
-  if (status != ARC_OK) return status;
-  const arc_halfspace_increment first = conditions(c, 0, 1);
-  status = press(c, &state, error);
-  if (status == ARC_OK) status = solve(c, &first, &state, error);
-  if (status == ARC_OK) status = trace(c, 1, &state, NULL, error);
-  if (status == ARC_OK) status = trace(c, parts, &state, loop, error);
-  arc_halfspace_friction_end(&state);
-  return status;
-}
-
-/* Computes the loop of a cycle from its slip solution. */
-static arc_status draw(cycle *c, arc_loop **loop, arc_error *error) {
-  const int increments = c->block->count - 1;
-  const int parts = increments < points_of_loop ? (points_of_loop - 1) / increments + 1 : 1;
-  int points = 1;
-  for (int at = 1; at <= increments; at++) points += parts_of(c, at, parts);
-  arc_loop *made;
-  arc_status status = arc_loop_create((size_t)points, &made, error);
-  if (status != ARC_OK) return status;
-  made->energy = c->rate->energy / c->block->repeat;
-  made->stick_width = c->rate->stick;
-  made->gross = c->rate->gross != 0;
-  status = trace_steady(c, parts, made, error);
-  if (status == ARC_OK)
-    *loop = made;
-  else
-    free(made);
-  return status;
-}
-
-arc_status arc_space_loop(arc_wear *w, const wear_window *v, wear_progress *progress,
-                          arc_loop **loop, arc_error *error) {
-  const space_shape *s = space_shape_of(v->shape);
-  const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
-  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
-  space_path path;
-  wear_rate *rate = &w->work.rate;
-  arc_wear_rate_clear(rate, w->nc + w->np);
-  arc_status status = arc_space_path(w, v, &path, error);
-  if (status != ARC_OK) return status;
-  double *pressure = calloc((size_t)path.count * cells + 1, sizeof *pressure);
-  if (pressure)
-    status = arc_space_solve_path(w, v, depth, &path, progress, pressure, rate, error);
-  else
-    status = arc_fail(error, ARC_MEMORY, "out of memory for a loop");
-  cycle c = cycle_of(w, v, depth, &path, pressure, progress, rate);
-  if (status == ARC_OK) status = draw(&c, loop, error);
-  free(pressure);
-  arc_space_end_path(&path);
   return status;
 }

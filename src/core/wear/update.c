@@ -209,8 +209,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-/* Predicts the data that depend on the surface for the middle of the update. Only implicit updates
- * with a tolerance use predicted data. */
+/* Predicts the surface at the middle of the update, and lets the shape compute data such as its
+ * compliance for that surface. Only periodic implicit updates with a tolerance do this. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;

@@ -41,7 +41,9 @@ static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycl
   const double length = arc_wear_def_sliding(def, arc_model_definition(arc_wear_model(wear)));
   const double from = def->start_distance, before = def->start_cycle;
   if (def->blocks > 0)
-    error_raise(L, ARC_ARGUMENT, where, "field 'cycles': a run with loading needs a distance");
+    error_raise(L, ARC_ARGUMENT, where,
+                "field 'cycles': expected a distance instead, because the cycles of 'loading' may "
+                "differ in length");
   return from + (cycles - before) * length;
 }
 
