@@ -152,6 +152,11 @@ static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) 
   arc_text_word(w->out, ") enhanced\n");
 }
 
+/* Returns the minus sign U+2212 for a negative number, else an empty text. */
+static const char *minus_of(double number) {
+  return number < 0 ? "\342\210\222" : "";
+}
+
 /* Writes the tick labels of a linear axis. All labels have the power of ten of the largest
  * number, such as 0.5e-8 beside 1.0e-8. */
 static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks) {
@@ -159,8 +164,9 @@ static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks)
   arc_text_format(w->out, "set %stics add ('0' 0", axis);
   for (double i = ticks->low; i <= ticks->high && !w->canvas->text; i++)
     if (i != 0)
-      arc_text_format(w->out, ", '%.*f\303\22710^{%d}' %.17g", decimals > 0 ? decimals : 0,
-                      i * ticks->step / pow(10, ticks->exponent), ticks->exponent, i * ticks->step);
+      arc_text_format(w->out, ", '%s%.*f\303\22710^{%s%d}' %.17g", minus_of(i),
+                      decimals > 0 ? decimals : 0, fabs(i) * ticks->step / pow(10, ticks->exponent),
+                      minus_of(ticks->exponent), abs(ticks->exponent), i * ticks->step);
   arc_text_word(w->out, ")\n");
 }
 

@@ -95,10 +95,10 @@ static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
 }
 
 static void common_settings(arc_writer *w) {
-  arc_text_word(w->out, "set encoding utf8\n");
+  arc_text_word(w->out, "set encoding utf8\nunset minussign\n");
   if (!w->canvas->text)
     arc_text_word(w->out,
-                  "set xtics nomirror\nset ytics nomirror\n"
+                  "set minussign\nset xtics nomirror\nset ytics nomirror\n"
                   "set style textbox opaque fillcolor rgb '#ffffff' noborder margins 0.4,0.3\n");
   arc_look_series(w);
 }

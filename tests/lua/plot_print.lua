@@ -240,8 +240,8 @@ end
 
 do
   local script = drawn { { x = { 0, 1 }, y = { 5e-9, 3.2e-8 } } }
-  has(script, "'0.5×10^{-8}' 5.0000000000000001e-09", "numbers of an axis have one power of ten")
-  has(script, "'3.0×10^{-8}'", "that of the largest")
+  has(script, "'0.5×10^{−8}' 5.0000000000000001e-09", "numbers of an axis have one power of ten")
+  has(script, "'3.0×10^{−8}'", "that of the largest")
 end
 
 do

@@ -10,7 +10,7 @@ enum { points_of_loop = 40 };
  * force then changes within a motion that may be much shorter than the increment. */
 static int reverses(const slip_cycle *c, int at) {
   const double *x = c->block->x;
-  return c->rate->gross && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
+  return c->rate->gross != 0 && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
 }
 
 /* Returns the number of parts of an increment of which a loop has at least `parts`. */
