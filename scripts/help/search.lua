@@ -1,4 +1,5 @@
--- Searches the help entries, topics and examples for texts that contain all words of a phrase.
+-- Searches the help entries, topics and examples for texts that contain all words of a phrase, and for those that
+-- answer a question.
 
 local search = {}
 

@@ -102,15 +102,25 @@ end
 
 show.listing = listing
 
+-- Returns the first `most` of a list of entries with addresses as names. Their texts are the sentences that
+-- sentence_of(text) returns.
+local function shown_by_address(entries, most, sentence_of)
+  local list = {}
+  for i = 1, math.min(#entries, most) do
+    local entry = entries[i]
+    local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
+    list[i] = { name = title, text = sentence_of(entry.text) }
+  end
+  return list
+end
+
+local longest_sentence = 200 -- characters
+
 -- Returns a text with the first `most` entries found for a phrase. Each entry is shown with its sentence
 -- that contains the most words of the phrase.
 function show.found(found, text, most)
-  local list, words = {}, search.words(text)
-  for i = 1, math.min(#found, most or #found) do
-    local entry = found[i]
-    local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
-    list[i] = { name = title, text = best_sentence(entry.text, words, 200) }
-  end
+  local words = search.words(text)
+  local list = shown_by_address(found, most or #found, function(each) return best_sentence(each, words, longest_sentence) end)
   local left = #found - #list
   return listing(("%d about %s"):format(#list, text), list)
     .. (left > 0 and ('\n\nmore: help.search "%s"'):format(text) or "")
@@ -118,13 +128,7 @@ end
 
 -- Returns a text with the first `most` of a list of entries. Each entry is shown with its first sentence.
 function show.others(entries, most)
-  local list = {}
-  for i = 1, math.min(#entries, most) do
-    local entry = entries[i]
-    local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
-    list[i] = { name = title, text = show.first_sentence(entry.text, 200) }
-  end
-  return listing("See also", list)
+  return listing("See also", shown_by_address(entries, most, function(each) return show.first_sentence(each, longest_sentence) end))
 end
 
 local function of_kind(entries, wanted)

@@ -1,5 +1,4 @@
 /* Traces the loop of a steady cycle with friction: tangential force over motion. */
-#include "core/base/carve.h"
 #include "core/space/slip_cycle.h"
 
 #include <stdlib.h>
