@@ -99,6 +99,10 @@ void arc_writer_title(arc_writer *w, const char *before, const char *words, doub
                       const char *after);
 int arc_title_lines(const char *words, double columns);
 
+/* Writes the ticks of the axis `name` ("x" or "y"), with the words of `axis` if it has any,
+ * otherwise with numbers (tick_words.c). */
+void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis, arc_ticks ticks);
+
 /* Titles of curves that are written to the right of the frame, at the ends of the curves.
  * arc_labels_width returns their width [characters], arc_labels_write writes them. */
 double arc_labels_width(const arc_plot_panel *panel);
