@@ -57,11 +57,14 @@ follow(0.3, 0.7, 14, { 4.364e-7, 1.497e-6, 3.337e-6 }, { 0.02, 0.03, 0.08 }, par
 follow(0.3, 0.9, 20, { 1.534e-6, 6.078e-6, 1.939e-5 }, { 0.01, 0.02, 0.01 }, partly:format(0.9, 20))
 
 -- --- the end ---------------------------------------------------------------------------------------
-do
-  local w = fret(0, 0.7, 15.2, 100):run{ progress = false }
+for _, case in ipairs{ { 0.5, 9.0055e-7, 7.7996e-5, 1.04993 }, { 0.7, 3.52798e-6, 1.8160e-4, 1.14525 } } do
+  local share, volume, depth, approach = table.unpack(case)
+  local label = ("the end at nu = 0, %g of full slip, automatic cells: "):format(share)
+  local w = fret(0, share, 0, 60):run{ progress = false }
   local a = contact_of(0)
-  within(w.depth.cylinder, 1.8160e-4, 0.005, "the end at nu = 0: depth")
-  within(contact{ worn = w, load = load }.approach, 1.14525 * a * a / radius, 0.001, "the end at nu = 0: approach")
+  within(w.history.volume_cylinder[#w.history.cycle], volume, 0.01, label .. "volume")
+  within(w.depth.cylinder, depth, 0.005, label .. "depth")
+  within(contact{ worn = w, load = load }.approach, approach * a * a / radius, 0.001, label .. "approach")
 end
 
 -- --- gross slip ------------------------------------------------------------------------------------
