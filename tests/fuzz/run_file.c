@@ -206,8 +206,9 @@ static void go_on(arc_store *store, int id, arc_stored_run *run) {
   arc_error error = {0};
   arc_model *model = NULL;
   arc_wear *wear = NULL;
-  if (run->model.mesh.size > 0 && run->model.mesh.size < 0.05)
-    return; /* a run with small elements is too slow for fuzzing */
+  const double size = run->model.mesh.size;
+  if (size > 0 && (size < 0.05 || run->model.radius > 1000 * size))
+    return; /* a run with millions of elements is too slow for fuzzing */
   if (model_of(run, &model) == ARC_OK &&
       arc_store_restore(store, id, model, &run->def, &wear, &error) == ARC_OK)
     arc_wear_step(wear, NULL, &error);
