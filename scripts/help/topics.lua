@@ -116,7 +116,7 @@ expected contact, whose estimate includes layers: 5.4 elements per half width (1
 
   5.4   per rounded edge of a punch
   8     per wave of a rough profile, 5 per spot that touches
-  27    in the half width in contact{} with friction
+  27    in the half width in contact{} with friction (40 cells in 3-D)
   5     per slip zone in wear runs with friction
 
 mesh.fineness = 2 halves the size. If you set mesh.size, use at least four elements per half width (hertz{} computes it).

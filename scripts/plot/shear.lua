@@ -39,13 +39,15 @@ local function refuse_axis(where, options)
   if options.axis then check.fail(where, "field 'axis': not allowed in two dimensions, where all tractions are along x") end
 end
 
--- Draws a map of the shear or slip of a contact in three dimensions: the component along options.axis or,
--- without an axis, the magnitude.
+-- Draws a map of the shear or slip of a contact in three dimensions where the bodies touch: the component
+-- along options.axis or, without an axis, the magnitude.
 local function draw_map(where, contact, method, options)
   options = draw.options(where, options, { axis = axes })
-  local axis = options.axis
+  local pressure = contact:pressure()
+  local given = map.panel(method(contact, options.axis),
+    function(x, z) return pressure:at(x, z) > 0 end)
   options.axis = nil
-  map.map(method(contact, axis), options)
+  draw.draw(where, draw.over(given, options))
 end
 
 -- plot.shear(c, { body=, ... }); in 3-D plot.shear(c, { axis=, ... })

@@ -27,7 +27,7 @@ local e = d:move{ tangential = -3, increments = 2 }
 near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "the energy of a loop")
 near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, the force is the same")
 is(d:move{}.x, d.x, "an empty motion changes nothing")
-holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
+holds(tostring(d), { "friction  0.5", "tangential force 3 N along x, 0 N along z", "of the area sticks" }, "print(contact)")
 
 -- Tests loops and stick zones on the automatic grid against Mindlin's closed form for nu = 0.
 do
@@ -106,6 +106,7 @@ local function picture(draw)
 end
 holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa", "plot.shear")
 holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
+holds(picture(function(file) plot.slip(d, { file = file }) end), "\nNaN NaN", "nothing is drawn where the bodies do not touch")
 
 -- Tests refused motions.
 local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")

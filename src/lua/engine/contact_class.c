@@ -124,9 +124,17 @@ static int contact_tostring(lua_State *L) {
              solved.half_width_z, solved.area, solved.approach, solved.iterations);
   lua_pushstring(L, text);
   if (def->friction == 0) return 1;
-  snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
-           def->friction, fabs(solved.tangential) < 1e-9 * def->load ? 0 : solved.tangential,
-           solved.energy);
+  const double least = 1e-8 * def->load; /* below this a force is shown as 0 */
+  const double along_x = fabs(solved.tangential) < least ? 0 : solved.tangential;
+  const double along_z = fabs(solved.tangential_z) < least ? 0 : solved.tangential_z;
+  if (arc_model_has_maps(model_of(self(L))))
+    snprintf(text, sizeof text,
+             "\n  friction  %.6g, tangential force %.6g N along x, %.6g N along z\n"
+             "            %.4g of the area sticks, %.6g N mm dissipated",
+             def->friction, along_x, along_z, solved.stick, solved.energy);
+  else
+    snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
+             def->friction, along_x, solved.energy);
   lua_pushstring(L, text);
   lua_concat(L, 2);
   return 1;
