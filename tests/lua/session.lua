@@ -1,5 +1,6 @@
 -- Tests session.save and session.open: objects are restored under their names, and restored runs are
 -- identical to the bit. Also tests who(), time() and examples().
+-- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
