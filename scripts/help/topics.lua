@@ -163,6 +163,23 @@ still be too long: compare with half of it.
 
 increments divide a cycle; with "auto" the plate moves by less than an eighth of the half width in each. w:step() makes one
 update, w:run() all; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
+  { "fretting", [[
+Fretting is a motion so short that the bodies deform as much as they slide, so friction matters. A cylinder on a plate that an
+oscillating force of 30 N moves, under a load of 100 N:
+
+  w = wear{ friction=0.6, tangential=30, load=100, k=1e-8, cycles=1e5 }
+  w:run()
+  print(w.gross, w.cycle_energy)     -- 0: partial slip; N mm in each cycle
+  plot.loop(w)                       -- tangential force over displacement
+
+Give tangential = the amplitude of the force, below friction times load, or stroke = the full motion in mm. If the force is small
+the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load everything slips: gross
+slip, w.gross is 1. study.fretting_map{} finds both for many loads and motions.
+
+contact{ friction=, load= }:move{ x=, tangential= } computes single motions: c.stick, c:shear(), c:slip(), plot.shear, plot.slip.
+law = "energy" wears by the energy of friction. Balls on flats: geometry = "3-D" in the model. See examples "fretting_loop",
+"fretting_ball", "fretting_map", "mccoll".]] },
+
   { "limits", [[
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as
 material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
@@ -170,7 +187,7 @@ material{ E=3600, nu=0.4, name="PEEK" }; there is no library of materials.
 Not simulated: plastic flow (compare the largest von Mises stress with the yield stress: help "contact.stress"; there is no warning; peaks of rough surfaces do not yield either, a plasticity index is not computed), debris and third bodies, lubrication, heat and temperature, creep (except a function in joint{}),
 viscoelastic and anisotropic materials, adhesion, seizure and scuffing, cracks and fatigue (criteria such as SWT or Dang Van can use exported stresses). Their known effects on wear can be
 included in k: a number for each body, a function of distance, or local_factor, a function of pressure and position. k is a measured
-value, for abrasive wear and for adhesive wear. Results depend on sliding distance, not on speed or frequency, so PV limits are not
+value, for abrasive wear and for adhesive wear. Forces of inertia and impacts are not simulated; results depend on sliding distance, not on speed or frequency, so PV limits are not
 predicted. In 3-D, each layer wears with its own k; the compliance is that of the unworn layers.
 
 Bodies in 3-D are half-spaces: the contact must be small compared with the radii (a warning is given from a fifth on). For
