@@ -200,9 +200,9 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
   if (panel->field && panel->levels) /* contour lines at the ticks of the scale */
-    arc_text_format(w->out, "set cbtics %.17g\n", arc_field_step(range, panel->levels));
+    arc_ticks_of_scale(w, arc_field_step(range, panel->levels));
   else
-    arc_text_word(w->out, "set cbtics autofreq\n");
+    arc_text_word(w->out, "set cbtics autofreq\nset format cb '%h'\n");
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");
 }

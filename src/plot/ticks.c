@@ -32,6 +32,10 @@ static int digits_of(double low, double high, double step) {
   return (int)fmin(MOST_DIGITS, fmax(DIGITS, digits));
 }
 
+int arc_ticks_fraction(double step) {
+  return step > 0 && step < 1 ? -(int)floor(log10(step) + 1e-9) : 0;
+}
+
 /* Returns the length of the longest label. The range is extended to the next tick at both ends,
  * as gnuplot extends automatic ends. */
 static size_t longest_label(double low, double high, const arc_ticks *ticks) {
@@ -39,7 +43,9 @@ static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   size_t longest = 1;
   double first = floor(low / ticks->step), last = ceil(high / ticks->step);
   for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
-    int length = snprintf(label, sizeof label, "%.*g", ticks->digits, (first + i) * ticks->step);
+    const double value = (first + i) * ticks->step;
+    int length = ticks->fraction ? snprintf(label, sizeof label, "%.*f", ticks->fraction, value)
+                                 : snprintf(label, sizeof label, "%.*g", ticks->digits, value);
     if (length > 0 && (size_t)length > longest) longest = (size_t)length;
   }
   return longest;
@@ -80,7 +86,8 @@ static void choose_form(double low, double high, arc_ticks *ticks) {
 }
 
 static arc_ticks with_step(double low, double high, double step) {
-  arc_ticks ticks = {.step = step, .digits = digits_of(low, high, step)};
+  arc_ticks ticks = {
+      .step = step, .digits = digits_of(low, high, step), .fraction = arc_ticks_fraction(step)};
   ticks.longest = longest_label(low, high, &ticks);
   choose_form(low, high, &ticks);
   return ticks;

@@ -201,7 +201,7 @@ do
   local ranges = ranges_of(script_of(profiles))
   ok(ranges[1] == ranges[2] and ranges[1]:find "^%[2%.0", "panels of depths have one range: " .. tostring(ranges[1]))
   local text = pictures.picture_of(profiles)
-  ok((text:find "\n *0 %+" or 1e9) < (text:find "\n *1 |" or 0), "depth increases downwards, also in characters")
+  ok((text:find "\n *0%.0 %+" or 1e9) < (text:find "\n *1%.0 |" or 0), "depth increases downwards, also in characters")
   local function panels(label)
     return ranges_of(drawn { panels = { { { x = { 1, 2 }, y = { 3, 90 } }, ylabel = "p" },
       { { x = { 1, 2 }, y = { 0.6, 9 } }, ylabel = label } }, logy = true })
