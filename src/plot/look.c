@@ -19,8 +19,9 @@ static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "mag
                                                  "green", "yellow", "blue", "red"};
 
 /* Dash patterns, which can be distinguished without colours. The first pattern is a solid line. */
-static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
-                                           "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
+static const char *const dashes[SERIES] = {"solid",           "(14,6)",    "(20,6,4,6)",
+                                           "(7,5)",           "(30,7)",    "(14,5,4,5,4,5)",
+                                           "(10,5,10,5,4,5)", "(30,6,7,6)"};
 
 /* Numbers of gnuplot's marks. Curves of points have open marks, so that they do not hide other
  * points. */
