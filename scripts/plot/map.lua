@@ -128,6 +128,22 @@ function pictures.stress(where, contact, options, label)
   return given
 end
 
+-- Returns the ranges of x and z with values other than 0, and a margin of a quarter of the longer side.
+local function ranges_of(t)
+  local x, z, nz = { math.huge, -math.huge }, { math.huge, -math.huge }, #t.z
+  local function widen(range, at) range[1], range[2] = math.min(range[1], at), math.max(range[2], at) end
+  for i, y in ipairs(t.y) do
+    if y ~= 0 then
+      widen(x, t.x[(i - 1) // nz + 1])
+      widen(z, t.z[(i - 1) % nz + 1])
+    end
+  end
+  if x[1] > x[2] then return end
+  local margin = math.max(x[2] - x[1], z[2] - z[1]) / 4
+  local function within(range, all) return { math.max(all[1], range[1] - margin), math.min(all[#all], range[2] + margin) } end
+  return within(x, t.x), within(z, t.z)
+end
+
 -- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height", { ... })
 function pictures.map(object, options, more)
   local where = "plot.map"
@@ -143,6 +159,7 @@ function pictures.map(object, options, more)
   local t, body = map_of(where, object, options)
   local joint = is_of_joint(object) and object.model
   local given = pictures.panel(t, joint and cover_of(joint, t.name == "head"))
+  if type(object) == "userdata" and options.what ~= "height" and has_values(t) then given.xrange, given.yrange = ranges_of(t) end
   if body then given.title = naming.title_of(("%s of the %s"):format(t.name, body), { object }, options) end
   if is_joint_run(object) and (t.name == "cup" or t.name == "head") then
     given.vlabel, given.title = "wear depth / " .. unit_of(t), "wear of the " .. t.name

@@ -107,6 +107,18 @@ end
 holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa", "plot.shear")
 holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
 holds(picture(function(file) plot.slip(d, { file = file }) end), "\nNaN NaN", "nothing is drawn where the bodies do not touch")
+do
+  local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} }, load = 10, friction = 0.5, tangential = 3, k = 1e-6, cycles = 2000 }
+  w:run{ progress = false }
+  local function right_of(options)
+    return tonumber((picture(function(file)
+      options.file = file
+      plot.map(w, options)
+    end):match "set xrange %[%S+:(%S+)%]"))
+  end
+  ok(right_of{} < 0.9 * w:map("block").x[#w:map("block").x], "a map is drawn around the scar, with a margin")
+  near(right_of{ xrange = { -0.01, 0.02 } }, 0.02, 1e-6, "or where the user looks")
+end
 
 -- Tests refused motions.
 local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
