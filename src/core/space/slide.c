@@ -84,7 +84,7 @@ arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
 /* --- one increment ---------------------------------------------------------------------------- */
 
 /* Sites with less than this fraction of the largest pressure carry no shear. */
-static const double carrying = 1e-4;
+static const double carrying = 1e-6;
 
 typedef struct increment {
   arc_halfspace *h;
