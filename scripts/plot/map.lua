@@ -128,7 +128,8 @@ function pictures.stress(where, contact, options, label)
   return given
 end
 
--- Returns the ranges of x and z with values other than 0, and a margin of a quarter of the longer side.
+-- Returns the ranges of x and z with values other than 0, of which there must be some, and a margin of a quarter
+-- of the longer side.
 local function ranges_of(t)
   local x, z, nz = { math.huge, -math.huge }, { math.huge, -math.huge }, #t.z
   local function widen(range, at) range[1], range[2] = math.min(range[1], at), math.max(range[2], at) end
@@ -138,7 +139,6 @@ local function ranges_of(t)
       widen(z, t.z[(i - 1) % nz + 1])
     end
   end
-  if x[1] > x[2] then return end
   local margin = math.max(x[2] - x[1], z[2] - z[1]) / 4
   local function within(range, all) return { math.max(all[1], range[1] - margin), math.min(all[#all], range[2] + margin) } end
   return within(x, t.x), within(z, t.z)

@@ -52,7 +52,6 @@ typedef struct arc_writer {
 typedef struct arc_ticks {
   double step;      /* distance of ticks; 0: chosen by gnuplot */
   int digits;       /* significant digits of a label */
-  int fraction;     /* digits after the point of every label of a linear axis, such as 0.50 */
   size_t longest;   /* length of the longest label [characters] */
   int powers;       /* true: labels have the form 7e-4 */
   int decimals;     /* decimals of the mantissa, which is 7 in 7e-4 */
@@ -64,8 +63,8 @@ typedef struct arc_ticks {
   double low, high; /* first and last tick of a linear axis, in steps */
 } arc_ticks;
 
-/* Returns the number of digits after the point that multiples of `step` need: 2 for 0.05, 0 from
- * 1 on. */
+/* Returns the number of digits after the point that all labels of ticks at multiples of `step`
+ * have: 2 for 0.05, 0 from 1 on and for 0 (ticks chosen by gnuplot). */
 int arc_ticks_fraction(double step);
 
 /* Computes about `most` ticks for an axis from..to (the ends may be in any order). arc_ticks_up
@@ -108,7 +107,7 @@ int arc_title_lines(const char *words, double columns);
  * otherwise with numbers (tick_words.c). */
 void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis, arc_ticks ticks);
 
-/* Writes the ticks of a scale of colours at multiples of `step`. */
+/* Writes the ticks of a scale of colours at multiples of `step`; 0: chosen by gnuplot. */
 void arc_ticks_of_scale(arc_writer *w, double step);
 
 /* Titles of curves that are written to the right of the frame, at the ends of the curves.

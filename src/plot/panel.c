@@ -199,10 +199,8 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
-  if (panel->field && panel->levels) /* contour lines at the ticks of the scale */
-    arc_ticks_of_scale(w, arc_field_step(range, panel->levels));
-  else
-    arc_text_word(w->out, "set cbtics autofreq\nset format cb '%h'\n");
+  const int contours = panel->field && panel->levels; /* lines at the ticks of the scale */
+  arc_ticks_of_scale(w, contours ? arc_field_step(range, panel->levels) : 0);
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");
 }

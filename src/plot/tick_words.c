@@ -5,14 +5,15 @@
 #include "plot/figure.h"
 
 static void tic_format(arc_writer *w, const char *axis, const arc_ticks *ticks) {
+  const int fraction = arc_ticks_fraction(ticks->step);
   const char *power = w->canvas->text ? "e%T" : "10^{%T}",
              *times = w->canvas->text ? "" : "\303\227";
   if (ticks->bare)
     arc_text_format(w->out, "set format %s '%s%s'\n", axis, w->canvas->text ? "1" : "", power);
   else if (ticks->powers)
     arc_text_format(w->out, "set format %s '%%.%dt%s%s'\n", axis, ticks->decimals, times, power);
-  else if (ticks->fraction && !w->canvas->window)
-    arc_text_format(w->out, "set format %s '%%.%df'\n", axis, ticks->fraction);
+  else if (fraction && !w->canvas->window)
+    arc_text_format(w->out, "set format %s '%%.%df'\n", axis, fraction);
   else
     arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks->digits);
 }
@@ -83,7 +84,10 @@ void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis,
 void arc_ticks_of_scale(arc_writer *w, double step) {
   enum { longest = 3 }; /* more digits are shown as powers of ten */
   const int fraction = arc_ticks_fraction(step);
-  arc_text_format(w->out, "set cbtics %.17g\n", step);
+  if (step > 0)
+    arc_text_format(w->out, "set cbtics %.17g\n", step);
+  else
+    arc_text_word(w->out, "set cbtics autofreq\n");
   if (fraction > 0 && fraction <= longest)
     arc_text_format(w->out, "set format cb '%%.%df'\n", fraction);
   else

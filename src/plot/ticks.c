@@ -41,11 +41,12 @@ int arc_ticks_fraction(double step) {
 static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   char label[40];
   size_t longest = 1;
+  const int fraction = arc_ticks_fraction(ticks->step);
   double first = floor(low / ticks->step), last = ceil(high / ticks->step);
   for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
     const double value = (first + i) * ticks->step;
-    int length = ticks->fraction ? snprintf(label, sizeof label, "%.*f", ticks->fraction, value)
-                                 : snprintf(label, sizeof label, "%.*g", ticks->digits, value);
+    int length = fraction ? snprintf(label, sizeof label, "%.*f", fraction, value)
+                          : snprintf(label, sizeof label, "%.*g", ticks->digits, value);
     if (length > 0 && (size_t)length > longest) longest = (size_t)length;
   }
   return longest;
@@ -86,8 +87,7 @@ static void choose_form(double low, double high, arc_ticks *ticks) {
 }
 
 static arc_ticks with_step(double low, double high, double step) {
-  arc_ticks ticks = {
-      .step = step, .digits = digits_of(low, high, step), .fraction = arc_ticks_fraction(step)};
+  arc_ticks ticks = {.step = step, .digits = digits_of(low, high, step)};
   ticks.longest = longest_label(low, high, &ticks);
   choose_form(low, high, &ticks);
   return ticks;

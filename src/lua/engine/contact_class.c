@@ -102,6 +102,24 @@ static void show_peak(const arc_contact *contact, const arc_contact_result *solv
   free(arrays);
 }
 
+/* Pushes the lines on friction of a printed contact. */
+static void push_friction_text(lua_State *L, const arc_contact_def *def,
+                               const arc_contact_result *solved) {
+  char text[240];
+  const double least = 1e-8 * def->load; /* below this a force is shown as 0 */
+  const double along_x = fabs(solved->tangential) < least ? 0 : solved->tangential;
+  const double along_z = fabs(solved->tangential_z) < least ? 0 : solved->tangential_z;
+  if (arc_model_has_maps(model_of(self(L))))
+    snprintf(text, sizeof text,
+             "\n  friction  %.6g, tangential force %.6g N along x, %.6g N along z\n"
+             "            %.4g of the area sticks, %.6g N mm dissipated",
+             def->friction, along_x, along_z, solved->stick, solved->energy);
+  else
+    snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
+             def->friction, along_x, solved->energy);
+  lua_pushstring(L, text);
+}
+
 static int contact_tostring(lua_State *L) {
   const arc_contact_def *def = arc_contact_definition(self(L));
   arc_contact_result solved = result(L);
@@ -124,18 +142,7 @@ static int contact_tostring(lua_State *L) {
              solved.half_width_z, solved.area, solved.approach, solved.iterations);
   lua_pushstring(L, text);
   if (def->friction == 0) return 1;
-  const double least = 1e-8 * def->load; /* below this a force is shown as 0 */
-  const double along_x = fabs(solved.tangential) < least ? 0 : solved.tangential;
-  const double along_z = fabs(solved.tangential_z) < least ? 0 : solved.tangential_z;
-  if (arc_model_has_maps(model_of(self(L))))
-    snprintf(text, sizeof text,
-             "\n  friction  %.6g, tangential force %.6g N along x, %.6g N along z\n"
-             "            %.4g of the area sticks, %.6g N mm dissipated",
-             def->friction, along_x, along_z, solved.stick, solved.energy);
-  else
-    snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
-             def->friction, along_x, solved.energy);
-  lua_pushstring(L, text);
+  push_friction_text(L, def, &solved);
   lua_concat(L, 2);
   return 1;
 }
