@@ -51,8 +51,8 @@ extern const char *const arc_space_names[];
       "kinks, the width over which the pressure rises replaces the half width. For rough "         \
       "profiles the size is at most an eighth of the wavelength, but waves that change the "       \
       "pressure by less than a thousandth are ignored. In wear runs with partial slip it is at "   \
-      "most a fifth of the slip zone at either edge. A contact has at most 320 elements. With "    \
-      "friction in 3-D it has 40 cells in the half width.")                                        \
+      "most a fifth of the slip zone at either edge. A contact has at most 320 elements. A "       \
+      "contact{} with friction in 3-D has 40 cells in the half width.")                            \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Factor by which the automatic size is divided; 2 halves the elements. Default: 1. Do "   \
          "not give it together with size.")                                                        \

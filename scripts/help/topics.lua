@@ -163,6 +163,7 @@ still be too long: compare with half of it.
 
 increments divide a cycle; with "auto" the plate moves by less than an eighth of the half width in each. w:step() makes one
 update, w:run() all; Ctrl-C stops after the current step, and w:run() continues. examples "steps" compares the choices.]] },
+
   { "fretting", [[
 Fretting is a motion so short that the bodies deform as much as they slide, so friction matters. A cylinder on a plate that an
 oscillating force of 30 N moves, under a load of 100 N:
