@@ -86,15 +86,18 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  /* in_rim and in_contact are minimum numbers of cells in the slip annulus and in the half width.
-   * `most` is the maximum number in the half width. */
-  static const double in_rim = 5, in_contact = 14, most = 64;
+  /* in_rim, in_stick and in_contact are minimum numbers of cells in the slip annulus, in the radius
+   * of the stick zone, where the load is carried at the end of wear, and in the half width.
+   * for_stick and `most` are maximum numbers in the half width, the first for a small stick zone. */
+  static const double in_rim = 5, in_stick = 10, in_contact = 14, for_stick = 28, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
   if (model->mesh.size > 0 || !(share > 0 && share < 1)) return arc_space_cell(model, def->load);
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   const double half = fmin(hertz.half_width, hertz.half_width_z);
-  const double cells = fmin(most, fmax(in_contact, in_rim / (1 - share))) * finer;
+  const double for_rim = fmin(most, in_rim / (1 - share));
+  const double for_both = fmax(for_rim, fmin(for_stick, in_stick / share));
+  const double cells = fmax(in_contact, for_both) * finer;
   return fill_zone(half / cells, share * hertz.half_width, share * hertz.half_width_z);
 }
 
