@@ -47,7 +47,7 @@ static void test_parity(void **state) {
   }
   const convolution *const three[3] = {c[EVEN_LAGS], c[ODD_BOTH], c[EVEN_LAGS]};
   convolution_work *work[2] = {arc_convolution_work(c[0]), arc_convolution_work(c[0])};
-  arc_convolution_apply_pair(three, work, (const double *const[2]){p[0], p[1]},
+  arc_convolution_apply_pair(three, work, columns, (const double *const[2]){p[0], p[1]},
                              (double *const[2]){u[0], u[1]});
   for (int i = 0; i < rows; i++)
     for (int j = 0; j < columns; j++)
@@ -160,6 +160,32 @@ static void test_mindlin(void **state) {
     assert_int_equal(r.effort.flipping, 0);
     end(&r);
   }
+}
+
+/* Tests that the same contact in a wider window, whose boxes are smaller than the window, has the
+ * same motion, shear and slip, at cells outside the contact too. */
+static void test_wide_window(void **state) {
+  (void)state;
+  enum { few = 33, many = 101, beyond = (many - few) / 2 };
+  double a;
+  rubbing narrow = mindlin(0.3, few, &a);
+  arc_halfspace_def def = *arc_halfspace_definition(narrow.h);
+  def.nx = def.nz = many;
+  rubbing wide = press(&def, 10, 0.5);
+  pull(&narrow, 2, 1, 2);
+  pull(&wide, 2, 1, 2);
+  const double slid = hypot(wide.s.xi[0], wide.s.xi[1]);
+  for (int c = 0; c < 2; c++) {
+    check_share(wide.s.xi[c], narrow.s.xi[c], 1e-6);
+    for (int i = 0; i < few; i++)
+      for (int k = 0; k < few; k++) {
+        const int at = i * few + k, same = (i + beyond) * many + k + beyond;
+        check_near(wide.s.q[c][same], narrow.s.q[c][at], 1e-3);
+        check_near(wide.s.slip[c][same], narrow.s.slip[c][at], 1e-5 * slid);
+      }
+  }
+  end(&narrow);
+  end(&wide);
 }
 
 /* Tests an elliptical contact at nu = 0 with motion along either axis against the closed form of
@@ -424,11 +450,11 @@ static void test_refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_parity),       cmocka_unit_test(test_rectangles),
-      cmocka_unit_test(test_mindlin),      cmocka_unit_test(test_ellipse),
-      cmocka_unit_test(test_spence),       cmocka_unit_test(test_symmetries),
-      cmocka_unit_test(test_random_paths), cmocka_unit_test(test_round),
-      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_parity),     cmocka_unit_test(test_rectangles),
+      cmocka_unit_test(test_mindlin),    cmocka_unit_test(test_wide_window),
+      cmocka_unit_test(test_ellipse),    cmocka_unit_test(test_spence),
+      cmocka_unit_test(test_symmetries), cmocka_unit_test(test_random_paths),
+      cmocka_unit_test(test_round),      cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

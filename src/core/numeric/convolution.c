@@ -247,18 +247,18 @@ arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_
 
 /* --- application ------------------------------------------------------------------------------ */
 
-static void load_rows(const convolution *c, double *rows, const double *p) {
+static void load_rows(const convolution *c, double *rows, const double *p, int distance) {
   const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
   for (int i = 0; i < c->rows; i++) {
-    memcpy(rows + (size_t)i * stride, p + (size_t)i * n, n * sizeof *p);
+    memcpy(rows + (size_t)i * stride, p + (size_t)i * (size_t)distance, n * sizeof *p);
     memset(rows + (size_t)i * stride + n, 0, (stride - n) * sizeof *p);
   }
 }
 
-static void store_rows(const convolution *c, const double *rows, double *u) {
+static void store_rows(const convolution *c, const double *rows, double *u, int distance) {
   const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
   for (int i = 0; i < c->rows; i++)
-    memcpy(u + (size_t)i * n, rows + (size_t)i * stride, n * sizeof *u);
+    memcpy(u + (size_t)i * (size_t)distance, rows + (size_t)i * stride, n * sizeof *u);
 }
 
 ARC_WIDE static void multiply(size_t count, const double *symbol, double *restrict pairs) {
@@ -306,18 +306,19 @@ static int block_width(const convolution *c, int first) {
   return c->half - first < block ? c->half - first : block;
 }
 
-static void load_spectrum(const convolution *c, convolution_work *w, const double *p) {
-  load_rows(c, w->values, p);
+static void load_spectrum(const convolution *c, convolution_work *w, const double *p,
+                          int distance) {
+  load_rows(c, w->values, p, distance);
   fftw_execute_dft_r2c(c->into, w->values, w->spectrum);
 }
 
-static void store_spectrum(const convolution *c, convolution_work *w, double *u) {
+static void store_spectrum(const convolution *c, convolution_work *w, double *u, int distance) {
   fftw_execute_dft_c2r(c->out_of, w->spectrum, w->values);
-  store_rows(c, w->values, u);
+  store_rows(c, w->values, u, distance);
 }
 
 void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
-  load_spectrum(c, w, p);
+  load_spectrum(c, w, p, c->columns);
   for (int first = 0; first < c->half; first += block) {
     const int width = block_width(c, first);
     const size_t pairs = (size_t)c->box_rows * (size_t)width;
@@ -329,13 +330,13 @@ void arc_convolution_apply(const convolution *c, convolution_work *w, const doub
       multiply(pairs, symbol, (double *)w->waves);
     raise_block(c, w, first, width);
   }
-  store_spectrum(c, w, u);
+  store_spectrum(c, w, u, c->columns);
 }
 
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
-                                const double *const p[2], double *const u[2]) {
+                                int stride, const double *const p[2], double *const u[2]) {
   const convolution *c = k[0];
-  for (int i = 0; i < 2; i++) load_spectrum(c, work[i], p[i]);
+  for (int i = 0; i < 2; i++) load_spectrum(c, work[i], p[i], stride);
   for (int first = 0; first < c->half; first += block) {
     const int width = block_width(c, first);
     const size_t from = (size_t)first * (size_t)c->box_rows;
@@ -345,7 +346,7 @@ void arc_convolution_apply_pair(const convolution *const k[3], convolution_work 
                   (double *)work[1]->waves);
     for (int i = 0; i < 2; i++) raise_block(c, work[i], first, width);
   }
-  for (int i = 0; i < 2; i++) store_spectrum(c, work[i], u[i]);
+  for (int i = 0; i < 2; i++) store_spectrum(c, work[i], u[i], stride);
 }
 
 /* --- whole boxes ------------------------------------------------------------------------------ */

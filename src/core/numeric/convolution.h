@@ -54,9 +54,9 @@ void arc_convolution_apply(const convolution *c, convolution_work *work, const d
 /* Computes two convolutions with a symmetric matrix of three kernels: u[0] = k[0] * p[0] + k[1] *
  * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two transforms forward and two back are needed.
  * The kernels must have the same window, and no kernel may be odd in only one direction. u may be
- * the same as p. */
+ * the same as p. In p and u the distance between two rows is `stride`. */
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
-                                const double *const p[2], double *const u[2]);
+                                int stride, const double *const p[2], double *const u[2]);
 
 /* These functions transform a whole box forward and back. `values` has the shape
  * [box_rows][box_columns], `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real,

@@ -97,15 +97,21 @@ static double lag_couple(const void *context, int row, int column) {
          (c->which == 0 ? arc_cerruti_couple(x, z, a, b) : arc_cerruti_couple(z, x, b, a));
 }
 
-static arc_status fill(const arc_halfspace_def *d, space_shear_kernels *k, arc_error *error) {
+static arc_status fill_along(const arc_halfspace_def *d, int nx, int nz, convolution *along[3],
+                             arc_error *error) {
   static const lag_parity parity[3] = {EVEN_LAGS, ODD_BOTH, EVEN_LAGS};
-  static const lag_parity odd[2] = {ODD_ROWS, ODD_COLUMNS};
   arc_status status = ARC_OK;
   for (int i = 0; i < 3 && status == ARC_OK; i++) {
     const lag_context context = {d, i};
-    status =
-        arc_convolution_create(d->nx, d->nz, parity[i], lag_along, &context, &k->along[i], error);
+    if (along[i]) continue;
+    status = arc_convolution_create(nx, nz, parity[i], lag_along, &context, &along[i], error);
   }
+  return status;
+}
+
+static arc_status fill(const arc_halfspace_def *d, space_shear_kernels *k, arc_error *error) {
+  static const lag_parity odd[2] = {ODD_ROWS, ODD_COLUMNS};
+  arc_status status = fill_along(d, d->nx, d->nz, k->along[0][0], error);
   for (int i = 0; i < 2 && status == ARC_OK && arc_cerruti_unlike(d) != 0; i++) {
     const lag_context context = {d, i};
     status =
@@ -114,7 +120,7 @@ static arc_status fill(const arc_halfspace_def *d, space_shear_kernels *k, arc_e
   if (status != ARC_OK) return status;
   k->self[0] = compliance(d, XX, 0, 0);
   k->self[1] = compliance(d, ZZ, 0, 0);
-  k->work = arc_convolution_work(k->along[0]);
+  k->work = arc_convolution_work(k->along[0][0][0]);
   return k->work ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for a transform");
 }
 
@@ -147,11 +153,21 @@ arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **fou
   return status;
 }
 
+arc_status arc_cerruti_in_box(arc_halfspace *h, const space_box *box, arc_error *error) {
+  convolution **along = h->shear->along[box->level_x][box->level_z];
+  pthread_mutex_lock(&h->lock);
+  const arc_status status = fill_along(&h->def, box->nx, box->nz, along, error);
+  pthread_mutex_unlock(&h->lock);
+  return status;
+}
+
 void arc_cerruti_destroy(space_shear_kernels **kernels) {
   space_shear_kernels *k = *kernels;
   *kernels = NULL;
   if (!k) return;
-  for (int i = 0; i < 3; i++) arc_convolution_destroy(&k->along[i]);
+  for (int x = 0; x < SPACE_LEVELS; x++)
+    for (int z = 0; z < SPACE_LEVELS; z++)
+      for (int i = 0; i < 3; i++) arc_convolution_destroy(&k->along[x][z][i]);
   for (int i = 0; i < 2; i++) arc_convolution_destroy(&k->couple[i]);
   arc_convolution_work_free(&k->work);
   free(k);
@@ -159,15 +175,24 @@ void arc_cerruti_destroy(space_shear_kernels **kernels) {
 
 /* --- application ------------------------------------------------------------------------------ */
 
+void arc_cerruti_shear_in(const arc_halfspace *h, const space_box *box, const double *const q[2],
+                          double *const u[2]) {
+  convolution *const *k = h->shear->along[box->level_x][box->level_z];
+  const convolution *const along_both[3] = {k[0], k[1], k[2]};
+  convolution_work *const work[2] = {h->work[0], h->shear->work};
+  const size_t from = (size_t)box->x * (size_t)h->def.nz + (size_t)box->z;
+  const double *const loads[2] = {q[0] + from, q[1] + from};
+  double *const moves[2] = {u[0] + from, u[1] + from};
+  arc_convolution_apply_pair(along_both, work, h->def.nz, loads, moves);
+}
+
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]) {
-  const space_shear_kernels *k = h->shear;
-  const convolution *const along_both[3] = {k->along[0], k->along[1], k->along[2]};
-  convolution_work *const work[2] = {h->work[0], k->work};
-  arc_convolution_apply_pair(along_both, work, q, u);
+  const space_box window = arc_space_window(h);
+  arc_cerruti_shear_in(h, &window, q, u);
 }
 
 void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u) {
-  arc_convolution_apply(h->shear->along[2 * axis], h->work[0], q, u);
+  arc_convolution_apply(h->shear->along[0][0][2 * axis], h->work[0], q, u);
 }
 
 static void add(const arc_halfspace *h, const convolution *c, const double *from, double *to) {

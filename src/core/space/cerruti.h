@@ -26,6 +26,12 @@ void arc_cerruti_destroy(space_shear_kernels **kernels);
  * relative to the upper one. The shear q [MPa] on the upper body has the opposite direction. u
  * may be the same array as q. */
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]);
+/* Computes u = C q like arc_cerruti_shear, at the cells of a box that contains all shear. The
+ * values of u outside the box are unchanged. arc_cerruti_in_box must have been called for a box of
+ * this size; it computes the kernels at the first call. Error: ARC_MEMORY. */
+arc_status arc_cerruti_in_box(arc_halfspace *h, const space_box *box, arc_error *error);
+void arc_cerruti_shear_in(const arc_halfspace *h, const space_box *box, const double *const q[2],
+                          double *const u[2]);
 /* Computes the displacement u [window] [mm] along one axis (0: x, 1: z) due to the shear along
  * the same axis. */
 void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u);

@@ -166,19 +166,6 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
 
 /* --- creation --------------------------------------------------------------------------------- */
 
-/* Chooses box sizes for short transforms. Each size is even or odd like the window's size, so
- * the box can lie symmetrically in the window. */
-static void find_levels(int n, int periodic, int level[SPACE_LEVELS]) {
-  static const double share[SPACE_LEVELS] = {1, 0.75, 0.5, 0.375, 0.25};
-  level[0] = n;
-  for (int k = 1; k < SPACE_LEVELS; k++) {
-    const int length = arc_transform_length((int)(share[k] * arc_transform_length(2 * n - 1)));
-    int size = (length + 1) / 2;
-    size -= (size - n) % 2 != 0;
-    level[k] = periodic || size < 8 || size > n ? n : size;
-  }
-}
-
 static void find_recess(arc_halfspace *h, int body) {
   const arc_halfspace_def *d = &h->def;
   const arc_halfspace_body *b = &d->body[body];
@@ -220,8 +207,8 @@ static arc_status fill(arc_halfspace *h, arc_error *error) {
   if (!allocate(h)) return arc_fail(error, ARC_MEMORY, "out of memory for %d cells", h->cells);
   for (int b = 0; b < ARC_BODIES; b++) find_recess(h, b);
   arc_status status = check_recess(h, error);
-  find_levels(h->def.nx, h->def.periodic, h->level_x);
-  find_levels(h->def.nz, h->def.periodic, h->level_z);
+  arc_space_box_sizes(h->def.nx, h->def.periodic, h->level_x);
+  arc_space_box_sizes(h->def.nz, h->def.periodic, h->level_z);
   if (status == ARC_OK && h->def.periodic)
     status = make_periodic(h, error);
   else if (status == ARC_OK)

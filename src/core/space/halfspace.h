@@ -8,15 +8,17 @@
 
 #include <pthread.h>
 
-enum { SPACE_LEVELS = 5 };
+enum { SPACE_LEVELS = 8 };
 
-/* Convolution kernels on the whole window for friction: the tangential displacement of the pair
- * due to shear, and the coupling between shear and pressure if the bodies have different
+/* Convolution kernels for friction: the tangential displacement of the pair due to shear, and, on
+ * the whole window, the coupling between shear and pressure if the bodies have different
  * materials. */
 typedef struct space_shear_kernels {
-  double self[2];         /* displacement of a loaded cell along x and z [mm/MPa] */
-  convolution *along[3];  /* displacement along x due to qx, along x due to qz (equal to z due to
-                             qx), along z due to qz */
+  double self[2]; /* displacement of a loaded cell along x and z [mm/MPa] */
+  convolution
+      *along[SPACE_LEVELS][SPACE_LEVELS][3]; /* for each size of a box, NULL until the first use:
+                                                displacement along x due to qx, along x due to qz
+                                                (equal to z due to qx), along z due to qz */
   convolution *couple[2]; /* gap due to qx and due to qz; NULL if the materials are equal */
   convolution_work *work; /* second workspace, for convolutions of two fields at once */
 } space_shear_kernels;
@@ -42,6 +44,25 @@ struct arc_halfspace {
 typedef struct space_box {
   int x, z, nx, nz, level_x, level_z;
 } space_box;
+
+/* A range of row or column indices. */
+typedef struct space_range {
+  int low, high; /* empty if high < low */
+} space_range;
+
+/* Chooses box sizes [cells] for short transforms in a window of n rows or columns, largest first.
+ * Each size is even or odd like n, so the box can lie symmetrically in the window. */
+void arc_space_box_sizes(int n, int periodic, int size[SPACE_LEVELS]);
+/* Returns the box that covers the whole window. */
+space_box arc_space_window(const arc_halfspace *h);
+/* Extends a range to index k. */
+void arc_space_extend(space_range *r, int k);
+/* Extends the ranges to the rows and columns of all cells with a positive value [window]. */
+void arc_space_find_range(const arc_halfspace *h, const double *value, space_range *x,
+                          space_range *z);
+/* Returns the smallest box that contains the ranges of rows and columns, with a margin. If
+ * `symmetric` is 1, the box lies symmetrically in x. */
+space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int symmetric);
 
 /* Return in *found the convolution for boxes of one size, and the convolution with the inverse
  * symbol for preconditioning. Both are created at the first call. */

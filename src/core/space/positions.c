@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { margin = 4 /* margin around the contact [cells] */ };
-
 /* --- symmetry --------------------------------------------------------------------------------- */
 
 static int is_even(const double *value, int rows, int columns) {
@@ -144,59 +142,11 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
 
 /* --- boxes ------------------------------------------------------------------------------------ */
 
-space_box arc_space_window(const arc_halfspace *h) {
-  return (space_box){.nx = h->def.nx, .nz = h->def.nz};
-}
-
-/* A range of row or column indices. */
-typedef struct range {
-  int low, high; /* empty if high < low */
-} range;
-
-static void hold(range *r, int k) {
-  if (r->high < r->low) r->low = r->high = k;
-  if (k < r->low) r->low = k;
-  if (k > r->high) r->high = k;
-}
-
-/* Returns the index of the smallest box size that contains the range and its margin. Sets *from to
- * the first row or column of the box. */
-static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
-  const int n = level[0];
-  if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
-  if (symmetric) r.low = n - 1 - r.high;
-  const int low = r.low > margin ? r.low - margin : 0,
-            high = r.high + margin < n ? r.high + margin : n - 1;
-  int best = 0;
-  for (int k = 1; k < SPACE_LEVELS; k++)
-    if (level[k] >= high - low + 1 && level[k] < level[best]) best = k;
-  const int first = symmetric ? (n - level[best]) / 2 : (low + high + 1 - level[best]) / 2;
-  *from = first < 0 ? 0 : first + level[best] > n ? n - level[best] : first;
-  return best;
-}
-
-static space_box box_of(const positions *p, range x, range z) {
-  const arc_halfspace *h = p->s.h;
-  space_box box = arc_space_window(h);
-  if (h->def.periodic) return box;
-  box.level_x = fit_level(h->level_x, x, p->s.mirrored, &box.x);
-  box.level_z = fit_level(h->level_z, z, 0, &box.z);
-  box.nx = h->level_x[box.level_x];
-  box.nz = h->level_z[box.level_z];
-  return box;
-}
-
 /* Computes the ranges of rows and columns that are in contact at any position. */
-static void find_ranges(const positions *p, range *x, range *z) {
-  const arc_halfspace_def *d = &p->s.h->def;
-  *x = *z = (range){0, -1};
+static void find_ranges(const positions *p, space_range *x, space_range *z) {
+  *x = *z = (space_range){0, -1};
   for (int j = 0; j < p->s.count; j++)
-    for (int i = 0; i < d->nx; i++)
-      for (int k = 0; k < d->nz; k++)
-        if (p->pressure[((size_t)j * (size_t)d->nx + (size_t)i) * (size_t)d->nz + (size_t)k] > 0) {
-          hold(x, i);
-          hold(z, k);
-        }
+    arc_space_find_range(p->s.h, p->pressure + (size_t)j * (size_t)p->s.h->cells, x, z);
 }
 
 /* Copies rows between window and box: from the box to the window if `into` is 1, otherwise from
@@ -236,7 +186,7 @@ static void start_one(void *context, int position, int worker) {
 typedef struct outside {
   positions *p;
   space_box box;
-  range *x, *z; /* [count] */
+  space_range *x, *z; /* [count] */
 } outside;
 
 static int in_box(const space_box *b, int i, int k) {
@@ -253,25 +203,25 @@ static void look_outside(void *context, int position, int worker) {
                         p->pressure + (size_t)position * (size_t)h->cells, u);
   arc_stroke_gap(&p->s, p->depth, position, gap);
   for (int k = 0; k < h->cells; k++) largest = fmax(largest, u[k]);
-  o->x[position] = o->z[position] = (range){0, -1};
+  o->x[position] = o->z[position] = (space_range){0, -1};
   for (int i = 0; i < h->def.nx; i++)
     for (int k = 0; k < h->def.nz; k++) {
       const int c = i * h->def.nz + k;
       if (in_box(&o->box, i, k)) continue;
       if (u[c] + gap[c] - p->approach[position] > -2 * p->tolerance * largest) continue;
-      hold(&o->x[position], i);
-      hold(&o->z[position], k);
+      arc_space_extend(&o->x[position], i);
+      arc_space_extend(&o->z[position], k);
     }
 }
 
 /* Extends the ranges to the cells outside the box where the surfaces overlap. Sets *wider to 1 if
  * such cells exist, otherwise to 0. */
-static arc_status check_outside(positions *p, const space_box *box, range *x, range *z, int *wider,
-                                arc_error *error) {
+static arc_status check_outside(positions *p, const space_box *box, space_range *x, space_range *z,
+                                int *wider, arc_error *error) {
   const int n = p->s.count;
   *wider = 0;
   if (box->level_x == 0 && box->level_z == 0) return ARC_OK;
-  outside o = {.p = p, .box = *box, .x = malloc(2 * (size_t)n * sizeof(range))};
+  outside o = {.p = p, .box = *box, .x = malloc(2 * (size_t)n * sizeof(space_range))};
   if (!o.x) return arc_fail(error, ARC_MEMORY, "out of memory for %d positions", n);
   o.z = o.x + n;
   p->s.box = arc_space_window(p->s.h);
@@ -280,8 +230,8 @@ static arc_status check_outside(positions *p, const space_box *box, range *x, ra
   for (int j = 0; j < n; j++)
     if (o.x[j].high >= o.x[j].low) {
       *wider = 1;
-      hold(x, o.x[j].low), hold(x, o.x[j].high);
-      hold(z, o.z[j].low), hold(z, o.z[j].high);
+      arc_space_extend(x, o.x[j].low), arc_space_extend(x, o.x[j].high);
+      arc_space_extend(z, o.z[j].low), arc_space_extend(z, o.z[j].high);
     }
   free(o.x);
   return ARC_OK;
@@ -375,7 +325,7 @@ static void make_even(void *context, int position, int worker) {
 /* Returns ARC_ZONE if the contact reaches the edge of the window. */
 static arc_status check_edge(const positions *p, arc_error *error) {
   const arc_halfspace_def *d = &p->s.h->def;
-  range x, z;
+  space_range x, z;
   if (d->periodic) return ARC_OK;
   find_ranges(p, &x, &z);
   if (x.low > 0 && z.low > 0 && x.high < d->nx - 1 && z.high < d->nz - 1) return ARC_OK;
@@ -386,14 +336,14 @@ static arc_status check_edge(const positions *p, arc_error *error) {
 }
 
 arc_status arc_positions_solve(positions *p, arc_error *error) {
-  range x, z;
+  space_range x, z;
   int wider = 1;
   p->s.box = arc_space_window(p->s.h);
   arc_team_run(p->s.count > 1 ? p->s.h->team : NULL, p->s.count, start_one, p);
   find_ranges(p, &x, &z);
   arc_status status = ARC_OK;
   while (wider && status == ARC_OK) {
-    p->s.box = box_of(p, x, z);
+    p->s.box = arc_space_box(p->s.h, x, z, p->s.mirrored);
     status = solve_in_box(p, error);
     if (status == ARC_OK) status = check_outside(p, &p->s.box, &x, &z, &wider, error);
   }

@@ -43,7 +43,4 @@ void arc_positions_sum(positions *p, arc_body body, double *sum);
  * is in x or, if `across` is 1, in z. */
 int arc_space_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES], int across);
 
-/* Returns the box that covers the whole window. */
-space_box arc_space_window(const arc_halfspace *h);
-
 #endif

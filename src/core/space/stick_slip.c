@@ -100,10 +100,12 @@ static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fre
   return changes;
 }
 
-/* Computes the slip from the present q and xi. Returns the largest displacement C q [mm]. */
-static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
+/* Computes the slip at the cells of a box from the present q and xi. Returns the largest
+ * displacement C q [mm]. */
+static double find_slip(const stick_slip_problem *p, const space_box *box, stick_slip_work *w,
+                        stick_slip_count *count) {
   double most = 0;
-  arc_cerruti_shear(p->h, (const double *const[2]){w->q[0], w->q[1]}, w->a);
+  arc_cerruti_shear_in(p->h, box, (const double *const[2]){w->q[0], w->q[1]}, w->a);
   count->applications++;
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < p->h->cells; k++) {
@@ -183,7 +185,7 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
     const arc_status status = callbacks_check(p->callbacks, error);
     if (status != ARC_OK) return status;
     int changes = begin_slip(p, w, fresh);
-    const double wanted = p->tolerance * find_slip(p, w, count);
+    const double wanted = p->tolerance * find_slip(p, &w->box, w, count);
     changes += end_slip(p, w, wanted, fresh);
     const double residual = arc_stick_slip_residual(p, w);
     missed = force_error(p, w, each);
@@ -210,7 +212,7 @@ static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis
     w->d[axis][k] = p->bound[k];
     w->d[1 - axis][k] = 0;
   }
-  arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
+  arc_cerruti_shear_in(p->h, &w->box, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   for (int k = 0; k < p->h->cells; k++) {
     sum += p->bound[k];
     product += p->bound[k] * w->a[axis][k];
@@ -258,9 +260,20 @@ static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work 
                   fmax(fabs(missed[0]), fabs(missed[1])));
 }
 
+/* Chooses the box of the cells that may carry shear. */
+static arc_status choose_box(const stick_slip_problem *p, stick_slip_work *w, arc_error *error) {
+  space_range x = {0, -1}, z = {0, -1};
+  for (int i = 0; i < 2; i++) memset(w->a[i], 0, (size_t)p->h->cells * sizeof *w->a[i]);
+  arc_space_find_range(p->h, p->bound, &x, &z);
+  w->box = arc_space_box(p->h, x, z, 0);
+  return arc_cerruti_in_box(p->h, &w->box, error);
+}
+
 arc_status arc_stick_slip_solve(const stick_slip_problem *p, stick_slip_work *w,
                                 stick_slip_count *count, arc_error *error) {
+  const space_box window = arc_space_window(p->h);
   arc_status status = check_forces(p, error);
+  if (status == ARC_OK) status = choose_box(p, w, error);
   if (status != ARC_OK) return status;
   char *fresh = calloc((size_t)p->h->cells, 1);
   if (!fresh) return arc_fail(error, ARC_MEMORY, "out of memory for the shear of a contact");
@@ -272,6 +285,7 @@ arc_status arc_stick_slip_solve(const stick_slip_problem *p, stick_slip_work *w,
     w->xi[1] = xi[1];
     status = find_motion(p, w, fresh, count, error);
   }
+  if (status == ARC_OK) find_slip(p, &window, w, count);
   free(fresh);
   return status;
 }

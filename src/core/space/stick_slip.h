@@ -40,7 +40,8 @@ typedef struct stick_slip_work {
   double *tangent[2];      /* [window] unit vectors at cells that slip */
   double *diagonal;        /* [window] slip divided by the friction limit, at cells that slip */
   double *r[2], *z[2], *d[2],
-      *a[2]; /* residual, preconditioned residual, search direction, operator times direction */
+      *a[2];     /* residual, preconditioned residual, search direction, operator times direction */
+  space_box box; /* box of the cells that may carry shear; outside it `a` is 0 while solving */
   int *site, sites; /* list of cells that carry shear in the present Newton step */
   double *block;
 } stick_slip_work;

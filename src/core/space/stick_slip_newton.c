@@ -122,7 +122,7 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
 
 /* Computes a = C d + D d, projected onto the free directions. */
 static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
-  arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
+  arc_cerruti_shear_in(p->h, &w->box, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   count->applications++;
   for (int s = 0; s < w->sites; s++) {
     const int k = w->site[s];
