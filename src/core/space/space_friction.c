@@ -87,8 +87,9 @@ static double fill_zone(double size, double x, double z) {
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
   /* in_rim, in_stick and in_contact are minimum numbers of cells in the slip annulus, in the radius
-   * of the stick zone, where the load is carried at the end of wear, and in the half width.
-   * for_stick and `most` are maximum numbers in the half width, the first for a small stick zone. */
+   * of the stick zone, which carries the whole load at the end of wear, and in the half width.
+   * for_stick and `most` are maximum numbers in the half width, the first for a small stick
+   * zone. */
   static const double in_rim = 5, in_stick = 10, in_contact = 14, for_stick = 28, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
