@@ -108,8 +108,8 @@ holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa",
 holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
 holds(picture(function(file) plot.slip(d, { file = file }) end), "\nNaN NaN", "nothing is drawn where the bodies do not touch")
 do
-  local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} }, load = 10, friction = 0.5, tangential = 3, k = 1e-6, cycles = 2000 }
-  w:run{ progress = false }
+  local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = 10 }, lower = body.block{} }, load = 10, stroke = 0.02, k = 1e-6, cycles = 1e4 }
+  w:run{ cycles = 100, progress = false }
   local function right_of(options)
     return tonumber((picture(function(file)
       options.file = file

@@ -186,9 +186,10 @@ static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
 }
 
 /* Returns the estimated worn volume at the end of the run [mm3]; 0 if k is not constant. */
-static double volume_of(const arc_wear_def *def) {
+static double volume_of(const arc_wear_def *def, const arc_model_def *model) {
   const int known = !def->k_function && def->k_series.count == 0;
-  return known ? def->k * def->load * def->distance : 0;
+  const double most = arc_wear_has_friction(def) ? arc_space_slip_volume(def, model) : INFINITY;
+  return known ? fmin(def->k * def->load * def->distance, most) : 0;
 }
 
 arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model) {
@@ -199,8 +200,8 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   arc_halfspace_def cells;
   arc_model_def fine = *model;
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
-  arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def, model),
-                increment, &cells);
+  arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def, model),
+                stroke_of(def, model), increment, &cells);
   const arc_halfspace_def bodies = arc_space_bodies(model); /* maps are not copied */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;

@@ -40,6 +40,14 @@ static double amplitude(const arc_wear_def *d, int by_force, double plain) {
   return most;
 }
 
+/* Returns the compliance of the pair to shear in Mindlin's solution [1/MPa]. */
+static double compliance_to_shear(const arc_model_def *model) {
+  double sum = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    sum += 2 * (2 - model->material[b].nu) * (1 + model->material[b].nu) / model->material[b].E;
+  return sum;
+}
+
 /* Returns the ratio of the radius of the stick zone to that of the contact, by Mindlin: 1 for full
  * stick, 0 for gross slip. If the friction coefficient varies, returns this ratio at half of
  * full slip. */
@@ -48,13 +56,20 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
   if (force > 0) return cbrt(fmax(0, 1 - force / carried));
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
-  double compliance = 0;
-  for (int b = 0; b < ARC_BODIES; b++)
-    compliance +=
-        2 * (2 - model->material[b].nu) * (1 + model->material[b].nu) / model->material[b].E;
   const double yielding =
-      3 * carried * compliance / (16 * sqrt(hertz.half_width * hertz.half_width_z));
+      3 * carried * compliance_to_shear(model) / (16 * sqrt(hertz.half_width * hertz.half_width_z));
   return sqrt(fmax(0, 1 - amplitude(d, 0, d->stroke / 2) / yielding));
+}
+
+double arc_space_slip_volume(const arc_wear_def *d, const arc_model_def *model) {
+  static const double periods = 20; /* of 1 / (4 mu k p_0) cycles */
+  const double share = stick_share(d, model);
+  if (!(share > 0 && share < 1) || d->blocks > 0) return INFINITY;
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
+  const double a = sqrt(hertz.half_width * hertz.half_width_z);
+  const double loop = 0.9 * d->load * d->load * compliance_to_shear(model) / a *
+                      (1 - pow(share, 5) - 5 * (1 - pow(share, 3)) / 6 * (1 + share * share));
+  return periods * loop / (4 * hertz.p_max); /* for mu = 1; the volume does not depend on mu */
 }
 
 /* Returns the number of cells whose centre lies within an ellipse of the half axes x and z

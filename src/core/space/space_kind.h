@@ -239,6 +239,11 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
 /* Returns the cell width [mm] of a run with friction: the width in the model's definition, else a
  * width fine enough for the stick and slip zones of the cycles. */
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
+/* Returns the estimated worn volume [mm3] after which wear in partial slip ends: the volume of 20 /
+ * (4 mu k p_0) cycles with Mindlin's loop of the unworn contact, 0.9 mu^2 P^2 S / a times a
+ * function of the stick zone. Returns INFINITY for gross slip, and for a loading history of blocks.
+ */
+double arc_space_slip_volume(const arc_wear_def *def, const arc_model_def *model);
 /* Computes the magnitudes of shear [window] [MPa] and slip [window] [mm] of a contact with
  * friction. */
 void arc_space_sizes(const space_contact *c, double *shear, double *slip);
