@@ -11,14 +11,14 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* One array of one body after one update. size is { sites, 1 } for one value at each site, { sites,
- * 2 } for pairs of values, and { 1, 1 } for a single number. */
+/* One array of one body after one update. The member size is { sites, 1 } for one value at each
+ * site, { sites, 2 } for pairs of values, and { 1, 1 } for a single number. */
 typedef struct arc_array {
-  const char *name; /* a word of letters, digits and _, such as "h" */
+  const char *name; /* name of the array: letters, digits and _, such as "h" */
   arc_body body;
   double update, distance; /* number of the update, and sliding distance [mm] after it */
   size_t size[2];          /* number of rows, numbers per row */
-  const double *values;    /* [size[0] * size[1]] values row by row, without NaN */
+  const double *values;    /* [size[0] * size[1]] values, stored row by row; NaN is not allowed */
 } arc_array;
 
 /* Returns the number of values of an array. */

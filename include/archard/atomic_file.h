@@ -18,7 +18,7 @@ typedef struct arc_atomic_file arc_atomic_file;
 /* Creates a temporary file for `path` and removes temporary files of killed programs from the
  * folder. Symbolic links are followed. If `path` exists, it must be writable, and the new file gets
  * its permissions. A device or pipe is written to directly, not replaced. Errors: those of
- * arc_file_find; ARC_IO with the reason; ARC_MEMORY. */
+ * arc_file_find; ARC_IO (the message has the reason); ARC_MEMORY. */
 arc_status arc_atomic_file_create(const char *path, arc_atomic_file **file, arc_error *error);
 
 /* Creates a temporary file in a folder. The caller discards this file with arc_atomic_file_discard.
@@ -33,7 +33,7 @@ const char *arc_atomic_file_path(const arc_atomic_file *file);
 const char *arc_atomic_file_name(const arc_atomic_file *file);
 
 /* Flushes the temporary file to the disk and renames it. Always frees the object and sets the
- * pointer to NULL. On ARC_IO (with the reason) the old file is unchanged. */
+ * pointer to NULL. ARC_IO: the message has the reason, and the old file is unchanged. */
 arc_status arc_atomic_file_publish(arc_atomic_file **file, arc_error *error);
 
 /* Publishes the file unless another program has meanwhile created a file with the final name. In

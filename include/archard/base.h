@@ -51,24 +51,24 @@ const char *arc_status_text(arc_status status);
 /* Returns the name of a status without its prefix, such as "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Whether a file is opened for reading or writing. */
+/* Purpose for which a file is opened. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
 /* Resolves all links of a file name and writes the absolute path to path [PATH_MAX]. The file or at
  * least its folder must exist. A descriptor of this process, such as "/dev/stdout", is not resolved
  * further. All functions that open, create or replace files call this function first. ARC_ARGUMENT:
- * the name is empty, or the name of a file to write has a control character. ARC_IO: no such
- * folder, or the file is not allowed (arc_file_allowed). */
+ * the name is empty, or the name of a file to write has a control character. ARC_IO: the folder
+ * does not exist, or the file is not allowed (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
 /* Decides whether a file may be used. arc_file_find calls this function. `name` is used in
- * messages; `path` is absolute and has no links. This version allows all files; a program that is
- * restricted to some folders replaces it by a function of the same name. ARC_IO: the file is not
- * allowed. */
+ * messages; `path` is absolute and has no links. The function of this library allows all files; a
+ * program that is restricted to some folders replaces this function by its own function of the same
+ * name. ARC_IO: the file is not allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 
-/* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Also
- * errors of arc_file_find. */
+/* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Other
+ * errors: those of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
 /* Reads a whole file and appends a zero byte. The caller releases *text [*length] with free().
  * Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */

@@ -67,12 +67,13 @@ extern const char *const arc_hold_names[];
 typedef struct arc_layer {
   ARC_LAYER_SETTINGS(
       ARC_MEMBER_NUMBER,
-      ARC_MEMBER_TEXT) /* name or thickness is set, not both; there is no layer if neither is set */
+      ARC_MEMBER_TEXT) /* either name or thickness is set; if neither is set, there is no layer */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
 
-extern const arc_setting arc_layer_settings[]; /* includes the material, as a group of settings */
+extern const arc_setting
+    arc_layer_settings[]; /* settings of a layer; the material is a group in this list */
 
 /* Description of a valid name of a body, for messages. */
 #define ARC_BODY_NAME                                                                              \
@@ -110,12 +111,12 @@ extern const arc_setting arc_layer_settings[]; /* includes the material, as a gr
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
-  double y; /* unused (0); y_series has the values */
-  arc_series
-      y_series; /* heights [mm], positive out of the body. A profile has heights over x [mm], linear
-                   between points and constant beyond them; a map has heights over the index of the
-                   point, z fastest. The caller owns the arrays; a model stores a copy */
-  double x, z;  /* unused (0) */
+  double y;            /* unused, always 0; the heights are in y_series */
+  arc_series y_series; /* heights [mm], positive out of the body. The heights of a profile are given
+                          over x [mm], linear between points and constant beyond them; the heights
+                          of a map are given over the index of the point, where z varies fastest.
+                          The caller owns the arrays; a model stores a copy */
+  double x, z;         /* unused, always 0; the positions are in x_series and z_series */
   arc_series x_series,
       z_series; /* positions [mm] of the points of a map, over the index of the point */
   arc_layer layer[ARC_MOST_LAYERS]; /* layers from the surface inwards */
@@ -131,11 +132,11 @@ arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double rad
  * `path` ("upper." or "lower."), the expected and the actual value. */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
-/* Returns the names of the settings that a kind of body has, ended by NULL. */
+/* Returns the names of the settings that apply to a kind of body, as a list that ends with NULL. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* These functions return true if the surface is the hollow side of an arc, if it is an arc, or if
- * it is a straight line. */
+/* The first function returns true if the surface is the hollow side of an arc, the second one if it
+ * is an arc, and the third one if it is a straight line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
@@ -144,7 +145,8 @@ int arc_body_is_flat(const arc_body_def *def);
  * one. */
 double arc_body_radius(const arc_body_def *def);
 
-/* Returns true if the body has a radius across the motion, for 3-D. */
+/* Returns true if the body has a radius of curvature across the motion (along z), which only 3-D
+ * models use. */
 int arc_body_is_spatial(const arc_body_def *def);
 
 /* The first function returns half the length of the body along its surface [mm], the second one the
@@ -167,10 +169,11 @@ double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Returns true if the surface is a map over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Compute data of a map. The first function returns the height [mm] at (x, z), positive out of the
- * body, cubic between the points and constant beyond them. The second one writes the distances from
- * x = z = 0 to the nearest ends and the largest spacing of the points [mm]. The third one writes
- * the curvatures of the fitted parabola along x and z [1/mm], positive for a ball. */
+/* Properties of a map. The first function returns the height [mm] at (x, z), positive out of the
+ * body; it is interpolated by cubics between the points and constant beyond them. The second one
+ * writes the distances from x = z = 0 to the nearest ends and the largest spacing of the points
+ * [mm]. The third one writes the curvatures of the fitted parabola along x and z [1/mm], positive
+ * for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);

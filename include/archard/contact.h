@@ -116,8 +116,8 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
-/* Friction while the bodies are pressed together. Friction: friction acts. Frictionless: friction
- * acts only afterwards. */
+/* Effect of friction while the bodies are pressed together. Friction: friction acts. Frictionless:
+ * friction acts only after the bodies are pressed together. */
 #define ARC_PRESS_LIST(X)                                                                          \
   X(PRESS_FRICTION, "friction")                                                                    \
   X(PRESS_FRICTIONLESS, "frictionless")
@@ -163,8 +163,8 @@ extern const arc_setting arc_contact_settings[];
 
 arc_contact_def arc_contact_default(void);
 
-/* Computes zones (full widths, by body) [mm] for the contact with its unworn width and a margin
- * (arc_zone_for). */
+/* Computes the full widths [mm] of the candidate zones of both bodies, which cover the unworn
+ * contact and a margin (arc_zone_for). */
 void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
                        double zone[ARC_BODIES]);
 
@@ -183,7 +183,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
 void arc_contact_destroy(arc_contact **contact);
 /* Returns the definition of a contact. The contact owns it. */
 const arc_contact_def *arc_contact_definition(const arc_contact *contact);
-/* Returns the memory of the contact in bytes, for a garbage collector. */
+/* Returns the memory that the contact uses [bytes]. A garbage collector needs this size. */
 size_t arc_contact_bytes(const arc_contact *contact);
 
 /* A motion that starts from a solved contact. Load and motion change linearly. */
@@ -205,8 +205,8 @@ size_t arc_contact_bytes(const arc_contact *contact);
 
 typedef struct arc_motion_def {
   ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)
-  int by_force;   /* 1: `tangential` is used, not `x` */
-  int by_force_z; /* 1: `tangential_z` is used, not `z` */
+  int by_force;   /* 1: the motion ends at the force `tangential`; 0: at the position `x` */
+  int by_force_z; /* 1: the motion ends at the force `tangential_z`; 0: at the position `z` */
 } arc_motion_def;
 
 extern const arc_setting arc_motion_settings[];
@@ -216,8 +216,8 @@ arc_motion_def arc_contact_motion(const arc_contact *contact);
 
 /* Computes the contact after a motion. Points that stick remain opposite to the same points of the
  * other body. If x is given, the pairing of nodes follows the plate, which may slide until the
- * contact reaches the edge of a zone. Errors: those of arc_contact_solve; ARC_ARGUMENT for a
- * tangential force above friction times load. */
+ * contact reaches the edge of a zone. Errors: those of arc_contact_solve; ARC_ARGUMENT if a
+ * tangential force exceeds friction times load. */
 arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
                             const arc_callbacks *callbacks, arc_contact **contact,
                             arc_error *error);
@@ -228,8 +228,8 @@ typedef struct arc_contact_result {
   double p_center;     /* [MPa] pressure at the cylinder's node x = 0; in holes at the point in the
                           direction of the load */
   double p_max;        /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
-  double p_average;    /* [MPa] largest pressure averaged over the length `average`; this value
-                          converges with the mesh */
+  double p_average; /* [MPa] largest mean pressure over a length `average`; converges as the mesh is
+                       refined */
   double half_width;   /* [mm] half the contact width */
   double left, right;  /* [mm] contact edges in the cylinder's frame, computed between nodes; the
                           error is 0.03 elements for unworn and 0.07 for smooth worn surfaces, 0.6
@@ -250,9 +250,9 @@ typedef struct arc_contact_result {
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
-/* Nodal pressures on a body's candidate nodes. The arrays have `count` values and are owned by the
- * contact. x is in the frame of the cylinder for both bodies: for nodes of the plate it is their
- * own x plus the position of the plate. */
+/* Pressures at a body's candidate contact nodes. The arrays have `count` values and are owned by
+ * the contact. x is in the frame of the cylinder for both bodies: for nodes of the plate it is
+ * their own x plus the position of the plate. */
 typedef struct arc_pressure {
   int count;
   const double *x; /* [mm] */
@@ -264,8 +264,8 @@ typedef struct arc_pressure {
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
-/* Shear on a body's candidate nodes. The arrays have `count` values as in arc_pressure. Without
- * friction the shear is zero. */
+/* Shear tractions at a body's candidate contact nodes. The arrays have `count` values and are owned
+ * by the contact. Without friction the tractions are zero. */
 typedef struct arc_shear {
   int count;
   const double *x; /* [mm] position of the nodes */
@@ -287,8 +287,8 @@ int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
  * ARC_NUMERIC: the message has the violated condition and the amount of the violation. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
-/* Columns X(name, unit, text) of a field, in the order of the columns of files: positions of the
- * nodes, then values.
+/* Columns X(name, unit, text) of a stress field: positions of the nodes, displacements and
+ * stresses. Files have the columns in this order.
  *
  * Stresses are of second order in the element size. On the boundary they agree with the tractions
  * (pressure and shear of the node) and with the strain along the surface. Inside they are
@@ -305,8 +305,8 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
   X(principal, "MPa", "largest principal stress, tension positive")                                \
   X(shear, "MPa", "largest shear stress in the plane")
 #define ARC_FIELD_COLUMNS(X)                                                                       \
-  X(x, "mm", "node as worn")                                                                       \
-  X(y, "mm", "node as worn")                                                                       \
+  X(x, "mm", "worn node, along the surface")                                                       \
+  X(y, "mm", "worn node, normal to the surface")                                                   \
   X(ux, "mm", "displacement along the surface")                                                    \
   X(uy, "mm", "displacement normal to the surface")                                                \
   ARC_FIELD_STRESSES(X)

@@ -18,12 +18,12 @@ arc_status arc_export_csv(const char *path, size_t columns, const char *const na
                           arc_error *error);
 
 /* Writes the mesh of one body as legacy VTK text, with the displacements and stresses of `field`
- * (NULL: without). */
+ * (if not NULL). */
 arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
                           arc_error *error);
 
-/* Surface values X(name, unit, text) at the nodes in a .vtu file. They are 0 outside the candidate
- * surface. */
+/* Surface values X(name, unit, text) at the nodes in a .vtu file. The values are 0 outside the
+ * candidate surface. */
 #define ARC_SURFACE_COLUMNS(X)                                                                     \
   X(wear_depth, "mm", "wear depth, scalar sum along the normals")                                  \
   X(pressure, "MPa", "contact pressure")
@@ -62,7 +62,7 @@ arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIE
 /* Writes a text of `length` bytes to a file. */
 arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);
 
-/* Text of a number. arc_number_to_text returns the shortest text that reads back to the same bits,
+/* A number as text. arc_number_to_text returns the shortest text that reads back to the same bits,
  * such as 0.3 instead of 0.29999999999999999. NaN and zero are written without a sign. All exported
  * files use this function. */
 typedef struct arc_number_text {

@@ -129,12 +129,13 @@ void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* area of a cell [mm2] */
 
 typedef struct arc_joint_contact {
-  double p_max, p_center;  /* [MPa] largest pressure; pressure in the direction of the load */
-  double area, half_angle; /* [mm2] contact area; [degree] half angle of a cap of that area */
-  double normal_force;     /* [N] integral of p, which is more than the load */
-  double approach[3];      /* [mm] displacement u of the head */
-  double rim_margin; /* [degree] distance from the contact to the rim; negative if they overlap */
-  int iterations;    /* number of iterations of conjugate gradients */
+  double p_max, p_center; /* [MPa] largest pressure; pressure in the direction of the load */
+  double area,
+      half_angle;      /* [mm2] contact area; [degree] half angle of a spherical cap of that area */
+  double normal_force; /* [N] integral of p, which is more than the load */
+  double approach[3];  /* [mm] displacement u of the head */
+  double rim_margin;   /* [degree] distance from the contact to the rim; negative if they overlap */
+  int iterations;      /* number of iterations of conjugate gradients */
 } arc_joint_contact;
 
 /* Solves one contact under a load [N] in the frame of the cup, with the head at rotation R (row by
@@ -156,11 +157,12 @@ typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles
 
 typedef struct arc_joint_wear_def {
   int instants;
-  const arc_gait_instant *instant;   /* [instants] instants of the gait */
-  double k, alpha;                   /* [mm2/N] wear coefficient; the head's share of the wear */
-  arc_joint_k_fn k_function;         /* used instead of k unless NULL */
-  arc_joint_alpha_fn alpha_function; /* used instead of alpha unless NULL */
-  arc_joint_creep_fn creep;          /* NULL: no creep */
+  const arc_gait_instant *instant; /* [instants] instants of the gait */
+  double k, alpha;                 /* [mm2/N] wear coefficient; the head's share of the wear */
+  arc_joint_k_fn k_function;       /* function for the wear coefficient; NULL: k is used */
+  arc_joint_alpha_fn
+      alpha_function;       /* function for the head's share of the wear; NULL: alpha is used */
+  arc_joint_creep_fn creep; /* function for the creep of the cup; NULL: no creep */
   void *context;
   int explicit_scheme; /* 1: all instants of an update use the geometry at its start; 0: the contact
                           of each instant includes the wear of this instant */
@@ -173,23 +175,23 @@ typedef struct arc_joint_record {
   double volume[ARC_BODIES]; /* [mm3] wear volume of each body */
   double p_peak;             /* [MPa] largest pressure of the last cycle */
   double area;               /* [mm2] largest contact area of the last cycle */
-  double rim_margin; /* [degree] smallest margin of the last cycle, as in arc_joint_contact */
+  double rim_margin; /* [degree] smallest distance from the contact to the rim in the last cycle */
   double
       penetration[3]; /* [mm] displacement of the head under the largest load of the last cycle */
   double work;        /* [N mm] sum of p |s| dA over the last cycle, with the sliding distance s */
   double loss;        /* [mm3] sum over updates of cycles k p |s| dA, the volume of both bodies */
 } arc_joint_record;
 
-/* Makes one update of `cycles` cycles, either explicit or by a sweep over the instants, which runs
- * backwards in every second update. On failure joint and record are unchanged. */
+/* Makes one update of `cycles` cycles. The update is explicit, or solves the instants one after
+ * another, in reverse order in every second update. On failure joint and record are unchanged. */
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
 /* Makes a step of at most `most` cycles with error control. The depths after two updates of half
  * the length must differ from the depths after one update by at most a limit. This limit is
  * `tolerance` times the wear that all cycles so far would cause at the rate of this step. *step
- * [cycles] is the length to try, and on return the length for the next step. ARC_NOT_CONVERGED if
- * no length meets the tolerance. On failure nothing changes. */
+ * [cycles] is the length to try, and on return the length for the next step. ARC_NOT_CONVERGED: the
+ * error exceeds the tolerance at every step length. On failure joint and record are unchanged. */
 arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
@@ -201,7 +203,7 @@ size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,
                                arc_error *error);
-size_t arc_joint_bytes(const arc_joint *joint); /* approximate memory [bytes] */
+size_t arc_joint_bytes(const arc_joint *joint); /* approximate memory used by a joint [bytes] */
 
 /* Returns the largest number of cycles of a stable explicit update. */
 double arc_joint_explicit_limit(const arc_joint *joint, const arc_joint_wear_def *def);

@@ -24,7 +24,7 @@ arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind
 
 /* Create and remove a lock file. It is a symbolic link whose target is a text that identifies the
  * program that owns the lock. The lock of a killed program of this system is replaced. Like mkdir
- * and rmdir, the functions return 0, or -1 with errno. */
+ * and rmdir, the functions return 0, or -1 and set errno. */
 int arc_lock_take(const char *lock, mode_t ignored);
 int arc_lock_leave(const char *lock);
 

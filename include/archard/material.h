@@ -25,8 +25,8 @@ typedef struct arc_material {
 
 extern const arc_setting arc_material_settings[];
 
-/* Row for a material in the settings of another definition: setting `name_`, member at
- * `offset_`. */
+/* Row of a settings list for a material that is part of another definition: the setting is called
+ * `name_`, and the material is at `offset_` in the struct. */
 #define ARC_MATERIAL_TABLE "{ E=, nu=, k=, name= }"
 #define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
@@ -41,7 +41,8 @@ arc_material arc_material_default(void);
 /* Returns the plane-strain modulus E / (1 - nu^2) [MPa]. */
 double arc_material_E_star(arc_material material);
 
-/* Checks the ranges. ARC_ARGUMENT: the message has the field, the expected and the actual value. */
+/* Checks the values of a material against their ranges. ARC_ARGUMENT: the message has the field,
+ * the expected and the actual value. */
 arc_status arc_material_check(arc_material material, arc_error *error);
 
 #pragma GCC visibility pop

@@ -88,10 +88,11 @@ arc_mesh_def arc_mesh_default(void);
  * are in counter-clockwise order. */
 typedef struct arc_mesh {
   arc_body body;
-  arc_body_def solid; /* shape with all dimensions set; the model owns its profile */
+  arc_body_def solid; /* shape of the body with all dimensions set; the model owns its profile */
   double
       radius; /* [mm] radius of a cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def; /* sizes; in a model, def.element is the formulation of this body, never auto */
+  arc_mesh_def def; /* sizes of the mesh; in a model, def.element is the formulation of this body,
+                       never auto */
   arc_space space;  /* geometry of the model; plane strain for a mesh without a model */
   double axis;      /* [mm] distance of the axis of revolution, which is at x = -axis */
   int nodes;        /* number of nodes */
@@ -101,7 +102,7 @@ typedef struct arc_mesh {
                        begin with the same corner and are two positions apart; between them are
                        their mirror images */
   int quads, triangles;
-  int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
+  int surface; /* number of candidate contact nodes; it is odd, and the middle node is at x = 0 */
   int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */
   int *layer;    /* [elements] index of the layer of each element; an index equal to the number of
                     layers means the body's own material */
@@ -110,12 +111,12 @@ typedef struct arc_mesh {
                     of surface_node; each column is from the surface inwards */
   int box_elements;  /* the first box_elements elements are the wear box, column by column */
   int fixed;         /* number of nodes that are tied to the rigid base or fixed */
-  int *fixed_node;   /* [fixed] numbers of these tied or fixed nodes */
+  int *fixed_node;   /* [fixed] numbers of the nodes that are tied to the rigid base or fixed */
   int outline;       /* number of nodes of the boundary polygon */
   int *outline_node; /* [outline] numbers of the boundary nodes, counter-clockwise; the first one is
                         not repeated */
   int materials;     /* number of named materials of an imported mesh */
-  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] names of these materials */
+  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] names of the materials of an imported mesh */
   int *material; /* [elements] index of the material of each element, -1: the body's own material.
                     NULL: all elements have the body's own material */
 } arc_mesh;

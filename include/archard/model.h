@@ -38,8 +38,10 @@ extern "C" {
 
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
-  arc_material material[ARC_BODIES]; /* materials by arc_body; settings "cylinder" and "plate" */
-  arc_body_def body[ARC_BODIES];     /* shapes by arc_body; settings "upper" and "lower" */
+  arc_material material[ARC_BODIES]; /* materials of both bodies, indexed by arc_body (settings
+                                        "cylinder" and "plate") */
+  arc_body_def body[ARC_BODIES]; /* shapes of both bodies, indexed by arc_body (settings "upper" and
+                                    "lower") */
   arc_mesh_def mesh;
 } arc_model_def;
 
@@ -55,11 +57,11 @@ arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
  * if the two kinds differ, else "upper" or "lower". The names of the default pair are "cylinder"
  * and "plate". */
 const char *arc_model_body_name(const arc_model_def *def, arc_body body);
-/* Returns "upper" or "lower". */
+/* Returns the name of a body's role, "upper" or "lower". */
 const char *arc_model_role_name(arc_body body);
-/* Searches for the body with this name, role or kind ("cylinder" is the upper and "plate" the lower
- * body). Returns 1 if the word matches one body, 0 if it matches none, and -1 if it matches both.
- * *body is always written. */
+/* Searches for the body whose name, role or kind is the given word ("cylinder" also means the upper
+ * and "plate" the lower body). Returns 1 if the word matches one body, 0 if it matches none, and -1
+ * if it matches both. *body is always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
 /* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p) with the
@@ -128,14 +130,15 @@ typedef struct arc_hertz {
 
 typedef struct arc_hertz_def {
   ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
-  arc_material material[ARC_BODIES]; /* materials by arc_body; settings "cylinder" and "plate" */
+  arc_material material[ARC_BODIES]; /* materials of both bodies, indexed by arc_body (settings
+                                        "cylinder" and "plate") */
 } arc_hertz_def;
 
 extern const arc_setting arc_hertz_settings[];
 
 arc_hertz_def arc_hertz_default(void);
 
-/* Solves Hertz' contact. ARC_ARGUMENT: a value out of its range. */
+/* Solves the Hertz contact of a definition. ARC_ARGUMENT: a value is out of its range. */
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error);
 
 /* Solves Hertz' line contact in plane strain. Errors: ARC_ARGUMENT unless load [N], radius and
@@ -195,7 +198,7 @@ const char *arc_model_kind_name(const arc_model *model);
 int arc_model_has_maps(const arc_model_def *def);
 /* Returns the mesh of a body, or NULL if this kind of pair has no meshes. */
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
-/* Returns the memory of the model in bytes, for a garbage collector. */
+/* Returns the memory that the model uses [bytes]. A garbage collector needs this size. */
 size_t arc_model_bytes(const arc_model *model);
 /* Returns the computing time of arc_model_build [s]. */
 double arc_model_seconds(const arc_model *model);
@@ -216,9 +219,10 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
  * default load (100 N), and zones in proportion to the sizes. */
 void arc_model_fit_alone(arc_model_def *def);
 
-/* Computes the zones (full widths, by body) [mm] for contacts of half_width [mm] (plus 30 %) about
- * the axis of the cylinder, with the plate at |x| <= reach [mm]. They are at least 50 (upper body)
- * and 60 (lower body) elements of `size` [mm] wide, as the zones of arc_mesh_default. */
+/* Computes the full widths [mm] of the candidate zones of both bodies for contacts of half_width
+ * [mm] (plus 30 %) about the axis of the cylinder, with the plate at |x| <= reach [mm]. They are at
+ * least 50 (upper body) and 60 (lower body) elements of `size` [mm] wide, as the zones of
+ * arc_mesh_default. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

@@ -42,20 +42,20 @@ enum {
   ARC_FUNCTION = 1,  /* accepts a function of the state */
   ARC_SERIES = 2,    /* accepts a table over the distance */
   ARC_AUTOMATIC = 4, /* accepts the word "auto"; the member is then 0 */
-  ARC_OPTIONAL = 8,  /* need not be given; the member is then 0 */
+  ARC_OPTIONAL = 8,  /* may be omitted; the member is then 0 */
   ARC_FIXED = 16     /* cannot be changed in an existing object */
 };
 
 enum { ARC_LOW_OPEN = 1, ARC_HIGH_OPEN = 2 };
 
 typedef struct arc_setting {
-  const char *name; /* name in tables of users; NULL ends a list */
-  const char *unit; /* unit, "" for a pure number */
+  const char *name; /* name that users write in tables; NULL ends a list */
+  const char *unit; /* unit of the value; "" for a pure number */
   const char *text; /* description for help */
   const char *type; /* description of the possible values of ARC_OTHER and ARC_TEXT, else NULL */
   const char *class_name;     /* class of the object for ARC_OTHER and ARC_GROUP; NULL: no class */
-  const char *usual_text;     /* the default as written in the row */
-  const char *const *choices; /* names of the choices, ended by NULL */
+  const char *usual_text;     /* text of the default in the row, such as "200e3" */
+  const char *const *choices; /* names of the choices; NULL ends the list */
   const struct arc_setting *group;
   arc_setting_kind kind;
   unsigned forms;
@@ -92,8 +92,8 @@ typedef struct arc_series {
 #define ARC_MEMBER_CHOICE(name, type, usual, forms, text)        arc_##type name;
 #define ARC_MEMBER_QUANTITY(name, unit, usual, range, forms, text)                                 \
   double name;                                                                                     \
-  arc_state_fn name##_function; /* replaces the number if not NULL */                              \
-  arc_series name##_series;     /* replaces the number if it has points */
+  arc_state_fn name##_function; /* function that replaces the number; NULL: none */                \
+  arc_series name##_series;     /* table that replaces the number if it has points */
 #define ARC_MEMBER_TEXT(name, type, forms, text)              char name[ARC_TEXT_SIZE];
 #define ARC_MEMBER_FUNCTION(name, type, pointer, forms, text) pointer name;
 #define ARC_MEMBER_OTHER(name, type, class_name, forms, text)
@@ -170,13 +170,14 @@ typedef struct arc_series {
  * list. */
 #define ARC_POSITION(name, ...) ARC_AT_##name,
 
-/* Turn the choices of a list X(NAME, "name") into enumerators ARC_NAME and into names. */
+/* These macros turn the choices of a list X(NAME, "name") into enumerators ARC_NAME, their number
+ * and their names. */
 #define ARC_CHOICE_ENUM(name, ...)  ARC_##name,
-#define ARC_CHOICE_ONE(...)         +1 /* the sum 0 LIST(ARC_CHOICE_ONE) is the number of choices */
+#define ARC_CHOICE_ONE(...)         +1 /* counts choices: 0 LIST(ARC_CHOICE_ONE) */
 #define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
 #define ARC_CHOICE_FIRST(text, ...) text
 
-/* Choices of a setting that is false or true in tables of users. */
+/* Choices of a setting for which users write false or true. */
 #define ARC_SWITCH_LIST(X)                                                                         \
   X(OFF, "false")                                                                                  \
   X(ON, "true")
@@ -208,15 +209,15 @@ const char *arc_setting_expected(const arc_setting *setting, char *text, size_t 
 /* Returns the default of a setting as text, such as "200e3", or "" if it has no default. */
 const char *arc_setting_usual(const arc_setting *setting);
 
-/* Return a pointer to the member of `def` that belongs to the setting. For ARC_CHOICE it points to
- * an int. */
+/* Both functions return a pointer to the member of `def` that belongs to the setting. The member of
+ * an ARC_CHOICE is an int. */
 void *arc_setting_member(const arc_setting *setting, void *def);
 const void *arc_setting_value(const arc_setting *setting, const void *def);
-/* Returns the value of a setting as a number: the int of a whole number or choice, 0 for a text. */
+/* Returns the value of a setting as a number: a choice is returned as its index, a text as 0. */
 double arc_setting_number(const arc_setting *setting, const void *def);
-/* Read a setting in the definition `def`. The first function returns true if the setting is a
- * function, the second one returns true if it is "auto", and the third one returns its table (count
- * 0: no table). */
+/* These functions read a setting from the definition `def`. The first function returns true if the
+ * setting is a function, the second one returns true if it is "auto", and the third one returns its
+ * table (count 0: no table). */
 int arc_setting_has_function(const arc_setting *setting, const void *def);
 int arc_setting_is_auto(const arc_setting *setting, const void *def);
 arc_series arc_setting_series(const arc_setting *setting, const void *def);

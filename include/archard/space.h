@@ -45,7 +45,8 @@ typedef struct arc_halfspace_def {
                    z, and size_z and nz to x. Radii, recess, sites and extents are not exchanged */
   int periodic; /* 1: the surfaces are periodic, and the window is one period; the lower body must
                    have a groove or no track */
-  int workers;  /* number of threads that compute positions; 0 or 1: only the calling thread */
+  int workers;  /* number of threads among which the positions of a cycle are divided; 0 or 1: only
+                   the calling thread */
 } arc_halfspace_def;
 
 /* Returns a steel ball of 10 mm radius on a flat, with 63 x 63 cells of 0.02 mm. */
@@ -62,7 +63,7 @@ arc_status arc_halfspace_create(const arc_halfspace_def *def, arc_halfspace **ma
                                 arc_error *error);
 void arc_halfspace_destroy(arc_halfspace **h);
 const arc_halfspace_def *arc_halfspace_definition(const arc_halfspace *h);
-/* Returns the memory [bytes] that a computation with this number of positions needs. */
+/* Returns the memory [bytes] needed for a computation with `positions` positions in a cycle. */
 double arc_halfspace_bytes(const arc_halfspace_def *def, int positions);
 
 /* The first function returns the number of sites of a body, the second one the area of a site
@@ -94,9 +95,10 @@ typedef struct arc_halfspace_options {
 
 /* Computing effort of a solution, and its largest pressure. */
 typedef struct arc_halfspace_report {
-  int iterations, applications, sets, guarded; /* numbers of conjugate gradient steps, applications
-                                                  of K, active sets, and fallback steps */
-  double p_max;                                /* [MPa] largest pressure over all positions */
+  int iterations, applications, sets,
+      guarded;  /* numbers of conjugate gradient steps, applications of the compliance K, active
+                   sets, and fallback steps */
+  double p_max; /* [MPa] largest pressure over all positions */
 } arc_halfspace_report;
 
 /* Solves one contact on worn depths [mm] by site (NULL: unworn), and writes the pressures of the
@@ -130,7 +132,7 @@ arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BO
 typedef struct arc_halfspace_friction {
   double *pressure; /* [window] pressure [MPa] */
   double *q[2];     /* [window] shear along x and z [MPa] */
-  double *slip[2];  /* [window] slip E [mm], also at open sites */
+  double *slip[2];  /* [window] slip E [mm], also defined at sites that are not in contact */
   double *moved[2]; /* [window] slip while in contact, in the last increment [mm] */
   double *stick;    /* [window] 1 if the site stuck in the last increment, else 0 */
   double xi[2];     /* [mm] motion of the lower body along x and z */
@@ -144,12 +146,13 @@ typedef struct arc_halfspace_friction {
 typedef struct arc_halfspace_increment {
   double friction; /* coefficient of friction >= 0 */
   arc_halfspace_position
-      position;           /* position at the end of the increment; its weight is not used */
-  int by_force[2];        /* along x and z: 1 prescribes the force, 0 the motion xi */
-  double xi[2];           /* [mm] motion at the end of the increment */
-  double force[2];        /* [N] force at the end, less than friction times the load */
-  const double *pressure; /* [window] pressure at the end, if shear does not change it; the approach
-                             is then kept. NULL: the pressure is solved for */
+      position;    /* position and load at the end of the increment; the weight is not used */
+  int by_force[2]; /* along x and z: 1 prescribes the force, 0 the motion xi */
+  double xi[2];    /* [mm] motion at the end of the increment */
+  double force[2]; /* [N] force at the end, less than friction times the load */
+  const double
+      *pressure; /* [window] known pressure [MPa] at the end, for pressures that do not depend on
+                    the shear; the approach is then kept. NULL: the pressure is computed */
   const arc_halfspace_friction *guess; /* state whose pressure, shear, motion and stick zone the
                                           solver starts from; NULL: the present state */
 } arc_halfspace_increment;
@@ -157,13 +160,16 @@ typedef struct arc_halfspace_increment {
 /* Computing effort of increments, summed over calls. */
 typedef struct arc_halfspace_effort {
   int increments; /* number of increments solved */
-  int sweeps;     /* number of iterations between pressure and shear; 1 for equal materials */
+  int sweeps; /* number of solutions for the pressure, each followed by one for the shear; one per
+                 increment for equal materials */
   int sets, iterations, applications; /* numbers of active sets, conjugate gradient steps and
-                                         applications of C for the shear */
-  int flipping; /* number of active sets in which single cells alternated between stick and slip */
-  int unfinished; /* number of increments of different materials that ended before the pressures
+                                         applications of the compliance C for the shear */
+  int flipping;   /* number of solutions for the shear that ended while some cells still alternated
+                     between stick and slip */
+  int unfinished; /* number of increments (for different materials) that ended before the pressures
                      converged */
-  int unresolved; /* number of parts of legs whose results still changed at the last halving */
+  int unresolved; /* number of intervals of a leg whose results did not converge within the allowed
+                     halvings */
 } arc_halfspace_effort;
 
 /* Allocates a state in which all values are zero. Errors: ARC_MEMORY. */
@@ -178,10 +184,10 @@ arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
                                         const arc_halfspace_friction *state, arc_halfspace *to,
                                         arc_halfspace_friction *wide, arc_error *error);
 
-/* Advances a state by one increment. The work of the increment is friction times the mean pressure
- * times the slip, summed over the sites. Errors: those of arc_halfspace_solve; ARC_ARGUMENT for
- * forces above friction times load, layers, rigid bases or periodic windows. On failure the state
- * is unchanged. The effort is added to *effort. */
+/* Advances a state by one increment. The dissipated work is the sum over the sites of friction
+ * times mean pressure times slip. Errors: those of arc_halfspace_solve; ARC_ARGUMENT if a force
+ * exceeds friction times load, or for layers, rigid bases and periodic windows. On failure the
+ * state is unchanged. The effort is added to *effort. */
 arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                const arc_halfspace_increment *increment,
                                const arc_halfspace_options *options, arc_halfspace_friction *state,
@@ -197,12 +203,13 @@ typedef struct arc_halfspace_leg {
 } arc_halfspace_leg;
 
 /* Advances a state along a leg. Halving ends when it changes the shear by less than 1e-3 and the
- * motion by less than 1e-4 of their values in full slip, and the work by less than 1e-3 of the work
- * of the leg or 3e-3 of itself. `coarser` (NULL: none) follows the same history in half as many
- * increments, for an error estimate. The difference of both energies is about the error if the
- * error is proportional to the length of the increments, as at changes of the direction of slip,
- * and larger than the error otherwise. A fixed number of increments does not change `coarser`.
- * Errors: those of arc_halfspace_slide. On failure the states are unchanged. Adds to *effort. */
+ * motion by less than 1e-4 of their values in full slip, and the work of an interval by less than
+ * 1e-3 of the work of the leg or 3e-3 of its own value. The state `coarser` (NULL: none) is
+ * advanced along the same leg in half as many increments, for an error estimate. The difference of
+ * the energies of both states is about the error if the error is proportional to the length of the
+ * increments, as at changes of the direction of slip, and larger than the error otherwise. A fixed
+ * number of increments does not change `coarser`. Errors: those of arc_halfspace_slide. On failure
+ * the states are unchanged. The effort is added to *effort. */
 arc_status arc_halfspace_follow(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_leg *leg, const arc_halfspace_options *options,
                                 arc_halfspace_friction *state, arc_halfspace_friction *coarser,
@@ -242,14 +249,15 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
 arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
                              const double *value, arc_body body, double *sum, arc_error *error);
 
-/* Wear of both bodies in a step. The depth after the step is known + c factor rate. */
+/* Wear coefficients of both bodies in a step. The depth after the step is known + c factor rate,
+ * with the known part of the depth and the rate of arc_halfspace_rate. */
 typedef struct arc_halfspace_wear {
   double c[ARC_BODIES];             /* [mm2/N] wear coefficient times number of cycles */
-  const double *factor[ARC_BODIES]; /* factor by site, >= 0; NULL: 1 */
+  const double *factor[ARC_BODIES]; /* [sites] factor on c at each site, >= 0; NULL: 1 */
 } arc_halfspace_wear;
 
-/* Solves the implicit stage z = known + c factor rate(z) for the depths z, for all positions at
- * once. depth and known may be the same arrays. */
+/* Solves the implicit stage z = known + c factor rate(z) for the depths z (see arc_halfspace_wear),
+ * for all positions at once. depth and known may be the same arrays. */
 arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_BODIES],
                                const arc_halfspace_wear *wear,
                                const arc_halfspace_position *position, int count,
@@ -257,15 +265,16 @@ arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_B
                                double *const depth[ARC_BODIES], arc_halfspace_report *report,
                                arc_error *error);
 
-/* Computes the largest eigenvalue of - d (c factor rate) / d depth to a few per cent, on the active
- * sets of the pressures [count][window]. Explicit steps are stable below 2 / eigenvalue. */
+/* Computes the largest eigenvalue of - d (c factor rate) / d depth (arc_halfspace_wear) to a few
+ * per cent, on the active sets of the pressures [count][window]. Explicit steps are stable below 2
+ * / eigenvalue. */
 arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *wear,
                                     const arc_halfspace_position *position, int count,
                                     const double *pressure, double *eigenvalue, arc_error *error);
 
 /* Transfers depths to the sites of another half-space that is larger or finer. Depths are copied if
  * the cells coincide. Otherwise they are interpolated linearly between sites, and the volume is
- * kept. ARC_ZONE: worn sites are outside. */
+ * kept. ARC_ZONE: worn sites are outside the other half-space. */
 arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const depth[ARC_BODIES],
                                 const arc_halfspace *to, double *const grown[ARC_BODIES],
                                 arc_error *error);
@@ -273,8 +282,8 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
 /* Sets size_x, size_z, nx, nz and track for a run. The width of a cell is about the smaller half
  * width of the unworn contact / fineness, and `increment` [mm] is a whole number of cells (0: no
  * such condition). The window is estimated for the final wear volume [mm3] (a contact that reaches
- * its edge causes ARC_ZONE), and the track for the stroke [mm]. Sets nothing if the radii give no
- * point contact. */
+ * its edge causes ARC_ZONE), and the track for the stroke [mm]. Nothing is set if the radii do not
+ * form a point contact. */
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
 

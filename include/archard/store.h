@@ -76,17 +76,17 @@ arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_e
 
 /* --- cases ------------------------------------------------------------------------------------ */
 
-/* One named value. */
+/* A named value of a case. */
 typedef struct arc_value {
   enum { ARC_VALUE_NUMBER, ARC_VALUE_TEXT, ARC_VALUE_FLAG, ARC_VALUE_ARRAY } kind;
   const char *name;
-  double number;       /* a number, or a flag 0 or 1 */
+  double number;       /* value of a number, or 0 or 1 for a flag */
   const char *text;    /* a text */
   const double *array; /* [count] numbers */
   size_t count;
 } arc_value;
 
-/* Purpose of the values of a case. */
+/* Use of the named values of a case. */
 typedef enum arc_value_use {
   ARC_SETTINGS,   /* settings given by the user */
   ARC_DEFINITION, /* all settings of a run; written by arc_store_save */
@@ -112,10 +112,10 @@ typedef struct arc_case {
   arc_case_status status;
   char label[200];
   char message[512]; /* message of a failed case */
-  double seconds;    /* [s] computing time of a finished case; NaN before */
+  double seconds;    /* [s] computing time of a finished case; NaN for other cases */
 } arc_case;
 
-/* Adds a waiting case. ARC_ARGUMENT: the id exists already. */
+/* Adds a waiting case. ARC_ARGUMENT: a case with this id exists. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
 /* Returns all cases in the order of their ids. The caller releases *cases [*count] with free(). */
@@ -146,19 +146,19 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
  * definition, the history, the state, and `count` arrays of surfaces (arc_wear_check_surfaces),
  * which include the present surfaces (arc_wear_surfaces). If several arrays have the same body,
  * update and name, the last one is stored. Imported meshes are stored as Gmsh text. For a setting
- * that is a function the file only notes that there was one; the function must be given again to
- * continue. The call is one transaction, or part of the transaction begun before. ARC_ARGUMENT: the
- * data could not be read back. */
+ * that is a function, the file only records that it was a function; the user must give the function
+ * again to continue the run. The call is a transaction of its own unless arc_store_begin started
+ * one. ARC_ARGUMENT: the data could not be read back. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
 /* Definition of a stored run. */
 typedef struct arc_stored_run {
   arc_model_def model;
-  arc_wear_def def; /* definition in which functions are NULL */
+  arc_wear_def def; /* definition of the run, without its functions (NULL) */
   arc_mesh
       *given[ARC_BODIES]; /* imported meshes, or NULL; arc_model_build_given becomes their owner */
-  char functions[ARC_WEAR_SETTINGS_COUNT]; /* [setting] 1: this setting was a function */
+  char functions[ARC_WEAR_SETTINGS_COUNT]; /* [setting] 1 if the setting was a function, else 0 */
   void *memory;                            /* memory of the arrays of `def` */
 } arc_stored_run;
 

@@ -33,17 +33,19 @@ extern "C" {
 #define ARC_SLIDE_LIST(X)                                                                          \
   X(SLIDE_X, "x")                                                                                  \
   X(SLIDE_Z, "z")
-/* Rule for the integration over the increments. Trapezoid: Eq. (5). Simple: Eq. (4). */
+/* Rule by which the wear is integrated over the increments of a cycle. Trapezoid: Eq. (5) of the
+ * paper. Simple: Eq. (4). */
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
   X(SIMPLE, "simple")
-/* Time of geometry updates: after each `jump` cycles, or at every increment. */
+/* Time of geometry updates. Cycle: after each `jump` cycles. Increment: at every increment of a
+ * cycle. */
 #define ARC_UPDATE_LIST(X)                                                                         \
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
 /* Wear laws: X(name, "name", properties, text for users, factor, growth). A law is a factor on k at
  * a node under the pressure p [MPa]. growth is d ln(p factor) / d ln p, which implicit steps need.
- * d is the arc_wear_def. No other code depends on the law. */
+ * The expressions may use the arc_wear_def `d`. No other code depends on the law. */
 #define ARC_LAW_LIST(X)                                                                            \
   X(LAW_ARCHARD, "archard", ARC_LAW_LINEAR, "1", 1, 1)                                             \
   X(LAW_POWER, "power", 0, "(p / law_pressure)^law_exponent",                                      \
@@ -55,11 +57,11 @@ extern "C" {
 
 #define ARC_LAW_TEXT(name, word, properties, text, ...) " \"" word "\": " text "."
 
-/* Properties of laws. */
+/* Properties of wear laws, as flags. */
 enum {
-  ARC_LAW_LINEAR = 1,  /* Archard's: the wear is k p ds, at every pressure */
-  ARC_LAW_JUMPS = 2,   /* the factor is not a continuous function of p */
-  ARC_LAW_OF_SHEAR = 4 /* the shear q replaces p; needs friction */
+  ARC_LAW_LINEAR = 1,  /* Archard's law: the wear is k p ds at every pressure p */
+  ARC_LAW_JUMPS = 2,   /* the factor on k is not a continuous function of the pressure */
+  ARC_LAW_OF_SHEAR = 4 /* the wear depends on the shear q instead of the pressure; needs friction */
 };
 
 typedef enum arc_procedure { ARC_PROCEDURE_LIST(ARC_CHOICE_ENUM) } arc_procedure;
@@ -76,25 +78,25 @@ extern const char *const arc_slip_names[];
 extern const char *const arc_rule_names[];
 extern const char *const arc_update_names[];
 extern const char *const arc_law_names[];
-extern const unsigned arc_law_properties[]; /* [law] properties of each law */
+extern const unsigned arc_law_properties[]; /* [law] flags of the properties of each law */
 
 typedef struct arc_wear_record arc_wear_record;
 
-/* Computes the quantity of setting `what` from the state of the run. A status other than ARC_OK
- * makes the step fail. */
+/* Function of a user that computes the value of the setting `what` from the state of a run. A
+ * status other than ARC_OK makes the step fail. */
 typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
                                    const arc_wear_record *state, double *value);
 
-/* Computes factor [n], a factor on k at each of n nodes of one body. x [mm] has the unworn
- * positions of the nodes on this body, z [mm] their positions across the motion (3-D; NULL in the
- * plane), and p [MPa] their pressures at one increment. A status other than ARC_OK makes the step
- * fail. */
+/* Function of a user that computes factor [n], the factors on k at n nodes of one body. x [mm] has
+ * the unworn positions of the nodes on this body, z [mm] their positions across the motion (3-D;
+ * NULL in the plane), and p [MPa] their pressures at one increment. A status other than ARC_OK
+ * makes the step fail. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
                                    const double *z, const double *p, const arc_wear_record *state,
                                    double *factor);
 
-/* One block of loading: position of the plate and load at count >= 2 points of a cycle, which has
- * both strokes. At points with load 0 the bodies are apart and do not wear. */
+/* One block of loading: positions of the plate and loads at count >= 2 points of a cycle, which
+ * includes both strokes. At points with load 0 the bodies are apart and do not wear. */
 typedef struct arc_loading {
   int count;
   const double *x;    /* [count] position of the plate [mm] */
@@ -244,8 +246,8 @@ typedef struct arc_loading {
         "Order of the implicit scheme: 1, pressures at the end of the update; 2, pressures at "    \
         "its start, at one stage and at its end (TR-BDF2).")                                       \
   WHOLE(workers, "", 1, WITHIN(1, 64), ARC_FIXED,                                                  \
-        "Number of threads that compute the positions of a stroke in 3-D. Results are the same "   \
-        "to the bit for any number.")                                                              \
+        "Number of threads among which the positions of a stroke are divided in 3-D. Results are " \
+        "the same to the bit for any number of threads.")                                          \
   NUMBER(tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                            \
          "Accepted error of the depths of an implicit run, relative to the largest depth, at "     \
          "every node deeper than a twentieth of it; the steps are chosen accordingly. Pressures "  \
@@ -284,8 +286,9 @@ typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
                     ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
   void *context; /* first argument of every user function */
-  int blocks;    /* number of blocks; 0: the plate reciprocates by `stroke` under `load` */
-  const arc_loading *loading;         /* [blocks] in the order of time; copied by the run */
+  int blocks; /* number of blocks of loading; 0: the plate reciprocates by `stroke` under `load` */
+  const arc_loading
+      *loading; /* [blocks] blocks of loading in the order of time; the run copies them */
   double start_distance, start_cycle; /* distance [mm] and cycle at which the loading
                                          starts; set by arc_wear_set */
 } arc_wear_def;
@@ -361,7 +364,7 @@ typedef enum arc_column_rule {
   X(jump, "", FROM(0), ALWAYS, "cycles of this update")                                            \
   X(load, "N", FROM(0), LATER, "largest normal load of the update's cycle")                        \
   X(load_low, "N", FROM(0), LATER, "smallest normal load of the update's cycle")                   \
-  X(load_reference, "N", FROM(0), LATER, "normal load of the reported pressures and width")        \
+  X(load_reference, "N", FROM(0), LATER, "normal load at which pressures and width are reported")  \
   X(travel, "mm", FROM(0), LATER, "stroke in the update's cycle")                                  \
   X(k, "mm2/N", FROM(0), ALWAYS, "wear coefficient of this update")                                \
   X(alpha, "", FROM(0), ALWAYS, "wear partition factor of this update")                            \
@@ -419,8 +422,8 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
-/* Checks rows against the ranges and rules of the columns. ARC_ARGUMENT: the message has
- * the row and the column. */
+/* Checks rows of a history against the ranges and rules of the columns. ARC_ARGUMENT: the message
+ * has the row and the column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
 /* Restores the run after the last of `count` >= 1 records on a copy of `shape`. The run
@@ -484,7 +487,8 @@ arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_
                         const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
-arc_procedure arc_wear_procedure(const arc_wear *wear); /* procedure in use, never ARC_AUTO */
+arc_procedure
+arc_wear_procedure(const arc_wear *wear); /* procedure that the run uses, never ARC_AUTO */
 /* Returns the wear coefficient [mm2/N] of the layer that was exposed at the deepest worn point of a
  * body in the last update. */
 double arc_wear_open_k(const arc_wear *wear, arc_body body);
@@ -503,14 +507,14 @@ size_t arc_wear_bytes(const arc_wear *wear);
  * as a new object. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
-/* Names of the arrays that describe a surface after an update, [nodes, 1] each, ended by
- * NULL: the unworn position x [mm], the wear depth h [mm], the present height y [mm], and
- * the pressure p [MPa] in the reference configuration. */
+/* Names of the arrays that describe a surface after an update, as a list that ends with NULL. The
+ * arrays have the size [nodes, 1]: the unworn position x [mm], the wear depth h [mm], the present
+ * height y [mm], and the pressure p [MPa] in the reference configuration. */
 extern const char *const arc_surface_names[];
 
-/* Returns the present surfaces, cylinder before plate, with arrays in the order of the
- * names. *surfaces [*count] is one block, which the caller releases with free(). Errors:
- * those of arc_wear_contact. */
+/* Returns the arrays of the present surfaces, first of the cylinder, then of the plate, in the
+ * order of arc_surface_names. *surfaces [*count] is one block, which the caller releases with
+ * free(). Errors: those of arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
                              arc_error *error);
 

@@ -40,7 +40,7 @@ typedef struct command {
 static void print_usage(FILE *stream) {
   fputs("usage: archard [options] [script [arguments]]\n"
         "  -e CHUNK        run the Lua text CHUNK\n"
-        "  -l MODULE       require MODULE and put it into the global of that name\n"
+        "  -l MODULE       require MODULE and assign it to the global MODULE\n"
         "  -i              go to the prompt after the script\n"
         "  --lax           undefined names are nil, not errors\n"
         "  --sandbox       run an untrusted script: no other programs, only files below its\n"
@@ -48,7 +48,7 @@ static void print_usage(FILE *stream) {
         "  --memory MIB    of Lua, the engine and started programs, default 1024\n"
         "  --seconds S     elapsed time, default 3600\n"
         "  --instructions N  of Lua, default 1e11\n"
-        "  --sandbox=strict  the same, refused if the system cannot enforce it\n"
+        "  --sandbox=strict  the same, but do not run if the system cannot enforce it\n"
         "  -v, --version   print the version\n"
         "  -h, --help      print this help\n"
         "  -               run standard input as a script\n"

@@ -116,7 +116,7 @@ static void choose_letters(const arc_plot_output *output, const kind *found, arc
 arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
                              const arc_gnuplot *session, arc_canvas *canvas, arc_error *error) {
   if (output->medium == ARC_PLOT_FILE && (!output->file || !*output->file))
-    return arc_fail(error, ARC_ARGUMENT, "the file of a picture needs a name");
+    return arc_fail(error, ARC_ARGUMENT, "the file name of a picture is empty");
   const char *ending = output_ending(output);
   if (!ending)
     return arc_fail(error, ARC_ARGUMENT,

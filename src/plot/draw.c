@@ -231,6 +231,6 @@ arc_status arc_plot_animate(arc_gnuplot *session, const arc_plot_figure *frames,
   if (status != ARC_OK) return status;
   if (output->medium != ARC_PLOT_FILE ||
       strcmp(d.canvas.terminal ? d.canvas.terminal : "", "gif") != 0)
-    return arc_fail(error, ARC_ARGUMENT, "an animation is written to a file that ends in gif");
+    return arc_fail(error, ARC_ARGUMENT, "an animation needs a file name that ends in .gif");
   return draw_file(&d, error);
 }

@@ -74,8 +74,9 @@ static arc_status check_axis(const arc_plot_axis *axis, const char *name, size_t
     return arc_fail(error, ARC_ARGUMENT, "panel %zu: the %s range must be finite, got %g to %g",
                     panel, name, axis->min, axis->max);
   if (axis->min == axis->max)
-    return arc_fail(error, ARC_ARGUMENT, "panel %zu: the %s range must have a width, got %g to %g",
-                    panel, name, axis->min, axis->max);
+    return arc_fail(error, ARC_ARGUMENT,
+                    "panel %zu: the ends of the %s range must differ, got %g to %g", panel, name,
+                    axis->min, axis->max);
   if (axis->log && (axis->min <= 0 || axis->max <= 0))
     return arc_fail(error, ARC_ARGUMENT,
                     "panel %zu: the %s range must be positive on a logarithmic axis, got %g to %g",

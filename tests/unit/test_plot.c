@@ -286,7 +286,7 @@ static void test_check(void **state) {
   assert_refused(panel, "y range must be positive");
   panel = panel_of(&c, 1);
   panel.x.min = panel.x.max = 2;
-  assert_refused(panel, "x range must have a width");
+  assert_refused(panel, "ends of the x range must differ");
   panel.x.min = 5, panel.x.max = 6;
   assert_refused(panel, "no point lies in the x range 5 to 6");
   panel.x.min = NAN, panel.x.max = -1;
