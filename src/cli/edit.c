@@ -44,7 +44,8 @@ static void forget_proposal(void) {
   memset(&editor.proposal, 0, sizeof editor.proposal);
 }
 
-/* Returns the next word that begins with `text`. readline frees it. */
+/* Generator of completions for readline: returns the next word that begins with `text`, which
+ * readline frees. */
 static char *next_word(const char *text, int state) {
   static size_t next;
   if (state == 0) next = 0;
@@ -101,7 +102,7 @@ static void choose_signals(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   action.sa_handler = on_continue;
-  action.sa_flags = SA_RESTART; /* SIGCONT must not interrupt waiting for gnuplot */
+  action.sa_flags = SA_RESTART; /* SIGCONT must not interrupt a wait for gnuplot */
   sigaction(SIGCONT, &action, NULL);
 }
 
@@ -114,7 +115,7 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* The variable is set before readline reads the user's inputrc, which may change the variable. */
+  /* show-all-if-ambiguous is set before readline reads the user's inputrc, which may change it. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();
@@ -137,7 +138,7 @@ static void on_line(char *line) {
   editor.line = line;
   editor.done = 1;
   rl_callback_handler_remove();
-  if (line == NULL) fputs("\n", rl_outstream); /* Ctrl-D: the cursor is moved to a new line */
+  if (line == NULL) fputs("\n", rl_outstream); /* after Ctrl-D the cursor is moved to a new line */
 }
 
 static void abandon_line(void) {
@@ -172,8 +173,8 @@ static int wait_for_key(const sigset_t *normal) {
   return ready && rl_pending_signal() == 0;
 }
 
-/* Processes keys received during a query of the terminal. Keys after the end of a line are kept for
- * the next prompt. */
+/* Processes keys that the user typed while the terminal answered a query. Keys after the end of a
+ * line are kept for the next prompt. */
 static void replay_typed(void) {
   for (int key; !editor.done && (key = term_query_next_key()) >= 0;) {
     rl_stuff_char(key);

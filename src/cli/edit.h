@@ -16,8 +16,8 @@ typedef struct edit_proposal {
   char append; /* character appended to a single completion; '\0' for none */
 } edit_proposal;
 
-/* Fills `proposal` (initially zero) for the text before the cursor. The words complete the
- * identifier or string at the end of this text. */
+/* Function that fills `proposal` (initially zero) with completions of the text before the cursor.
+ * The words complete the identifier or string at the end of this text. */
 typedef void (*edit_complete_fn)(void *context, const char *before, edit_proposal *proposal);
 
 /* Initialises the editor and reads the history file. */

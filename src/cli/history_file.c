@@ -22,7 +22,8 @@
  * text of the file. */
 typedef struct entry {
   char *header, *text;
-  int position, copy; /* copy: true if a later entry has equal text */
+  int position, copy; /* position: index of the entry in the file; copy: true if a later entry has
+                         equal text */
 } entry;
 
 typedef struct history {

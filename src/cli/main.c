@@ -22,12 +22,12 @@
 
 enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/* The options of the command line. `steps` has the options -e and -l in the order in which the
- * user wrote them. */
+/* Options and arguments of the command line. `steps` has the options -e and -l in the order in
+ * which the user wrote them. */
 typedef struct command {
   struct step {
     int kind;         /* option letter, 'e' or 'l' */
-    const char *text; /* the chunk (-e) or the module (-l) */
+    const char *text; /* text of the chunk (-e) or name of the module (-l) */
   } * steps;
   int step_count;
   int interactive, lax, version, help, wrong;

@@ -16,7 +16,7 @@
 
 /* Lines of an incomplete chunk. */
 typedef struct pending {
-  char *text; /* NULL if empty */
+  char *text; /* text of the lines; NULL if there are none */
   size_t length;
 } pending;
 
@@ -277,7 +277,8 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    const int is_note = number == 1 && line[0] == '#'; /* skip a first line with #, as in scripts */
+    /* as in scripts, a first line that begins with # is skipped */
+    const int is_note = number == 1 && line[0] == '#';
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
     if (pending_add(&chunk, line, size)) {

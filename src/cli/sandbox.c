@@ -21,8 +21,8 @@
 
 static const double mebi = 1048576;
 
-/* One file may be as large as the memory limit. All files together may be this many times as large,
- * but may fill at most half of the free disk space. */
+/* One file may be as large as the memory limit. All files together may be FILES_AT_ONCE times as
+ * large, but may fill at most half of the free disk space. */
 enum { FILES_AT_ONCE = 4 };
 
 sandbox sandbox_usual(void) {
@@ -93,8 +93,8 @@ static void report_missing(int missing) {
       fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);
 }
 
-/* Environment variable of a program that was restarted inside the jail; its value is the process
- * id. */
+/* Name of an environment variable that marks a program as restarted inside the jail; its value is
+ * the process id. */
 static const char mark[] = "ARCHARD_CONFINED";
 
 static int is_confined(void) {
@@ -104,8 +104,8 @@ static int is_confined(void) {
   return confined;
 }
 
-/* Sets the variable `mark`, and makes the working folder the folder for temporary files, also
- * for child programs. */
+/* Sets the environment variable `mark`, and makes the working folder the folder for temporary
+ * files, also in child processes. */
 static void set_environment(const char *folder) {
   char number[24];
   snprintf(number, sizeof number, "%ld", (long)getpid());
@@ -127,7 +127,8 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* optional: the worker pool is small */
+  /* without `strict` the limit of processes is optional, as there are few workers */
+  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES;
   report_missing(missing);
   if (missing && self->strict) return 0;
   fprintf(stderr, "archard: cannot restart inside the sandbox: %s\n",

@@ -2,8 +2,8 @@
  * that reach outside the script (scripts/lib/sandbox.lua). The operating system permits reading
  * files only below the script's folder, and writing only below the working folder (system/jail.h).
  * The memory limit applies to Lua, the engine and all started programs. The limit in seconds is
- * elapsed time. A script beyond a limit is stopped as by Ctrl-C; if it does not stop within a grace
- * period, the program ends. */
+ * elapsed time. A script that exceeds a limit is stopped as by Ctrl-C; if it does not stop within a
+ * grace period, the program ends. */
 #ifndef CLI_SANDBOX_H
 #define CLI_SANDBOX_H
 

@@ -43,7 +43,8 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
-  install(SIGXFSZ, SIG_IGN, 0); /* ignored, so that write() fails at the size limit of a file */
+  /* SIGXFSZ is ignored, so that write() fails at the size limit of a file */
+  install(SIGXFSZ, SIG_IGN, 0);
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
 

@@ -89,7 +89,7 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
 
 enum { USUAL_DPI = 100, USUAL_POINTS = 11 };
 static const double PAPER_LINE =
-    1.44; /* 0.72 pt in units of 0.5 pt, the line width of pixel formats */
+    1.44; /* line width of paper formats, 0.72 pt, relative to the 0.5 pt of pixel formats */
 
 static int is_paper(const arc_canvas *canvas) {
   return strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0;

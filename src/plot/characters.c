@@ -21,8 +21,8 @@ enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
 
 typedef struct cell {
   char bytes[BYTES]; /* one character in UTF-8 */
-  int length;        /* number of bytes; 0: blank */
-  int colour;        /* 0 to 7, or NO_COLOUR */
+  int length;        /* number of bytes; 0 for a blank */
+  int colour;        /* colour number 0 to 7, or NO_COLOUR */
 } cell;
 
 typedef struct screen {
@@ -146,7 +146,7 @@ typedef struct writer {
   arc_text *out;
   int colour;    /* colour that was written last */
   size_t lines;  /* line breaks that are not written yet */
-  int something; /* true after the first line that is not empty */
+  int something; /* true once a line that is not empty was written */
 } writer;
 
 static void write_colour(writer *w, int colour) {
@@ -159,8 +159,8 @@ static void write_colour(writer *w, int colour) {
 }
 
 static void write_cell(writer *w, const cell *c) {
-  static const char lines[] =
-      "=*#&$%@="; /* characters for black, red, green, yellow, blue, magenta, cyan, white lines */
+  static const char lines[] = "=*#&$%@="; /* characters that draw black, red, green, yellow, blue,
+                                             magenta, cyan and white lines */
   write_colour(w, c->colour);
   if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))
     arc_text_add(w->out, &lines[c->colour], 1);

@@ -7,7 +7,8 @@
 
 #include "plot/figure.h"
 
-static const double BEYOND = 0.025, MARGIN = 0.04; /* extensions as fractions of the range */
+/* Extensions of an axis as fractions of its range. */
+static const double BEYOND = 0.025, MARGIN = 0.04;
 
 /* Returns an axis that is reversed by the order of its two ends, without the flag `reverse`. */
 static arc_plot_axis turned_round(arc_plot_axis axis) {
@@ -49,7 +50,7 @@ static void set_log(arc_plot_axis *axis, double low, double high) {
   double from = step_below(low), to = step_above(high);
   if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
   double bottom = axis->min,
-         top = axis->max; /* 1e-9: small extension, so that ticks at the ends are drawn */
+         top = axis->max; /* the small extension 1e-9 ensures that ticks at the ends are drawn */
   if (isnan(bottom)) bottom = (isnan(top) || from < top ? from : top / 10) * (1 - 1e-9);
   if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
   axis->min = axis->reverse ? top : bottom;

@@ -72,7 +72,7 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-/* At most this many contour lines have numbers. The number of a level is at the segment that is
+/* At most MOST_NUMBERS contour lines have numbers. The number of a level is at the segment that is
  * farthest from the frame, from the numbers of lower levels and from the next contour line.
  * Distances are fractions of the box. */
 enum { MOST_NUMBERS = 40 };
@@ -81,9 +81,9 @@ typedef struct numbers {
   const arc_plot_box *box;
   corner placed[MOST_NUMBERS];
   int count;
-  double step;  /* difference between levels */
+  double step;  /* difference between adjacent levels */
   double least; /* minimum distance of a number to other items */
-  corner best;  /* best position on the present level */
+  corner best;  /* best position for the number of the present level */
   double clearance;
 } numbers;
 
@@ -159,7 +159,7 @@ typedef struct raster {
   double *values;
 } raster;
 
-/* Computes the first and last sample between the coordinates a and b. */
+/* Computes the indices of the first and last sample between the coordinates a and b. */
 static void samples_between(double a, double b, double start, double step, int count, int *first,
                             int *last) {
   double u = (a - start) / step, v = (b - start) / step;

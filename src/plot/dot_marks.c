@@ -18,7 +18,7 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   if (curve->style != ARC_PLOT_LINES && curve->style != ARC_PLOT_STEPS) return 0;
   for (size_t i = 0; i < curve->count; i++)
     if (!isfinite(curve->x[i]) || !isfinite(curve->y[i]))
-      return 0; /* an interrupted curve, such as the edges of a mesh */
+      return 0; /* no marks on an interrupted curve, such as the edges of a mesh */
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 

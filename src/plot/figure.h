@@ -5,18 +5,19 @@
 #include "plot/plot.h"
 #include "plot/text.h"
 
-/* Properties of the output that affect the commands. */
+/* Properties of the output that affect gnuplot's commands. */
 typedef struct arc_canvas {
-  const char *terminal; /* gnuplot's terminal; NULL for a script of the user */
+  const char *terminal; /* name of gnuplot's terminal; NULL for a script that the user runs */
   int text;             /* true for a picture in characters, false for pixels */
-  int ascii, colour;    /* for pictures in characters: true if only ASCII; true if coloured */
-  int grey;             /* true: greys instead of colours (pixels only) */
-  int window;           /* true for an interactive window */
-  int vector;           /* true for a vector format, where polygons increase the file size */
-  int width, height;    /* size in characters or pixels */
+  int ascii, colour; /* for pictures in characters; ascii: true if only ASCII characters are used;
+                        colour: true if coloured */
+  int grey;          /* true: greys instead of colours (pixels only) */
+  int window;        /* true for an interactive window */
+  int vector;        /* true for a vector format, where polygons increase the file size */
+  int width, height; /* size in characters or pixels */
   double columns, rows; /* size of the canvas in characters of the font */
-  int fine, dots; /* fine: curves are drawn as Braille dots; dots: this canvas contains them (the
-                     other one has axes and text) */
+  int fine, dots; /* fine: curves are drawn as Braille dots; dots: this canvas is for the dots, and
+                     another one for axes and text */
   double points;  /* font size in the unit of gnuplot's terminal */
   double scale;   /* scale of lines and marks */
   double inch;    /* pixels per inch */
@@ -39,7 +40,7 @@ typedef struct arc_plot_frame {
   double columns, rows;
 } arc_plot_frame;
 
-/* State of writing one figure. */
+/* A figure that is being written, and the output text. */
 typedef struct arc_writer {
   const arc_plot_figure *figure;
   const arc_canvas *canvas;
@@ -50,7 +51,7 @@ typedef struct arc_writer {
 
 /* Tick labels of an axis. */
 typedef struct arc_ticks {
-  double step;      /* distance of ticks; 0: chosen by gnuplot */
+  double step;      /* distance between ticks; 0: gnuplot chooses it */
   int digits;       /* significant digits of a label */
   size_t longest;   /* length of the longest label [characters] */
   int powers;       /* true: labels have the form 7e-4 */
@@ -60,11 +61,11 @@ typedef struct arc_ticks {
   int parts;        /* labels between powers of ten: 0 none, 1 at all multiples, 3 at 2 and 5 */
   int bare;         /* true: labels are powers of ten without mantissa */
   int exponent;     /* exponent of the largest number of a linear axis */
-  double low, high; /* first and last tick of a linear axis, in steps */
+  double low, high; /* first and last tick of a linear axis, in units of `step` */
 } arc_ticks;
 
-/* Returns the number of digits after the point that all labels of ticks at multiples of `step`
- * have: 2 for 0.05, 0 from 1 on and for 0 (ticks chosen by gnuplot). */
+/* Returns the number of decimals of tick labels at multiples of `step`: 2 for the step 0.05, 0 for
+ * steps from 1 on, and 0 for the step 0 (gnuplot chooses the ticks). */
 int arc_ticks_fraction(double step);
 
 /* Computes about `most` ticks for an axis from..to (the ends may be in any order). arc_ticks_up

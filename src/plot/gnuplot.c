@@ -17,7 +17,8 @@ struct arc_gnuplot {
   arc_process process;
   double version;
   char *terminals;
-  unsigned long questions; /* number of the marker line, unique in the session */
+  unsigned long questions; /* number of the last marker line; each marker line of a session has its
+                              own number */
 };
 
 static const char remedy[] = "On Debian: apt-get install gnuplot-nox";
@@ -187,7 +188,7 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
 /* --- start ------------------------------------------------------------------------------------ */
 
 static arc_status spawn(arc_gnuplot *session, arc_error *error) {
-  char defaults[] = "-d"; /* ignore the user's start-up file */
+  char defaults[] = "-d"; /* with -d gnuplot ignores the user's start-up file */
   char *argv[] = {session->program, defaults, NULL};
   arc_status status = arc_process_start(&session->process, argv, error);
   if (status == ARC_MISSING) return missing(session, error);

@@ -177,7 +177,7 @@ double arc_panel_columns(const arc_writer *w) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
   return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns /
-         columns; /* line width of a panel's title */
+         columns; /* length of a line of a panel's title [characters] */
 }
 
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
@@ -194,9 +194,9 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Numbers of the colour and of the dash pattern of a curve, both from 1. Each of the eight
- * colours has its own dash pattern. Further curves combine the colours with other patterns. In
- * pictures of characters, other marks replace the dash patterns. */
+/* Colour and dash pattern of a curve, as numbers from 1. Each of the eight colours has its own dash
+ * pattern. Further curves combine the colours with other patterns. In pictures of characters, other
+ * marks replace the dash patterns. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -216,8 +216,8 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* Returns true if a filled curve is closed, as the outline of a band is. Otherwise its area extends
- * down to zero. */
+/* Returns true if a filled curve is closed, such as the outline of a band. The area of any other
+ * filled curve extends down to zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {
@@ -227,7 +227,7 @@ static int comes_back(const arc_plot_curve *curve) {
   return there && back;
 }
 
-enum { MANY = 60 }; /* if a curve has more points, they are drawn as dots */
+enum { MANY = 60 }; /* a curve with more points has dots instead of marks */
 
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->error && curve->style == ARC_PLOT_POINTS && curve->count > MANY && !w->canvas->text;

@@ -73,7 +73,7 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
   arc_text_format(w->out, "set key on %s nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
   if (place == ARC_PLOT_KEY_BELOW &&
-      framed) /* otherwise gnuplot would put the key at the edge of the canvas */
+      framed) /* without this command gnuplot would draw the key at the edge of the canvas */
     arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
                     (frame->left + frame->right) / 2,
                     frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
@@ -168,7 +168,8 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
 
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  int has_scale = panel->field || arc_look_scale(w, panel, range); /* gnuplot's margin fits it */
+  /* gnuplot's default margin has space for a colour scale */
+  int has_scale = panel->field || arc_look_scale(w, panel, range);
   if (w->canvas->text || has_scale || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
@@ -188,8 +189,8 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
  * signs, with white at zero. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
   static const char *const palettes[][2] = {
-      /* for fields of one sign, fields of both signs, and curves (without light colours, which
-       * would be hardly visible); each in colours and in greys */
+      /* palettes for fields of one sign, fields of both signs, and curves (without light colours,
+       * which would be hardly visible), each in colours and in greys */
       {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
        "0 '#f7f7f7', 1 '#303030'"},
       {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",
@@ -199,7 +200,8 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
-  const int contours = panel->field && panel->levels; /* lines at the ticks of the scale */
+  /* contour lines are at the ticks of the colour scale */
+  const int contours = panel->field && panel->levels;
   arc_ticks_of_scale(w, contours ? arc_field_step(range, panel->levels) : 0);
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");

@@ -52,12 +52,12 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);
 /* Returns the process id of the running gnuplot, or 0. */
 long arc_gnuplot_process(const arc_gnuplot *session);
 
-/* Sends commands and waits for their end. `reply` (may be NULL) receives gnuplot's standard
- * output, terminated by a zero byte; the caller frees it with free(). `length` (may be NULL) is
- * its length without the zero byte. The commands are in gnuplot's language, so texts of a user
- * must have passed arc_plot_quote. Errors: those of arc_gnuplot_start; ARC_ARGUMENT with
- * gnuplot's message if gnuplot rejects a command; ARC_IO if gnuplot ends or gives no output.
- * After ARC_IO and ARC_STOPPED gnuplot is ended, and the next call starts it again. */
+/* Sends commands and waits for their end. `reply` (may be NULL) receives gnuplot's standard output,
+ * terminated by a zero byte; the caller frees it with free(). `length` (may be NULL) is its length
+ * without the zero byte. The commands are in gnuplot's language, so texts of a user must be quoted
+ * by arc_plot_quote. Errors: those of arc_gnuplot_start; ARC_ARGUMENT with gnuplot's message if
+ * gnuplot rejects a command; ARC_IO if gnuplot ends or gives no output. After ARC_IO and
+ * ARC_STOPPED gnuplot is ended, and the next call starts it again. */
 arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t count, char **reply,
                            size_t *length, arc_error *error);
 
@@ -95,11 +95,11 @@ typedef enum arc_plot_style {
 typedef struct arc_plot_curve {
   const double *x, *y; /* [count] */
   size_t count;
-  const char *title; /* NULL: no entry in the key */
+  const char *title; /* title in the key; NULL: no entry */
   arc_plot_style style;
-  const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: from `series` */
+  const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: colour number `series` */
   int series;          /* number of the colour and mark, 1 to 8; 0: next number in the panel */
-  int dash;            /* 1 solid line, 2 to 5 dashed; 0: solid line */
+  int dash;            /* dash pattern: 0 or 1 for a solid line, 2 to 5 for dashed lines */
   double width;        /* line width relative to the default; 0: default */
   const double *error; /* [count] half lengths of error bars in y; NULL: no bars */
   int scaled;          /* true: coloured by `value` on the panel's colour scale; not in the key */
@@ -110,17 +110,17 @@ typedef struct arc_plot_curve {
 /* Coloured polygons, each with four corners in circular order; a triangle repeats its last corner.
  * The values belong to the corners and are linear between them. */
 typedef struct arc_plot_field {
-  const double *x, *y, *value; /* [4 * count], corners of polygon i at 4i .. 4i+3 */
+  const double *x, *y, *value; /* [4 * count]; polygon i has the corners 4i to 4i + 3 */
   size_t count;
 } arc_plot_field;
 
 typedef struct arc_plot_axis {
-  const char *label;        /* NULL: no label */
+  const char *label;        /* label of the axis; NULL: none */
   const double *places;     /* [place_count] positions of `words` on the axis; NULL: numbers */
   const char *const *words; /* [place_count] */
   size_t place_count;
-  double min, max; /* NaN: from the data; min > max: a reversed axis */
-  int log;         /* true: logarithmic, base 10 */
+  double min, max; /* ends of the range; NaN: from the data; min > max: a reversed axis */
+  int log;         /* true: logarithmic axis, base 10 */
   int reverse;     /* true: values grow downwards or to the left; ignored if min and max are set */
 } arc_plot_axis;
 
@@ -142,7 +142,7 @@ typedef enum arc_plot_key {
 } arc_plot_key;
 
 typedef struct arc_plot_panel {
-  const char *title; /* NULL: no title */
+  const char *title; /* title above the panel; NULL: none */
   arc_plot_axis x, y;
   arc_plot_axis value; /* axis of the field's or curves' values: only label and range */
   arc_plot_key key;
@@ -150,14 +150,14 @@ typedef struct arc_plot_panel {
   int levels; /* number of contour lines of the field */
   const arc_plot_curve *curves;
   size_t curve_count;
-  const arc_plot_field *field; /* NULL: no field */
+  const arc_plot_field *field; /* field below the curves; NULL: none */
 } arc_plot_panel;
 
 typedef struct arc_plot_figure {
-  const char *title; /* NULL: no title */
+  const char *title; /* title above the figure; NULL: none */
   const arc_plot_panel *panels;
   size_t panel_count;
-  int rows, columns; /* grid of panels, filled row by row; 0: chosen by the program */
+  int rows, columns; /* size of the grid, which panels fill row by row; 0: automatic */
   int one_key;       /* true: one key below all panels; equal titles have equal colours */
 } arc_plot_figure;
 
@@ -173,7 +173,7 @@ arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 /* --- output of a figure ----------------------------------------------------------------------- */
 
 typedef enum arc_plot_medium {
-  ARC_PLOT_TEXT,   /* characters, returned to the caller */
+  ARC_PLOT_TEXT,   /* a picture in characters, returned to the caller */
   ARC_PLOT_SIXEL,  /* escape codes for terminals with pictures, returned to the caller */
   ARC_PLOT_PNG,    /* the bytes of a png picture, returned to the caller */
   ARC_PLOT_WINDOW, /* a window on the screen */
@@ -182,9 +182,9 @@ typedef enum arc_plot_medium {
 
 typedef struct arc_plot_output {
   arc_plot_medium medium;
-  const char *file;     /* path of a file */
+  const char *file;     /* path of the output file */
   const char *terminal; /* gnuplot's terminal for a window; NULL: the first available one */
-  int width, height;    /* characters for text, otherwise pixels; 0: chosen from the figure */
+  int width, height;    /* size in characters (text) or pixels; 0: chosen to fit the figure */
   int colour;           /* for text: true if ANSI colours are written */
   int ascii;            /* for text: true if only ASCII characters are written */
   int grey; /* for pixels: true if colours are converted to greys of the same luminance */

@@ -22,7 +22,7 @@ static double seconds(void) {
 /* --- start of a process ----------------------------------------------------------------------- */
 
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
-  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0]: for this process, [1]: for the child */
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0]: end of this process, [1]: of the child */
   pid_t pid = 0;
   int opened = arc_child_channel(talk, 1), failed = opened;
   if (!failed) failed = opened = arc_child_channel(errors, 0);

@@ -7,7 +7,7 @@
 /* A text that grows. It must be initialised with zeros. If memory is exhausted, `failed` is set
  * and later additions have no effect. */
 typedef struct arc_text {
-  char *data; /* zero-terminated; NULL if empty */
+  char *data; /* the text, terminated by a zero byte; NULL if empty */
   size_t length, capacity;
   int failed;
 } arc_text;
@@ -29,7 +29,7 @@ int arc_text_marked(const char *words);
 void arc_text_greek(arc_text *text, const char *words);
 
 /* Appends a text in the syntax of gnuplot's enhanced text, without quotes. Subscripts and
- * superscripts (archard/plot.h) become gnuplot's marks. Other special characters are escaped. */
+ * superscripts (archard/plot.h) are converted. Other special characters are escaped. */
 void arc_text_enhanced(arc_text *text, const char *words);
 
 /* Returns the number of characters (not bytes) of a UTF-8 text. For NULL returns 0. */

@@ -82,7 +82,7 @@ void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis,
 }
 
 void arc_ticks_of_scale(arc_writer *w, double step) {
-  enum { longest = 3 }; /* more digits are shown as powers of ten */
+  enum { longest = 3 }; /* numbers with more decimals are shown as powers of ten */
   const int fraction = arc_ticks_fraction(step);
   if (step > 0)
     arc_text_format(w->out, "set cbtics %.17g\n", step);

@@ -170,7 +170,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* only flags are stored as integers */
+  case ARC_VALUE_FLAG: /* flags are the only values stored as integers */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:

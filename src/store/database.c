@@ -14,9 +14,9 @@
 struct database {
   sqlite3 *handle;
   char *path, *name;       /* path of the file, and its name in messages */
-  long long bytes, beside; /* sizes [bytes] of the file and the attached file at a query's start */
+  long long bytes, beside; /* [bytes] sizes of the file and the attached file before the query */
   arc_lock_kind locks;
-  long long work; /* remaining instructions of the query, in units of WATCH */
+  long long work; /* number of instructions that the query may still execute, divided by WATCH */
 };
 
 struct query {
@@ -36,11 +36,11 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
-  case SQLITE_PERM:  /* only open_guarded returns this code */
-  case SQLITE_ERROR: /* missing table or column, because this program's SQL is correct */
+  case SQLITE_PERM:  /* only open_guarded returns this code, for a file that is not safe */
+  case SQLITE_ERROR: /* the file lacks a table or column, as this program's SQL is correct */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
-  case SQLITE_INTERRUPT: /* the limit of instructions was exceeded */
+  case SQLITE_INTERRUPT: /* the query exceeded its limit of instructions */
     return ARC_FORMAT;
   case SQLITE_CONSTRAINT:
     return ARC_ARGUMENT;
@@ -179,12 +179,12 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* the same function for all kinds of lock */
+  open_beneath = beneath->xOpen; /* xOpen is the same function for all kinds of lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
   own->xOpen = open_guarded;
-  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's own locks would be folders, which store no owner */
+  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's lock folders do not identify the owner of a lock */
     own->xSetSystemCall(own, "mkdir", (sqlite3_syscall_ptr)arc_lock_take);
     own->xSetSystemCall(own, "rmdir", (sqlite3_syscall_ptr)arc_lock_leave);
   }
@@ -247,7 +247,7 @@ static int define_arrays(sqlite3 *handle) {
 static arc_status configure(database *db, arc_error *error) {
   sqlite3_extended_result_codes(db->handle, 1);
   sqlite3_busy_timeout(db->handle, PATIENCE);
-  /* makes a misspelt column in double quotes an error instead of a text */
+  /* so that a misspelt column name in double quotes is an error, not a text */
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   distrust(db);
@@ -272,7 +272,7 @@ static database *new_database(const char *path, const char *name) {
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
-  arc_lock_kind locks = ARC_LOCK_NONE; /* new file: no other process uses it yet */
+  arc_lock_kind locks = ARC_LOCK_NONE; /* no other process uses the new file yet */
   arc_status status = create ? ARC_OK : arc_lock_look(path, name, &locks, error);
   if (status != ARC_OK) return status;
   database *db = new_database(path, name);

@@ -1,5 +1,5 @@
-/* Declares databases and queries. The parameters of a query are numbered from 1, its columns from
- * 0. */
+/* Access to SQLite databases and queries. The parameters of a query are numbered from 1, its
+ * columns from 0. */
 #ifndef STORE_DATABASE_H
 #define STORE_DATABASE_H
 
@@ -38,7 +38,7 @@ void arc_query_close(query **q);
  * arrays must be valid until that call. */
 void arc_query_set_number(query *q, int index, double value);
 void arc_query_set_whole(query *q, int index, long long value);
-void arc_query_set_text(query *q, int index, const char *text); /* text NULL: the value is NULL */
+void arc_query_set_text(query *q, int index, const char *text); /* NULL sets an SQL NULL */
 void arc_query_set_array(query *q, int index, const double *values, size_t count);
 
 /* Computes the next row. Sets *row to 0 if there are no more rows. */
@@ -56,14 +56,15 @@ typedef enum column_kind {
   COLUMN_NUMBER,
   COLUMN_TEXT,
   COLUMN_ARRAY,
-  COLUMN_BYTES /* bytes that are not numbers */
+  COLUMN_BYTES /* a blob that is not an array of numbers */
 } column_kind;
 
 int arc_query_columns(const query *q);
 column_kind arc_query_kind(query *q, int column);
-double arc_query_number(query *q, int column); /* NaN if the value is NULL */
+double arc_query_number(query *q, int column); /* returns NaN if the value is NULL */
 long long arc_query_whole(query *q, int column);
-const char *arc_query_text(query *q, int column); /* "" for NULL; valid until the next step */
+/* Returns "" if the value is NULL. The text is valid until the next step. */
+const char *arc_query_text(query *q, int column);
 size_t arc_query_array_count(query *q, int column);
 /* Copies the array in a column, at most `count` numbers. */
 void arc_query_array(query *q, int column, double *values, size_t count);

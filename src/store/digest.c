@@ -17,7 +17,7 @@ static const char *const parts[] = {
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
     "SELECT * FROM arrays WHERE case_id = ?1 ORDER BY part, updates, body, name"};
 
-/* Queries for surfaces and state in files with a format before 5. */
+/* Queries for surfaces and state in files of a format older than 5. */
 static const char *const older_parts[] = {
     "SELECT * FROM older_surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM older_state WHERE case_id = ?1 ORDER BY body"};

@@ -173,12 +173,12 @@ static arc_status migrate(arc_store *store, long long format, arc_error *error) 
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
-  store->older = format < 5; /* before format 5, surfaces and state were separate tables */
+  store->older = format < 5; /* in formats before 5, surfaces and state were separate tables */
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].values, error);
-  if (status == ARC_ARGUMENT) /* the file has rows that archard did not write */
+  if (status == ARC_ARGUMENT) /* the file contains rows that archard did not write */
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: its rows contradict each other",
                     store->path);
   return status == ARC_OK ? make_views(store, error) : status;

@@ -16,16 +16,16 @@
 
 struct arc_store {
   database *db;
-  char *path, *file;          /* the name given by the user, and the absolute path */
+  char *path, *file;          /* name of the file as the user gave it, and its absolute path */
   arc_atomic_file *temporary; /* new file that is not published yet, or NULL */
-  int older;                  /* true while the tables have a format before 5 */
-  int verified;               /* case whose checksum was compared last; 0: none */
-  int *open; /* [opened] cases changed in this transaction, which need new checksums */
+  int older;                  /* true while the tables are in a format older than 5 */
+  int verified;               /* id of the case whose checksum was compared last; 0: none */
+  int *open; /* [opened] ids of cases that changed in this transaction and need new checksums */
   size_t opened;
 };
 
-/* Sets the error ARC_FORMAT with the text "PATH: the file is damaged: " and the damage of a
- * case. */
+/* Sets the error ARC_FORMAT. The message is "PATH: the file is damaged: ", followed by the case and
+ * its damage. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
                              ...) __attribute__((format(printf, 4, 5)));
 /* Reports an error that the engine found in the data of a case as damage of the file. Errors
@@ -56,7 +56,7 @@ arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_err
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
-/* Names of the columns of the table `arrays` after the column case_id. */
+/* Names of all columns of the table `arrays` except case_id. */
 #define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
 
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
@@ -80,7 +80,7 @@ arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *e
 
 /* --- format.c, schema.c: format number, tables and views -------------------------------------- */
 
-/* Checks that this program supports the format. Errors: ARC_FORMAT. */
+/* Checks that this program supports the format number of a file. Errors: ARC_FORMAT. */
 arc_status arc_schema_check(const char *path, long long format, arc_error *error);
 /* Reads and checks the format of the file. */
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error);

@@ -21,7 +21,7 @@ typedef struct slot {
   const char *const *choices;
   void *at;     /* address of a value with the type of `kind` */
   int *count;   /* address of the array's length, shared with other arrays; *count is 0 if absent */
-  int optional; /* true for an array that may be absent */
+  int optional; /* true if the array may be absent from the file */
 } slot;
 
 typedef struct slots {

@@ -30,7 +30,7 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* The two values of the column `part`, which indicates the use of an array. */
+/* Values of the column `part` of the table `arrays`: surfaces, or state of a run. */
 static const char surface[] = "surface", state[] = "state";
 
 static arc_status save_arrays(arc_store *store, int id, const char *part, const arc_array *arrays,

@@ -48,12 +48,12 @@ static int use_own_signals(void) {
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
-  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* no effect on older kernels */
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* has no effect on kernels without this call */
   return 0;
 }
 
-/* Is 1 if the program is built with sanitizers. Memory cannot be limited then, because the
- * shadow memory of sanitizers counts as data. */
+/* HAS_SHADOW is 1 if the program is built with sanitizers. Then memory cannot be limited, because
+ * the shadow memory of sanitizers counts as data. */
 #ifdef __SANITIZE_ADDRESS__
 enum { HAS_SHADOW = 1 };
 #else
@@ -73,7 +73,7 @@ static int use_own_memory(rlim_t bytes) {
   return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
 }
 
-static int confined; /* true: children may not start processes */
+static int confined; /* true if children must not start processes */
 
 /* Replaces the child by the program. Returns only on failure, with an errno. */
 static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
@@ -83,7 +83,8 @@ static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (!failed) failed = use_own_signals();
   if (!failed) failed = use_own_memory(memory);
   if (failed) return failed;
-  if (confined && !HAS_SHADOW) arc_jail_alone(); /* sanitizers start a process to find leaks */
+  /* the leak check of sanitizers must be able to start a process */
+  if (confined && !HAS_SHADOW) arc_jail_alone();
   execvpe(def->program, def->arguments, def->environment ? def->environment : environ);
   return errno;
 }

@@ -70,7 +70,7 @@ static rules begin_rules(void) {
   const int version =
       (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
   rules r = {.set = -1, .failed = 1};
-  if (version < 3) return r; /* before version 3 any file can be truncated */
+  if (version < 3) return r; /* before version 3 Landlock does not prevent truncation */
   r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
   const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
   const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
@@ -196,9 +196,9 @@ static int confine_files(const arc_jail *jail) {
 #define HOLD SYS_ptrace
 #endif
 
-/* Denied calls. They concern connections, other processes, execution of files without a name,
- * settings of the system, and properties of files that Landlock does not cover (rights, owners,
- * times, attributes, notifications of changes). */
+/* Denied system calls. They concern connections, other processes, execution of files without a
+ * name, settings of the system, and properties of files that Landlock does not cover (rights,
+ * owners, times, attributes, notifications of changes). */
 static const unsigned denied[] = {SYS_socket,
                                   SYS_bind,
                                   SYS_connect,
@@ -263,7 +263,7 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_msgget,
                                   SYS_semget};
 
-/* Older calls with the same effects, if the architecture has them. */
+/* Older system calls with the same effects as denied calls, if the architecture has them. */
 #ifdef SYS_chmod
 static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod,
                                  SYS_utime, SYS_utimes, SYS_futimesat, SYS_inotify_init,
@@ -272,13 +272,13 @@ static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod
 static const unsigned older[] = {SYS_chroot};
 #endif
 
-/* Calls without names in older headers. Their numbers are the same on all architectures: io_uring,
- * mounts, pidfd_getfd, fchmodat2, attributes. */
+/* System calls whose names older headers do not define. Their numbers are the same on all
+ * architectures: io_uring, mounts, pidfd_getfd, fchmodat2, attributes. */
 static const unsigned newer[] = {425, 426, 427, 428, 429, 430, 431, 432, 433,
                                  438, 442, 452, 463, 464, 465, 466, 467, 469};
 
-/* Calls for which programs have an alternative (memfd_create, clone3, memfd_secret). They fail as
- * if the kernel did not support them. */
+/* System calls for which programs have an alternative (memfd_create, clone3, memfd_secret). They
+ * fail as if the kernel did not support them. */
 static const unsigned unknown[] = {SYS_memfd_create, 435, 447};
 
 typedef struct filter {
@@ -335,9 +335,11 @@ static void write_filter(filter *f) {
   refuse(f, older, sizeof older / sizeof *older, EPERM);
   refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
-  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* AF_UNIX sockets connect children */
+  /* AF_UNIX sockets are allowed, because they connect children */
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0);
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
-  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* injects text into the terminal */
+  /* TIOCSTI inserts text into the input of the terminal */
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1);
   refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
   refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* 0: this process */
 }

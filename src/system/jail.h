@@ -9,7 +9,7 @@ typedef struct arc_jail {
   double largest_file; /* limit of the size of a file [bytes] */
 } arc_jail;
 
-/* Guarantees that a jail can give. */
+/* Restrictions that a jail guarantees, as flags. */
 enum {
   ARC_JAIL_FILES = 1,    /* no other files are opened, created, renamed, removed or run */
   ARC_JAIL_CALLS = 2,    /* no connections, access to other processes, mounts or new rights */
@@ -17,8 +17,8 @@ enum {
 };
 
 /* Restricts the calling thread and all its later children. arc_child_again must be called
- * afterwards, because existing threads are not restricted. Returns the guarantees that this system
- * cannot give. */
+ * afterwards, because existing threads are not restricted. Returns the flags of the restrictions
+ * that this system cannot guarantee. */
 int arc_jail_enter(const arc_jail *jail);
 
 /* Prevents the calling thread, and the program that it executes, from starting processes; it can

@@ -10,7 +10,7 @@
 enum { MOST_CHILDREN = 512 };
 
 static struct {
-  double base; /* data of this process when the limit was set [bytes] */
+  double base; /* size of the data of this process when the limit was set [bytes] */
   int limited, count;
   struct reservation {
     pid_t child;
@@ -30,7 +30,7 @@ static double mapped(double *data) {
   return all * page;
 }
 
-/* Changes the limit of this process by `bytes`. */
+/* Adds `bytes`, which may be negative, to the memory limit of this process. */
 static void shift(double bytes) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
