@@ -110,7 +110,7 @@ is(tostring(light), stays, "a refused change leaves the run unchanged")
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
 ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
 local _, why = pcall(contact, { model = soft })
-ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
+ok(tostring(why):find("the bodies are too small for this contact: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
 
 -- Tests a model whose mesh was sized for another load.
 warnings.take()

@@ -117,7 +117,7 @@ end
 local level = { upper = body.profile{ width = 4, height = 2, y = function() return 0 end }, lower = body.block{} }
 ok(pcall(model, level), "a level profile is meshed")
 local _, why = pcall(contact, { model = level })
-ok(tostring(why):find("the bodies are too small for it", 1, true), "a contact wider than the bodies is reported")
+ok(tostring(why):find("the bodies are too small for this contact", 1, true), "a contact wider than the bodies is reported")
 
 -- --- balls --------------------------------------------------------------------------------------
 

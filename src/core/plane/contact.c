@@ -57,7 +57,7 @@ static void read_pressures(arc_contact *c) {
   }
 }
 
-/* Computes the shear tractions of both bodies [MPa] and the forces on their nodes with shear. */
+/* Computes the shear tractions of both bodies [MPa], and the nodal forces including shear. */
 static void read_shear(arc_contact *c) {
   if (!c->has_friction) return;
   memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->problem.nc * sizeof(double));
@@ -76,7 +76,7 @@ static double driving_force(const arc_contact *c) {
   return sum;
 }
 
-/* Returns the sum of the normal forces on the candidates [N/mm]. */
+/* Returns the sum of the normal forces on the candidate nodes [N/mm]. */
 static double normal_force(const arc_contact *c) {
   double sum = 0;
   for (int k = 0; k < c->problem.count; k++) sum += c->problem.f[k];
@@ -207,16 +207,17 @@ static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   arc_contact_def here = c->handle.def;
   here.x = c->problem.x;
   if (!find_zones(&here, model, zone))
-    return arc_fail(error, ARC_ZONE,
-                    "%s; the bodies are too small for it: their zones end at %g and %g mm",
-                    why.message, arc_model_widest_zone(model, ARC_CYLINDER),
-                    arc_model_widest_zone(model, ARC_PLATE));
+    return arc_fail(
+        error, ARC_ZONE,
+        "%s; the bodies are too small for this contact: their zones end at %g and %g mm",
+        why.message, arc_model_widest_zone(model, ARC_CYLINDER),
+        arc_model_widest_zone(model, ARC_PLATE));
   return arc_fail(error, ARC_ZONE,
                   "%s (this contact needs mesh.zone = {cylinder = %.3g, plate = %.3g} mm)",
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* Returns the load [N] of unworn bodies. Returns 0 if a body is worn. */
+/* Returns the load [N] if both bodies are unworn, otherwise 0. */
 static double unworn_load(const arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_shape_depth(c->handle.shape, (arc_body)b) > 0) return 0;

@@ -1,4 +1,4 @@
-/* Cycles of a run in the plane: contact and wear at every point of a block, on two meshes. */
+/* Contact and wear of two meshed bodies in the plane, at every point of a block of the loading. */
 #ifndef PLANE_CYCLE_H
 #define PLANE_CYCLE_H
 
@@ -9,13 +9,13 @@
 /* Solution at one point of the path. Each array has one entry per surface node of the body. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
-  double *q[ARC_BODIES]; /* wear rate divided by k: p times the factors of the wear law and the
-                            position [MPa] */
+  double *q[ARC_BODIES]; /* wear rate divided by k: p times the factor of the wear law and the local
+                            factor [MPa] */
   double *u[ARC_BODIES]; /* elastic displacement along x [mm] */
   double *f[ARC_BODIES]; /* local factor */
 } wear_point;
 
-/* The present block, its problems, and the last two solved points. Point i of the block is
+/* Present block, its contact problems, and the last two solved points. Point i of the block is
  * stored in point[i % 2]. */
 typedef struct wear_path {
   const wear_block *block; /* NULL until the first block */
@@ -35,11 +35,13 @@ typedef struct wear_path {
 /* Data of a run in the plane. */
 typedef struct plane_cycle {
   wear_path path;
-  contact_problem reference; /* problem with the plate at x = 0 under the nominal load */
+  contact_problem reference; /* contact problem with the plate at x = 0 under the nominal load */
   double *slip;              /* [4 n] workspace: slip of an increment, or mirror images */
-  double *down;  /* [n] lowering of the surface along y per depth, see arc_shape_downward */
+  double *down;  /* [n] vertical drop of the surface per depth of wear along its normal, see
+                    arc_shape_downward */
   double *width; /* [n] widths of the surface cells of the nodes in the previous window [mm] */
-  double *plate, *below; /* [np] depths of the plate; [nc] depths below the cylinder's nodes */
+  double *plate, *below; /* [np] depths of the plate; [nc] the plate's depths, interpolated to the
+                            cylinder's nodes */
 } plane_cycle;
 
 static inline plane_cycle *plane_of(const arc_wear *w) {
@@ -63,8 +65,8 @@ struct wear_tangent {
 /* Allocates the arrays of the points. Error: ARC_MEMORY, after which nothing has to be freed. */
 arc_status arc_path_create(wear_path *path, const arc_model *model, int has_friction);
 void arc_path_free(wear_path *path);
-/* Creates the problems of a block and makes it the present block, unless this has been done. Error:
- * ARC_MEMORY, after which there is no present block. */
+/* Makes a block the present block and creates its contact problems. Does nothing if it is the
+ * present block already. Error: ARC_MEMORY, after which there is no present block. */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
                           arc_error *error);
 /* Sets all values of a point to zero, as for bodies without contact. */
@@ -162,8 +164,8 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks);
 /* Checks the settings of a run for bodies of revolution. Error: ARC_ARGUMENT. */
 arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
                                    arc_error *error);
-/* Returns the half width [mm] of a flat scar of a given volume [mm3] on a cylinder or ball of
- * this radius [mm]. */
+/* Returns the half width [mm] of a flat scar of a given volume [mm3] on a cylinder or ball of a
+ * given radius [mm]. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume);
 /* Returns the slip at surface node i divided by the slip at the reference radius. Returns 1 if the
@@ -214,7 +216,7 @@ int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
  * 0 if the present box contains them. */
 int arc_wear_layer_rows(const arc_wear *w);
 
-/* Returns true if the zones that the run needs fit on bodies of this radius. */
+/* Returns true if both bodies are wide enough for the zones that the run needs. */
 int arc_wear_can_grow(const arc_wear *w);
 
 /* Copies the run to larger meshes. Errors: all errors of arc_model_build; `why` if the meshes
@@ -227,11 +229,11 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
-/* Warns that a run has new meshes. `why` is the reason in words. */
+/* Gives a warning that a run has new meshes. `why` is the text of the reason. */
 void arc_wear_report_meshes(const arc_wear *before, const arc_wear *now, const char *why,
                             const arc_callbacks *callbacks);
 
-/* Warns that a run has larger meshes. Coarser meshes are not reported. */
+/* Gives a warning that a run has larger meshes. Coarser meshes are not reported. */
 void arc_wear_report_growth(const arc_wear *before, const arc_wear *now,
                             const arc_callbacks *callbacks);
 
@@ -250,13 +252,12 @@ arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
 double arc_wear_rim_size(const arc_wear *w);
 
 /* --- layers.c --------------------------------------------------------------------------------- */
-/* Converts a depth of wear [mm] at node i to the depth that the layers below the node allow,
- * beginning at depth `h`. `due` is the depth [mm] that would wear with the largest wear
+/* Returns the depth of wear [mm] at node i, which begins at depth `h`, computed with the wear
+ * coefficients of the layers there. `due` is the depth [mm] that would wear with the largest wear
  * coefficient. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
-/* Converts the depths of all nodes of both surfaces, cylinder first, with
- * arc_wear_through_layers. */
+/* Applies arc_wear_through_layers to the depths of all nodes of both surfaces, cylinder first. */
 void arc_wear_into_layers(const arc_shape *shape, double *depth);
 /* Returns the wear coefficient at node i after `depth` [mm] of further wear, divided by the largest
  * coefficient of the body. */

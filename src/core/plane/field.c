@@ -46,8 +46,8 @@ static double shear_at(const arc_contact *c, int right) {
   return c->state.t[c->problem.lo + last] / c->problem.f[last];
 }
 
-/* Computes the tractions at the surface nodes. Near smooth edges they are point values instead
- * of means. */
+/* Computes the tractions at the surface nodes. Near smooth contact edges they are point values
+ * instead of means over elements. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
   const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
   const int n = c->count[body];
@@ -85,8 +85,8 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Stores Poisson's ratio at the nodes in szz. A node on an interface gets the ratio of the upper
- * layer. Elements are numbered from the surface inwards. */
+/* Stores Poisson's ratio at each node in szz, which is used as workspace. A node on an interface
+ * gets the ratio of the upper layer. Elements are numbered from the surface inwards. */
 static void fill_ratios(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)

@@ -27,12 +27,13 @@ typedef struct fretting {
   const wear_window *window;
   wear_progress *progress;
   wear_rate *rate;
-  arc_loop *loop;    /* loop to record, or NULL */
+  arc_loop *loop;    /* fretting loop to record, or NULL */
   double *start;     /* [2 nc] normal and tangential forces at the start of the cycle */
   double *least;     /* [nc] smallest normal force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] workspace */
-  double between;    /* energy dissipated between the nodes before the cycle, per thickness [N] */
+  double between;    /* energy dissipated at points between the nodes until the cycle starts, per
+                        thickness [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -84,8 +85,8 @@ static void wrap(fretting *r) {
 }
 
 /* Returns true if pressing the bodies together causes shear. Half-planes of the same material do
- * not shear each other. For bodies on which Hertz' formulas hold, the outer shapes cause shear
- * below 1e-4 of the energy of a cycle. */
+ * not shear each other. For bodies to which Hertz' formulas apply, the shear due to their outer
+ * shapes changes the energy of a cycle by less than 1e-4. */
 static int shear_when_pressed(const arc_wear *w) {
   const arc_model_def *model = arc_model_definition(w->model);
   return arc_contact_mismatch(model->geometry, model->material) != 0 ||
@@ -235,9 +236,9 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
-/* Computes the width that never slips, which is at most the contact width. Where the tangential
- * force just reaches its earlier maximum, nodes slip only by rounding errors and count as
- * sticking. */
+/* Computes the stick width: the total width of the nodes that never slip, at most the contact
+ * width. Where the tangential force just reaches its earlier maximum, nodes slip only by rounding
+ * errors and count as sticking. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -261,8 +262,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds the wear due to `energy`, dissipated between the nodes, to the two outermost nodes in
- * contact, half to each. */
+/* Adds `energy`, which is dissipated at points between the nodes, and its wear to the two outermost
+ * nodes in contact, half to each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -281,8 +282,9 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Adds the energy dissipated between the nodes to the nodes, in proportion to their own energy and
- * at most doubling it. The outermost nodes in contact receive the remaining energy. */
+/* Distributes the energy dissipated at points between the nodes over the nodes in proportion to
+ * their own energy, which is at most doubled. The outermost nodes in contact receive the remaining
+ * energy. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);

@@ -1,11 +1,12 @@
-/* The Jacobian of the wear of a cycle: a linear function of the depths of both surfaces,
- * computed from the active sets of the contact solutions.
+/* The Jacobian of the wear of a cycle: a linear function of the depths of both surfaces, computed
+ * from the active sets of the contact solutions.
  *
- * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1). An increase h of the depths
- * changes the forces of a problem by -C (h_c + B h_p). C hardly differs between neighbouring
- * problems with the same active set. A group of such problems therefore shares the C of one
- * problem, its head. The matrices B of the group differ, and their mean couples the surfaces.
- * Groups lie symmetrically about x = 0, so symmetric runs remain symmetric. */
+ * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1), where A is the compliance matrix.
+ * Increases h_c and h_p of the depths of cylinder and plate change the forces of a problem by -C
+ * (h_c + B h_p), where B interpolates from the plate's nodes to the cylinder's. C hardly differs
+ * between neighbouring problems with the same active set. A group of such problems therefore shares
+ * the C of one problem, its head. The matrices B of the group differ, and their mean couples the
+ * surfaces. Groups lie symmetrically about x = 0, so symmetric runs remain symmetric. */
 #include "core/base/dense.h"
 #include "core/plane/cycle.h"
 
@@ -15,12 +16,12 @@
 
 typedef struct jacobian_group {
   contact_problem *head; /* solved problem of the point `at`, which represents the group */
-  int at, m;             /* point of the head; number of nodes in its active set */
+  int at, m;             /* index of the head's point; number of nodes in its active set */
   int *node;             /* [nc] surface nodes of the active set */
   int *from, *to; /* [nc] first plate node in the row of B for a cylinder node, and last node + 1 */
   int low, high;  /* first plate node of the active set, and last node + 1 */
   int points;     /* number of problems in the group */
-  double total;   /* sum of the weights `share` of these problems [mm] */
+  double total;   /* sum of the weights `share` of the group's problems [mm] */
   const double *wc, *wp; /* tributary widths, equal for all problems */
   double *scale;         /* [nc + np] sum of share * dq/dp over the group */
   double *c;             /* [nc x nc] C of the head */
@@ -278,7 +279,7 @@ double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES]
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};
   const int n = tangent->nc + tangent->np;
   double *v = tangent->group->own, *image = v + n, value = 0;
-  /* initial vector: a fixed sawtooth with a slant, which is neither symmetric nor antisymmetric */
+  /* initial vector: a sawtooth plus a linear trend, neither symmetric nor antisymmetric */
   for (int i = 0; i < n; i++) v[i] = (i % 2 ? 1.0 : -1.0) * (1 + (double)i / n);
   for (int it = 0; it < 1000; it++) {
     const double before = value;

@@ -41,8 +41,9 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Also returns 0 in four other cases: imported meshes (they may be asymmetric inside), the simple
- * rule (it is one-sided), elastic slip, and Jacobians with local factors. */
+/* Returns 0, even for symmetric surfaces and motion, in four cases: imported meshes (they may be
+ * asymmetric inside), the simple rule (it is one-sided), elastic slip, and Jacobians with local
+ * factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&

@@ -62,7 +62,7 @@ static arc_status check_motion(const arc_contact *from, const arc_motion_def *mo
   if (status != ARC_OK) return status;
   if (motion->z != 0 || motion->by_force_z)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field '%s': expected none in the plane, where nothing moves along z, got %g",
+                    "field '%s': expected none, as a plane model has no motion along z, got %g",
                     motion->by_force_z ? "tangential_z" : "z",
                     motion->by_force_z ? motion->tangential_z : motion->z);
   if (!motion->by_force) return status;
@@ -81,8 +81,8 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Returns the distance [mm] of a motion within which nodes keep their partners. It is about the
- * elastic displacement of sticking points, and half the value of wear cycles. */
+/* Returns the longest motion [mm] in which the pairs of nodes stay the same. It is about the
+ * elastic displacement of sticking points, and half the value that wear cycles use. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);

@@ -10,8 +10,8 @@
 #include <string.h>
 
 enum { newton_limit = 15, halvings = 5 };
-/* Limit of the residual, divided by the largest depth. With a tolerance the limit is
- * share_of_tolerance times this tolerance, else `tight`. */
+/* Limit of the residual, divided by the largest depth: share_of_tolerance times the tolerance of
+ * the run, or `tight` for a run without a tolerance. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* Largest ratio of successive steps for which the Jacobian is reused. */
 static const double contraction = 0.4;
@@ -303,7 +303,8 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the relative change of the forces of a problem that errors `off` of the depths cause. */
+/* Returns the relative change of the contact forces of a problem due to errors `off` [n] of the
+ * depths. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -314,9 +315,9 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Returns the largest relative change of forces that errors `off` of the depths cause, in the
- * last solutions of three problems: at both ends and in the middle of the path. Returns 0 for a
- * run in closed form, which has no path and whose pressures do not depend on depths. */
+/* Returns the largest relative change of the contact forces due to errors `off` [n] of the depths,
+ * over the last solutions at both ends and in the middle of the path. Returns 0 for a run in closed
+ * form, which has no path and whose pressures do not depend on depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;

@@ -1,4 +1,4 @@
-/* The plane as a kind of pair: two meshed bodies whose contact is a line of nodes. */
+/* Functions of the kind of pair "plane": two meshed bodies whose contact is a line of nodes. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
@@ -71,7 +71,7 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
-/* Composes the error for zones that are wider than the bodies. Returns ARC_ZONE. */
+/* Composes the error for zones that are wider than the bodies allow. Returns ARC_ZONE. */
 static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
                                const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);
@@ -170,7 +170,7 @@ static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   arc_warn(
       callbacks,
       "the surfaces slip over %.2g mm at either edge of the contact, %.2g elements of %.2g mm: "
-      "volumes and energies may be off by a third; mesh.size = %.2g resolves it",
+      "volumes and energies may be off by a third; mesh.size = %.2g resolves the slip zones",
       rim, rim / size, size, fmax(rim, size / 4) / enough);
   return 1;
 }

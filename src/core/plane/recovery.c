@@ -364,8 +364,9 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Fits the stresses inside to boundary stresses from the pressures of the nodal forces, which are
- * consistent with the elements. The results at boundary nodes are point values. */
+/* Fits the stresses inside to stresses on the boundary that are computed from the nodal forces,
+ * because these are consistent with the elements. At boundary nodes, replaces the results by
+ * stresses from the point values of pressure. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

@@ -11,7 +11,7 @@ typedef struct surface_traction {
   double *load;       /* [surface] nodal forces divided by tributary widths */
   double *tangential; /* [surface] shear along the surface, towards larger x; may be NULL */
   double *cusp; /* [surface] stress along the surface at a node minus its value beside the node, for
-                   nodes where it is not smooth; may be NULL */
+                   nodes where the stress is not smooth; may be NULL */
 } surface_traction;
 
 /* Computes the stresses [3 * nodes] (xx, yy, xy, [MPa]) at nodes with positions xy and

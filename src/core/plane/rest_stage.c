@@ -90,7 +90,8 @@ static void add_gaps(const newton *s, const contact_problem *p, const double *de
 }
 
 /* Solves contact and wear together, linearised about the solved problem `p`. Sets `step` to the
- * change of z. The resulting active set is the initial set of the problem's next solution. */
+ * change of the depths z. The resulting active set is the initial set of the problem's next
+ * solution. */
 static arc_status solve_together(newton *s, double line, contact_problem *p) {
   contact_problem *with = &s->with_wear;
   const size_t set = (size_t)p->active;

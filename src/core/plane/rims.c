@@ -16,7 +16,7 @@ static const double most_columns = 320, contact_widths = 3;
 typedef struct cycle_of {
   double share; /* half the range of the tangential force divided by the friction limit; 1 for gross
                    slip */
-  double stick; /* width that never slips [mm] */
+  double stick; /* stick width of the cycle: the width that never slips [mm] */
 } cycle_of;
 
 /* Computes a cycle on the present mesh. Its tangential force follows from the stiffness of the

@@ -8,14 +8,15 @@
 #include <math.h>
 #include <string.h>
 
-/* Data for the work of an increment. */
+/* Data of one end of an increment, for its share of the work. */
 typedef struct increment {
-  const wear_point *end;          /* solution at the end of the increment that is added */
-  const contact_problem *problem; /* problem at this end */
-  double rigid, share;            /* displacement of the plate [mm]; weight of the end */
-  const double *moved_c;          /* [nc] change of the cylinder's displacement along x [mm] */
-  const double *moved_p;          /* [np] change of the plate's displacement along x [mm] */
-  double *under, *work, *plate;   /* [nc], [nc], [np] workspace */
+  const wear_point *end;          /* solution at the start or the end of the increment */
+  const contact_problem *problem; /* contact problem at the start or the end of the increment */
+  double rigid, share;   /* displacement of the plate in the increment [mm]; weight of this solution
+                            in the work */
+  const double *moved_c; /* [nc] change of the cylinder's displacement along x [mm] */
+  const double *moved_p; /* [np] change of the plate's displacement along x [mm] */
+  double *under, *work, *plate; /* [nc], [nc], [np] workspace */
 } increment;
 
 /* Adds the work of slip and pressure at one end of the increment to the rate of both bodies. */

@@ -81,7 +81,7 @@ static double edge_at_end(const stick_zone *z, int right, double other) {
 /* Computes both edges of a stick zone. On a side without slipping nodes the zone ends at the
  * contact edge if the plate has not moved. */
 static void find_edges(stick_zone *z) {
-  enum { rounds = 4 }; /* number of iterations, because each edge depends on the other */
+  enum { rounds = 4 }; /* iterations are needed because each edge depends on the other */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->handle.result.left, c->handle.result.right};

@@ -66,8 +66,9 @@ static arc_status check_complementarity(const contact_problem *p, arc_error *err
     const double g = gap_left(p, k);
     if (!(g >= -rounding * most) || !(p->f[k] >= 0) || (p->f[k] > 0 && g > rounding * most))
       return arc_fail(error, ARC_NUMERIC,
-                      "contact: gap %g mm and force %g N/mm at candidate %d of %d", g, p->f[k], k,
-                      p->count);
+                      "contact: expected one of gap and force to be 0 and the other >= 0, got gap "
+                      "%g mm and force %g N/mm at candidate %d of %d",
+                      g, p->f[k], k, p->count);
   }
   return ARC_OK;
 }
@@ -86,8 +87,9 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
                       bound, k);
     if (!isfinite(slip) || (slip != 0 && (fabs(t) < bound || t * slip < -rounding * bound)))
       return arc_fail(error, ARC_NUMERIC,
-                      "contact: slip %g mm under shear %g N/mm of %g N/mm, at candidate %d", slip,
-                      t, bound, k);
+                      "contact: expected slip along the shear and only at the friction limit, got "
+                      "slip %g mm under shear %g N/mm with the limit %g N/mm, at candidate %d",
+                      slip, t, bound, k);
   }
   return ARC_OK;
 }

@@ -11,8 +11,9 @@ static arc_status check_surface(const arc_wear *w, arc_body body, arc_error *err
   for (int i = 0; i < p.count; i++)
     if (!(p.h[i] >= 0) || !isfinite(p.h[i]) || !isfinite(p.y[i]))
       return arc_fail(error, ARC_NUMERIC,
-                      "surface: depth %g mm, height %g mm at x = %g mm of the %s", p.h[i], p.y[i],
-                      p.x[i], arc_body_name(body));
+                      "surface: expected a depth >= 0 and a finite height, got depth %g mm, height "
+                      "%g mm at x = %g mm of the %s",
+                      p.h[i], p.y[i], p.x[i], arc_body_name(body));
   return ARC_OK;
 }
 
@@ -26,7 +27,8 @@ static arc_status check_mesh(const arc_wear *w, arc_body body, arc_error *error)
   const double smallest = arc_mesh_quality(mesh, xy).smallest_jacobian;
   free(xy);
   if (smallest > 0) return ARC_OK;
-  return arc_fail(error, ARC_NUMERIC, "mesh: smallest Jacobian %g mm2 in the worn %s", smallest,
+  return arc_fail(error, ARC_NUMERIC,
+                  "mesh: expected positive Jacobians, got %g mm2 in the worn %s", smallest,
                   arc_body_name(body));
 }
 

@@ -210,8 +210,8 @@ static void warn_coarse(const space_contact *c, const arc_halfspace_def *d,
   const double cells = c->handle.result.half_width / d->size_x;
   if (cells < fewest)
     arc_warn(callbacks,
-             "the contact has %.2g cells in its half width: with friction stick zones and energies "
-             "may be off by several per cent below %g; use a smaller mesh.size",
+             "the contact has %.2g cells in its half width: with friction and fewer than %g cells, "
+             "stick zones and energies may be off by several per cent; use a smaller mesh.size",
              cells, fewest);
 }
 

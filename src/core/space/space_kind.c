@@ -220,7 +220,7 @@ static arc_status validate(const arc_wear *w, arc_error *error) {
     const wear_sites on = sites(w->shape, (arc_body)b);
     for (int i = 0; i < on.count; i++)
       if (!isfinite(on.h[i]))
-        return arc_fail(error, ARC_NUMERIC, "depth %d of the %s is %g", i,
+        return arc_fail(error, ARC_NUMERIC, "surface: depth %d of the %s is not finite: %g", i,
                         arc_body_name((arc_body)b), on.h[i]);
   }
   const arc_status status = contact(w, &solved, error);

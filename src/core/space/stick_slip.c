@@ -198,9 +198,10 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
     }
     if (!arc_stick_slip_newton(p, w, wanted / 2, count)) stick_all(p, w);
   }
-  return arc_fail(error, ARC_NOT_CONVERGED,
-                  "stick and slip did not converge in %d sets of cells: force off by %.2g",
-                  most_sets, missed);
+  return arc_fail(
+      error, ARC_NOT_CONVERGED,
+      "stick and slip did not converge in %d iterations: relative error of the force %.2g",
+      most_sets, missed);
 }
 
 /* --- iteration for the motion ----------------------------------------------------------------- */

@@ -193,7 +193,7 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   }
   if (d->distance == 0 && !(d->blocks > 0 && isfinite(d->loading[d->blocks - 1].cycles)))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'distance': expected a number > 0 mm, needed where no block of loading "
+                    "field 'distance': expected a number > 0 mm, needed unless a block of loading "
                     "ends the run, got 0");
   return ARC_OK;
 }
@@ -202,10 +202,11 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
   if (d->tolerance > 0 && d->scheme != ARC_IMPLICIT)
     return arc_fail(error, ARC_ARGUMENT, "field 'tolerance': needs scheme = \"implicit\"");
   if (d->tolerance > 0 && (arc_law_properties[d->law] & ARC_LAW_JUMPS))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tolerance': no step is short enough for law = \"%s\", which jumps; use "
-                    "scheme = \"explicit\" with jump = \"auto\"",
-                    arc_law_names[d->law]);
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'tolerance': no step is short enough for law = \"%s\", which is discontinuous; use "
+        "scheme = \"explicit\" with jump = \"auto\"",
+        arc_law_names[d->law]);
   if (d->scheme == ARC_IMPLICIT && d->tolerance == 0 && arc_wear_jump_is_auto(d))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tolerance': expected a number > 0, because implicit steps with jump = "

@@ -106,9 +106,9 @@ arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wea
   if (status != ARC_OK || !(eigenvalue * plan->cycles > 2)) return status;
   return arc_fail(
       error, ARC_NOT_CONVERGED,
-      "ripples: pressures of neighbouring nodes differ by %.0f %% of their mean, as %.6g "
-      "cycles an update are past the stability limit of %.4g; use jump = \"auto\", a "
-      "shorter one or scheme = \"implicit\"",
+      "ripples: pressures of neighbouring nodes differ by %.0f %% of their mean, because "
+      "updates of %.6g cycles are past the stability limit of %.4g; use jump = \"auto\", a "
+      "shorter jump or scheme = \"implicit\"",
       100 * ripple, plan->cycles, 2 / eigenvalue);
 }
 
