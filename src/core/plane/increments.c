@@ -12,8 +12,7 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
 /* Returns the length of an increment [mm] that gives accurate results, see arc_wear_reach. The
  * caller prepares `pair` once, because its preparation is expensive. */
 static double reach_of(contact_pair *pair, double load) {
-  static const double share =
-      0.125; /* keeps the error of centre pressures below 1 %, also for short strokes */
+  static const double share = 0.125; /* error of centre pressures < 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
 }
 
@@ -55,9 +54,7 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
  * is one increment. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
-  enum {
-    of_load = 100
-  }; /* most increments of a segment, for a contact at rest under a varying load */
+  enum { of_load = 100 }; /* limit of increments per segment if only the load changes */
   const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
   const double least = follow ? least_load(from, model) : 0;
@@ -105,7 +102,7 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   else
     arc_warn(
         callbacks,
-        "increments = %d: each is longer than half the contact's half width, and the wear will be "
-        "uneven; use %.0f, or \"auto\"",
+        "increments = %d: each is longer than half the contact's half width, and the computed wear "
+        "will be wavy; use %.0f, or \"auto\"",
         d->increments, 2 * ceil(longest * d->increments / 2 * (1 - 1e-9)));
 }

@@ -85,8 +85,7 @@ double arc_plane_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
   const double reach =
-      0.8 *
-      arc_wear_last(w)->half_width; /* half width of the middle of the contact, without edges */
+      0.8 * arc_wear_last(w)->half_width; /* half width of the averaged middle of the contact */
   const double at = arc_model_arc_length(arc_model_definition(w->model), w->def.load_angle);
   const double saw =
       arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, at - reach, at + reach);

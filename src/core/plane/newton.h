@@ -16,19 +16,17 @@ typedef struct newton {
 
   /* members for a moving contact */
   double *packed;
-  double *defect, *last,
-      *taken; /* Newton step, previous Newton step, and the step that the previous iteration made */
+  double *defect, *last, *taken; /* Newton step, previous Newton step, previous accepted step */
   wear_tangent *jacobian;
   double *matrix; /* [live x live] triangular factors of I + h k J for the `live` unknowns */
   int live, *node, *pivots;
   double h; /* [cycles] h in these factors; 0: the matrix is not factorised */
 
   /* members for a contact at rest */
-  contact_problem
-      with_wear;         /* contact problem whose compliance includes the wear due to its forces */
-  double *per_force;     /* wear depth per force on a node [mm per N/mm] */
-  double *opening;       /* change of the gap per depth of wear at each node [-] */
-  double *moved, *force; /* workspace; forces on the cylinder's nodes [N/mm] */
+  contact_problem with_wear; /* contact problem with the wear added to its compliance */
+  double *per_force;         /* wear depth per force on a node [mm per N/mm] */
+  double *opening;           /* change of the gap per depth of wear at each node [-] */
+  double *moved, *force;     /* workspace; forces on the cylinder's nodes [N/mm] */
 } newton;
 
 arc_status arc_newton_begin(wear_stage *stage);

@@ -259,8 +259,7 @@ static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
   wear_point law = path_of(w)->point[at % 2];
-  for (int b = 0; b < ARC_BODIES; b++)
-    law.q[b] = law.u[b]; /* without elastic slip u is unused and serves as workspace */
+  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* without elastic slip u is unused */
   if (block->line[at] > 0) apply_law(w, window, &path_of(w)->problem[block->problem_of[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);

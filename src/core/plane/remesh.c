@@ -35,8 +35,7 @@ static double worn_half(const arc_wear *w, arc_body b) {
 /* Returns true if the contact has grown gradually to the edge of its zone. A sudden increase
  * means that the step is too long, and a larger mesh would hide this error. */
 static int has_grown_into_zone(const arc_wear *w) {
-  static const double share =
-      0.4; /* ratio of contact width to zone width above which the contact has reached the edge */
+  static const double share = 0.4; /* smallest ratio of contact width to zone width at the edge */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};

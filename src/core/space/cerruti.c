@@ -86,8 +86,8 @@ static double lag_along(const void *context, int row, int column) {
   return compliance(c->def, c->which, row * c->def->size_x, column * c->def->size_z);
 }
 
-/* Returns the gap at a lag (row, column) [mm/MPa] due to unit shear on a cell, along x (which =
- * 0) or along z. */
+/* Returns the change of the gap [mm/MPa] at a distance of `row` rows and `column` columns from a
+ * cell with unit shear along x (which = 0) or along z. */
 static double lag_couple(const void *context, int row, int column) {
   const lag_context *c = context;
   const arc_halfspace_def *d = c->def;

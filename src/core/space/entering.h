@@ -1,5 +1,4 @@
-/* Declares the computation for sites that are in contact only at the start or only at the end of an
- * increment. */
+/* Sites that are in contact at only one end of an increment. */
 #ifndef SPACE_ENTERING_H
 #define SPACE_ENTERING_H
 
@@ -15,8 +14,8 @@ typedef struct space_traction {
  * *changes to 1 if any site enters or leaves. Gaps are assumed to change in proportion to the
  * approach. This is exact while load and force grow in proportion and nothing slips. If the
  * pressure of a site is too large for this assumption, its gap changes in proportion to the
- * displacement due to this pressure, so that `share` is continuous. work: [window], overwritten. On
- * failure (ARC_MEMORY) the contents of share are undefined. */
+ * displacement due to this pressure, so that `share` is continuous. `work` [window] is workspace.
+ * On failure (ARC_MEMORY) the contents of share are undefined. */
 arc_status arc_space_entering(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *at, const space_traction *before,
                               const space_traction *after, double *work, double *share,

@@ -100,8 +100,8 @@ static double lag(const void *context, int row, int column) {
   return h->kernel[(size_t)row * (size_t)h->def.nz + (size_t)column];
 }
 
-/* Creates the convolution of a periodic window, whose kernel is the symbol itself. The mean
- * displacement of half-spaces is infinite and is set to 0. */
+/* Creates the convolution of a periodic window, whose kernel is given by its Fourier transform, the
+ * symbol. The mean displacement of half-spaces is infinite and is set to 0. */
 static arc_status make_periodic(arc_halfspace *h, arc_error *error) {
   const arc_halfspace_def *d = &h->def;
   const int half_x = d->nx / 2 + 1, half_z = d->nz / 2 + 1;
@@ -306,8 +306,8 @@ static int odd_above(double n) {
   return whole + (whole % 2 == 0);
 }
 
-/* Returns the half extent of the scar along an axis of radius r [mm], from the half width of the
- * elastic contact and a cap with the worn volume. */
+/* Returns the half extent [mm] of the scar along an axis with relative radius r [mm], from the half
+ * width of the elastic contact and the half extent of a cap of the worn volume. */
 static double reach(double contact, double r, double other, double volume) {
   const double depth = sqrt(volume / (acos(-1) * sqrt(r * other)));
   return hypot(contact, sqrt(2 * r * depth));

@@ -94,9 +94,9 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
  * both bodies are homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
-/* Computes Hertz' contact for relative radii along and across the motion [mm] and a load [N].
- * The modulus is the compliance of the pair to waves of about the contact's length. Errors: as
- * for arc_hertz_ellipse_of. */
+/* Computes Hertz' contact for relative radii along and across the motion [mm] and a load [N]. The
+ * effective modulus follows from the compliance of the pair to waves of about the contact's length.
+ * Errors: as for arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 

@@ -108,9 +108,9 @@ static double spline_at(const spline *s, double x) {
          d[1] * t * t * u;
 }
 
-/* Difference between the compliance of the layered bodies and that of half-spaces of the topmost
- * materials. `symbol` is q times the difference as a function of ln q. `radial` is the Hankel
- * transform of the difference as a function of asinh(r / t). */
+/* Compliance of the layered bodies minus the compliance of half-spaces of the topmost materials.
+ * `symbol` is q times the difference as a function of ln q. `radial` is the Hankel transform of the
+ * difference as a function of asinh(r / t). */
 typedef struct rest {
   double t;       /* thickness of the thinnest top layer [mm] */
   double lowest;  /* wave number below which the symbol is constant [1/mm] */

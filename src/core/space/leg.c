@@ -10,7 +10,7 @@ typedef struct leg {
   const arc_halfspace_leg *def;
   const arc_halfspace_options *options;
   double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
-  double carried, yielding, work;  /* reference force [N], motion [mm], work [N mm] of errors */
+  double carried, yielding, work;  /* reference force [N], motion [mm] and work [N mm] for errors */
   arc_halfspace_friction *coarser; /* state computed with half as many increments, or NULL */
   arc_halfspace_effort *effort;
 } leg;
@@ -95,7 +95,8 @@ static arc_status accept(const leg *g, part p, arc_halfspace_friction *end,
   return g->coarser ? advance(g, p.to, state, g->coarser, error) : ARC_OK;
 }
 
-/* Refines both halves of a part. The first half has been solved in one increment. */
+/* Refines both halves of a part of a leg. On input *middle is the solution of the first half in one
+ * increment. */
 static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *begin,
                                 arc_halfspace_friction *middle, arc_halfspace_friction *state,
                                 arc_error *error) {
@@ -111,8 +112,8 @@ static arc_status refine_halves(leg *g, part p, const arc_halfspace_friction *be
   return status;
 }
 
-/* Solves a part in two increments. Returns the state after the first in *middle and after the
- * second in *end. The caller frees both states, also after an error. */
+/* Solves a part of a leg in two increments. Returns the state after the first increment in *middle
+ * and the state after the second in *end. The caller frees both states, also after an error. */
 static arc_status halve(const leg *g, part p, const arc_halfspace_friction *begin,
                         const arc_halfspace_friction *once, arc_halfspace_friction *middle,
                         arc_halfspace_friction *end, arc_error *error) {
@@ -144,8 +145,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 
 /* --- legs ------------------------------------------------------------------------------------- */
 
-/* Updates the coarser state if the user chose the increments. It becomes a copy of the finer state,
- * but its energy keeps the difference from earlier legs. */
+/* Updates the coarser state after a leg whose increments the user chose. The coarser state becomes
+ * a copy of the finer state, but its energy keeps the difference from earlier legs. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;

@@ -19,7 +19,7 @@ static int is_even(const double *value, int rows, int columns) {
   return 1;
 }
 
-/* Returns true if columns equal their mirror images exactly. */
+/* Returns true if each row of values is exactly symmetric in z. */
 static int is_even_across(const double *value, int rows, int columns) {
   for (int i = 0; value && i < rows; i++)
     for (int j = 0; j < columns / 2; j++)
@@ -310,8 +310,8 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
-/* Averages two halves that are mirror images within rounding errors, so both become exactly
- * equal. */
+/* Makes the pressures of a position exactly symmetric in z, by averaging the two halves of each
+ * row, which agree within rounding errors. */
 static void make_even(void *context, int position, int worker) {
   const positions *p = context;
   const int nz = p->s.h->def.nz;
@@ -387,8 +387,8 @@ static void solve_single(void *context, int position, int worker) {
   if (g->status[position] != ARC_OK) g->failed[worker] = position + 1;
 }
 
-/* Returns the status of the first failed position, and sums the counts of the solver over all
- * positions. */
+/* Returns the status of the first failed position, and sums the iteration counts of the solver over
+ * all positions. */
 static arc_status settle(const singles *g, int workers, arc_error *error) {
   const int n = g->all->s.count;
   active_count *sum = &g->all->used;

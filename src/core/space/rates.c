@@ -199,7 +199,7 @@ static double length_of(const tangent *t, double *const value[ARC_BODIES]) {
   return sqrt(sum);
 }
 
-/* Sets the depths to a chessboard pattern, whose elastic resistance is smallest. */
+/* Sets the depths to a chessboard pattern, for which the elastic compliance is smallest. */
 static void start(const tangent *t) {
   const arc_halfspace *h = t->p->s.h;
   for (int b = 0; b < ARC_BODIES; b++)

@@ -92,7 +92,7 @@ typedef struct increment {
   const arc_halfspace_increment *to;
   arc_halfspace_options options;
   const arc_halfspace_friction *from;
-  double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
+  double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window] each; one allocation */
   double *share;          /* [window] fraction of the motion for which a site was not in contact */
   double motion[2];       /* assumed motion of the increment, to which `share` refers [mm] */
   double last[2], was[2]; /* previous assumed motion, and the motion computed with it [mm] */
@@ -273,7 +273,7 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
     arc_status status = press(s, &change, error);
     effort->sweeps++;
     if (status != ARC_OK) return status;
-    if (k > 0 && change <= settled * relaxation(k) && known) { /* pressures of this shear */
+    if (k > 0 && change <= settled * relaxation(k) && known) { /* pressures and shear agree */
       memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
       return ARC_OK;
     }

@@ -1,5 +1,5 @@
-/* The slip of a cycle of a run with friction in three dimensions (space_slip.c), and the parts of
- * it with which a loop is traced (space_loop.c). */
+/* Slip of a cycle of a run with friction in three dimensions (space_slip.c), and functions that the
+ * computation of fretting loops shares (space_loop.c). */
 #ifndef ARC_SLIP_CYCLE_H
 #define ARC_SLIP_CYCLE_H
 
@@ -24,8 +24,8 @@ typedef struct slip_cycle {
   int whole;                           /* 1 if the whole contact slips in at least one increment */
 } slip_cycle;
 
-/* Returns the cycle of a run on the window `v` with the given depths. The arrays slid, lag, strain
- * and total are NULL. */
+/* Returns the data of a cycle of a run on the window `v` with the given depths. The arrays slid,
+ * lag, strain and total are NULL. */
 slip_cycle arc_slip_cycle(arc_wear *w, const wear_window *v, const double *const depth[ARC_BODIES],
                           space_path *path, double *pressure, wear_progress *progress,
                           wear_rate *rate);
@@ -34,14 +34,14 @@ slip_cycle arc_slip_cycle(arc_wear *w, const wear_window *v, const double *const
  * otherwise the start of the cycle. */
 double arc_slip_reference(const wear_block *b);
 
-/* Returns load and motion (or force) at a share (0 to 1) of the increment that ends at point
- * `at`. */
+/* Returns load and motion (or force) at the fraction `share` (0 to 1) of the increment that ends at
+ * point `at`. */
 arc_halfspace_increment arc_slip_conditions(const slip_cycle *c, int at, double share);
 
-/* Presses the bodies together under the load of point 0. Errors: those of arc_halfspace_slide. */
+/* Presses the bodies together under the load of point 0. Errors: as for arc_halfspace_slide. */
 arc_status arc_slip_press(const slip_cycle *c, arc_halfspace_friction *state, arc_error *error);
 
-/* Solves one increment and counts the solution. Errors: those of arc_halfspace_slide. */
+/* Solves one increment and counts the solution. Errors: as for arc_halfspace_slide. */
 arc_status arc_slip_solve(const slip_cycle *c, const arc_halfspace_increment *to,
                           arc_halfspace_friction *state, arc_error *error);
 

@@ -118,7 +118,7 @@ static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks 
   return status;
 }
 
-/* Returns true if nothing has worn, so that new cells can be chosen for the load. */
+/* Returns true if both bodies are unworn, so that new cells can be chosen for the load. */
 static int is_unworn(const space_shape *s) {
   const int n = space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER);
   for (int i = 0; i < n; i++)
@@ -261,7 +261,7 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   }
 }
 
-/* Number of result arrays of friction, for the upper body. */
+/* Number of result arrays that only contacts with friction have, for the upper body. */
 enum { FRICTION_ARRAYS = 6 };
 
 /* Returns the arrays of a solved contact whose names are in `wanted`, and the arrays `more`

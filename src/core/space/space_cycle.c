@@ -124,8 +124,8 @@ typedef struct space_tangent {
   space_grid *grid; /* NULL before the first use */
   space_path path;
   double *pressure;           /* [count][window] */
-  double *factor[ARC_BODIES]; /* [sites] derivative of the wear work by pressure, both bodies in one
-                                 block; NULL: 1 */
+  double *factor[ARC_BODIES]; /* [sites] derivative of the wear work with respect to pressure, both
+                                 bodies in one block; NULL: 1 */
 } space_tangent;
 
 static void empty(space_tangent *t) {

@@ -62,7 +62,7 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
 }
 
 double arc_space_slip_volume(const arc_wear_def *d, const arc_model_def *model) {
-  static const double periods = 20; /* of 1 / (4 mu k p_0) cycles */
+  static const double periods = 20; /* periods of 1 / (4 mu k p_0) cycles until wear ends */
   const double share = stick_share(d, model);
   if (!(share > 0 && share < 1) || d->blocks > 0) return INFINITY;
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);

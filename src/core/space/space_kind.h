@@ -44,7 +44,7 @@ typedef struct space_path {
   double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
   double unsteady; /* change of `gap` in the last slip solution, relative to its largest value */
   arc_halfspace_friction *guess; /* [points] see arc_space_guess_at; NULL without friction */
-  int guesses;                   /* number of points */
+  int guesses;                   /* number of points of the block that have a guess */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {
@@ -89,7 +89,8 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
                            arc_error *error);
 /* Returns the cell width requested by the model [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
-/* Warns if a contact of this half width [mm] is too large for the half-space approximation. */
+/* Gives a warning if a contact of a given half width [mm] is too large for the half-space
+ * approximation. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks);
 

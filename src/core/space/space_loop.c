@@ -12,14 +12,16 @@ static int reverses(const slip_cycle *c, int at) {
   return c->rate->gross != 0 && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
 }
 
-/* Returns the number of parts of an increment of which a loop has at least `parts`. */
+/* Returns the number of parts into which an increment is divided: `parts`, or more after a
+ * reversal. */
 static int parts_of(const slip_cycle *c, int at, int parts) {
   enum { after_reversal = 16 };
   return reverses(c, at) && parts < after_reversal ? after_reversal : parts;
 }
 
-/* Returns load and motion at the end of part `part` of an increment. The parts are equal, or grow
- * from a reversal on. The pressures at this point are known only under a constant load. */
+/* Returns load and motion at the end of part number `part` of an increment. After a reversal the
+ * parts become longer one by one, elsewhere they are equal. The pressures at this point are known
+ * only under a constant load. */
 static arc_halfspace_increment part_of(const slip_cycle *c, int at, int part, int parts) {
   const double share = (double)part / parts;
   arc_halfspace_increment to = arc_slip_conditions(c, at, reverses(c, at) ? share * share : share);

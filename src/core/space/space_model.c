@@ -1,4 +1,4 @@
-/* Models of half-spaces: checks, bodies, cells. */
+/* Models of half-spaces: checks of the definition, and creation of the bodies and their cells. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -11,7 +11,7 @@
 
 static const double usual_cells = 8; /* cells in the half width of the unworn contact */
 static const double widest_of_layer =
-    3.5; /* widest cell of automatic meshes, in thicknesses of the thinnest layer; 4 are allowed */
+    3.5; /* largest automatic cell size divided by the thinnest layer's thickness (allowed: 4) */
 
 typedef struct space_model {
   arc_model handle;

@@ -117,7 +117,8 @@ static void convolve(void *context, int position, int worker) {
                         s->to + o);
 }
 
-/* Adds the product of c, share, factor and sum to `to`, for one row of the box. */
+/* Adds the wear at one row of the box to `to`: c times factor times sum at each site, multiplied by
+ * the interpolation weight `share`. */
 static void wear_row(const stroke *s, int body, int site_row, double share, const double *sum,
                      double *to) {
   const double c = s->c[body] * share, *factor = s->factor[body];

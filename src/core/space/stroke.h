@@ -31,7 +31,7 @@ typedef struct stroke {
   const convolution *kernel, *inverse;
   double *upper;      /* [box] wear of the upper body */
   double *lower;      /* [rows][box.nz] wear of the lower body */
-  const double *from; /* pressures [count][box] to sum */
+  const double *from; /* [count][box] pressures that are summed */
   double *to;
   int both; /* 1 to sum for both bodies, including a body without wear */
 } stroke;

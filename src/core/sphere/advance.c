@@ -8,7 +8,7 @@
 
 /* State and record of a joint before the step. */
 typedef struct kept_state {
-  double *list; /* from arc_joint_state */
+  double *list; /* list of numbers from arc_joint_state */
   arc_joint_record record;
 } kept_state;
 
@@ -21,7 +21,7 @@ static arc_status remember(const arc_joint *j, const arc_joint_record *record, k
   return ARC_OK;
 }
 
-/* Returns the depth maps of a state [2 sites]: those of the head, then those of the cup. */
+/* Returns the depth maps of a state [2 sites]: first the head's map, then the cup's. */
 static const double *depths(const kept_state *was) {
   return was->list + 3;
 }

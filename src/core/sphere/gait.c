@@ -18,7 +18,7 @@ static void transpose(const double a[9], double t[9]) {
     for (int j = 0; j < 3; j++) t[3 * i + j] = a[3 * j + i];
 }
 
-/* Computes the matrix of a rotation about axis 0, 1 or 2. */
+/* Computes the matrix of a rotation about x (axis = 0), y (1) or z (2). */
 static void about(int axis, double degrees, double R[9]) {
   const double c = cos(degrees * pi / 180), s = sin(degrees * pi / 180);
   const int j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -144,8 +144,8 @@ arc_status arc_gait_named(const char *name, int n, double angle, double load,
   return status;
 }
 
-/* Returns |omega x F| at an instant [N]. Sets *load to |F| [N]. The quotient of both times the
- * radius is the sliding distance of the load. */
+/* Returns |omega x F| at an instant [N]. Sets *load to |F| [N]. The sliding distance of the load is
+ * |omega x F| / |F| times the radius. */
 static double sliding(const arc_gait_instant *i, double *load) {
   const double *w = i->omega, *F = i->load;
   *load = sqrt(F[0] * F[0] + F[1] * F[1] + F[2] * F[2]);

@@ -1,4 +1,5 @@
-/* Joints: definition, lattice of cells, interpolation between cells, window. */
+/* Joints: checks of the definition, the lattice of cells, interpolation between its cells, and the
+ * window of the contact. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 

@@ -15,7 +15,8 @@ typedef struct sphere_kernel {
   double *symbol;      /* [waves][size][size] transform of the displacement at a cell due to unit
                           pressure on a source cell */
   row_transform *rows; /* transform of `size` rows */
-  double *spectrum, *product; /* [size][waves] complex; real and imaginary part [waves][size] */
+  double *spectrum, *product; /* [size][waves] complex spectrum; real and imaginary parts of its
+                                 product [waves][size] */
 } sphere_kernel;
 
 struct arc_joint {
@@ -46,8 +47,8 @@ double arc_sphere_limit(const arc_joint_def *def, int rows);
 /* Returns the stiffness of the Winkler foundation [MPa/mm]. */
 double arc_sphere_winkler(const arc_joint_def *def);
 
-/* Returns the table of the remainder for arc_sphere_kernel. Returns NULL if there is no memory,
- * or with *numeric = 1 if the compliance cannot be computed. */
+/* Returns the table of the compliance without its 1/chord part, which arc_sphere_kernel uses.
+ * Returns NULL if there is no memory, or with *numeric = 1 if the compliance cannot be computed. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric);
 sphere_kernel *arc_sphere_kernel(const arc_joint *j, int size);
 void arc_sphere_kernel_free(sphere_kernel **k);
@@ -79,8 +80,8 @@ arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 double arc_sphere_cubic(const arc_joint *j, const double *map, const double n[3]);
 double arc_sphere_linear(const arc_joint *j, const double *map, const double n[3]);
 
-/* A contact to solve: the head at a rotation R under a load [N]. The wear in this contact, j->soft,
- * is added to the compliance. It is `dose` times the coefficient k of the cell (1 if k is NULL)
+/* A contact to solve: the head at a rotation R under a load [N]. The wear in this contact, which is
+ * added to the compliance, is j->soft: `dose` times the coefficient k of the cell (1 if k is NULL)
  * times the sliding distance due to omega. The initial pressures are those of the last contact at
  * this instant. There are none if `instant` is negative. arc_sphere_solve stores the pressures in
  * j->press [window] and enlarges the window until the pressures at its rim are zero. */

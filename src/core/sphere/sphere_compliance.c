@@ -87,8 +87,8 @@ static void evaluate(const shell *m, int l, const power *p, double r, double sca
 }
 
 /* Returns the displacement of one body under a unit pressure on its surface, which is the innermost
- * radius of a cup and the outermost radius of a head. There are two equations at the bottom, four
- * at each interface, and two at the top. */
+ * radius of a cup and the outermost radius of a head. The system has two equations at the bottom,
+ * four at each interface, and two at the top. */
 static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];

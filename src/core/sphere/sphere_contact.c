@@ -36,7 +36,7 @@ static arc_status apply(void *context, const double *p, double *u) {
 }
 
 /* Returns true if the head is worn. An unworn head needs no interpolation, which saves a third of
- * the time with springs. */
+ * the time on a Winkler foundation. */
 static int head_is_worn(const arc_joint *j) {
   for (int i = 0; i < j->sites; i++)
     if (j->h[ARC_UPPER][i] != 0) return 1;
@@ -232,7 +232,7 @@ arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double 
   const double size = sqrt(dot(load, load));
   const double n[3] = {load[0] / size, load[1] / size, load[2] / size};
   made.p_center = arc_sphere_cubic(j, j->p, n);
-  made.p_max = fmax(made.p_max, made.p_center); /* the centre may lie between cells */
+  made.p_max = fmax(made.p_max, made.p_center); /* the load may point between cell centres */
   made.half_angle =
       acos(fmax(-1, 1 - made.area / (2 * pi * j->def.radius * j->def.radius))) * 180 / pi;
   made.rim_margin = arc_sphere_rim_margin(j);

@@ -90,7 +90,7 @@ static double influence(const arc_joint *j, int row, int source, int lag) {
 
 static void fill(const arc_joint *j, sphere_kernel *k) {
   const int first = j->rows / 2 - k->size / 2;
-  double *values = k->product; /* workspace: size * box values are fewer than the array has */
+  double *values = k->product; /* workspace: `product` has more than size * box values */
   for (int row = 0; row < k->size; row++) {
     memset(values, 0, (size_t)k->size * (size_t)k->box * sizeof *values);
     for (int source = 0; source < k->size; source++)

@@ -18,7 +18,7 @@ size_t arc_joint_state_count(const arc_joint *j) {
   return header + maps * (size_t)j->sites + (size_t)j->kept_count * window_of(j);
 }
 
-/* Parts of a state, in their order. */
+/* One part of a state, which is stored as a list of parts. */
 typedef struct state_part {
   double *at;
   size_t count;
@@ -103,6 +103,6 @@ size_t arc_joint_bytes(const arc_joint *j) {
   const size_t n = window_of(j), size = (size_t)j->size;
   size_t numbers = 12 * (size_t)j->sites + (15 + (size_t)j->kept_count) * n;
   if (j->kernel)
-    numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* table of the remainder */;
+    numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* table of the compliance */;
   return sizeof *j + numbers * sizeof(double);
 }

@@ -94,7 +94,7 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   if (m->rests)
     one_problem(b, 0);
   else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
-    one_problem(b, (low + high) / 2); /* so that pairs of sticking points do not change */
+    one_problem(b, (low + high) / 2); /* one problem, so that pairs of sticking points remain */
   else
     find_problems(b);
 }
@@ -150,7 +150,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   if (has_friction) b->press = half + (half + 1) / 2; /* at this point x is about 0 */
   b->load = def->load;
   finish(b, def, model, m);
-  /* equals r s without rounding errors of the sum */
+  /* the exact value r s, without rounding errors of the sum over increments */
   b->sliding = m->strokes * m->stroke;
   b->travel = m->stroke;
   return ARC_OK;

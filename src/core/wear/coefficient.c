@@ -117,7 +117,7 @@ static double law_factor(const arc_wear_def *d, double p) {
 }
 
 static double law_growth(const arc_wear_def *d, double p) {
-  (void)p; /* unused unless a law of the list needs p */
+  (void)p; /* avoids a warning if no law depends on p */
   switch (d->law) {
 #define LAW_GROWTH(name, word, properties, text, factor, growth)                                   \
   case ARC_##name:                                                                                 \

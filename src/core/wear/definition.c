@@ -159,8 +159,8 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
   if (!(sliding > 0) && l->tangential && !breathes(l))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'loading[%d].tangential': expected a force or a load that changes, got %g N all "
-        "the time",
+        "field 'loading[%d].tangential': expected a force or a load that changes, got a "
+        "constant %g N",
         number, l->tangential[0]);
   if (!isfinite(sliding))
     return arc_fail(error, ARC_ARGUMENT,
@@ -168,7 +168,7 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
                     l->rotation ? "rotation" : "x", sliding, l->rotation ? "degrees" : "mm");
   if (!(sliding > 0) && !l->tangential)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].%s': expected a plate that moves, got %g %s all the time",
+                    "field 'loading[%d].%s': expected a plate that moves, got a constant %g %s",
                     number, l->rotation ? "rotation" : "x", drive[0],
                     l->rotation ? "degrees" : "mm");
   if (!(l->cycles > 0) || (!last && !isfinite(l->cycles)))

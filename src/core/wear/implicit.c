@@ -58,8 +58,8 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Adds a step to the mean of all steps: the value at the end of the step, corrected by `part` of
- * each stage. Equal values remain exactly equal. */
+/* Adds a step to the mean of all steps. The value of the step is its value at the end, corrected by
+ * `part` of the difference to each stage. Equal values remain exactly equal. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {

@@ -101,7 +101,7 @@ arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double
 arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
                                     double share, double *mu, arc_error *error) {
   static const double last =
-      1 - 1e-7; /* largest fraction, before a jump at the end, which belongs to the next update */
+      1 - 1e-7; /* largest fraction used, because a jump at the end belongs to the next update */
   if (!coefficients->plan) return ARC_OK;
   const wear_rate *rate = w->def.friction_function ? &w->start.rate : NULL;
   const update_coefficients gone = {.cycles = share * coefficients->cycles,

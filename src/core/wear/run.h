@@ -17,7 +17,7 @@ typedef struct wear_start {
   wear_rate rate;
   int solutions;         /* number of solutions not yet counted in a record */
   wear_tangent *tangent; /* tangent of the rate; NULL: not needed so far */
-  int linear;            /* 1 if the tangent belongs to this rate */
+  int linear;            /* 1 if the tangent was computed with this rate */
   double mu;             /* friction coefficient of this cycle */
 } wear_start;
 
@@ -89,7 +89,8 @@ int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
 /* --- wear.c ----------------------------------------------------------------------------------- */
-/* Set a rate to zero, and copy a rate. n is the number of sites of both bodies. */
+/* arc_wear_rate_clear sets a rate to zero, and arc_wear_rate_copy copies a rate. n is the number of
+ * sites of both bodies. */
 void arc_wear_rate_clear(wear_rate *rate, int n);
 void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
 /* Exchanges the contents of two runs. */

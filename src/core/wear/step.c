@@ -232,7 +232,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
                            wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
-  wear_progress progress = {.callbacks = callbacks}; /* counts failed attempts too */
+  wear_progress progress = {.callbacks = callbacks}; /* also counts solutions of failed attempts */
   arc_status status = arc_wear_plan_step(w, limit, callbacks, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &progress, &out, error);

@@ -24,8 +24,8 @@ static double cycles_for(const wear_block *block, const double k[ARC_BODIES], do
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update, as a fraction of the natural depth (first updates) or of the present
- * depth (later updates). */
+/* Largest wear of an update, as a fraction of the natural depth (scale of elastic displacements) in
+ * the first updates, or of the present depth in later updates. */
 static const double first_depth = 0.15, later_depth = 0.05;
 /* Largest wear of the first implicit update, which has no error estimate, as a fraction of the
  * natural depth. */
@@ -115,7 +115,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
     const double order = w->def.order == 1 ? 2 : 3;
     const double growth = safety * pow(now->error, -1 / order);
     const double before =
-        w->records > 2 ? now[-1].jump : 0; /* because the last step may have been shortened */
+        w->records > 2 ? now[-1].jump : 0; /* previous jump, as the last step may be shortened */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
     *jump = cycles_for(block, k,

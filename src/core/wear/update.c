@@ -51,7 +51,7 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   update_coefficients whole;
-  if (isfinite(plan->most)) { /* the integral of k determines the length */
+  if (isfinite(plan->most)) { /* the length of the update follows from the integral of k */
     const arc_status status = arc_wear_integrate_coefficients(w, plan, NULL, &whole, error);
     if (status != ARC_OK) return status;
   }
@@ -210,7 +210,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
 }
 
 /* Predicts the surface at the middle of the update, and lets the shape compute data such as its
- * compliance for that surface. Only periodic implicit updates with a tolerance do this. */
+ * compliance for that surface. Does nothing unless the update is implicit and periodic and has a
+ * tolerance. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;
