@@ -9,8 +9,7 @@ static int cells_of(const stick_slip_problem *p) {
   return p->h->cells;
 }
 
-/* Projects v onto the free directions of one cell: x and z if it sticks, the tangent if it slips.
- */
+/* Projects v onto the free directions of one cell: x and z if it sticks, tangent if it slips. */
 static void free_part(const stick_slip_work *w, int k, const double v[2], double part[2]) {
   part[0] = part[1] = 0;
   if (w->state[k] == SHEAR_NONE) return;

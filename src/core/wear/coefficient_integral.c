@@ -15,7 +15,7 @@ static const double tolerance = 1e-5;
  * the ends of the update no function is evaluated, so that a jump at an end belongs to one update
  * only. */
 static const double shortest = 1e-9, margin = 1e-7;
-/* Margin for tables, in place of `margin`. It is smaller because the points of tables are known. */
+/* Margin for tables, instead of `margin`. It is smaller because the points of tables are known. */
 static const double table_margin = 1e-10;
 /* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
