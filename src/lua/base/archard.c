@@ -21,7 +21,7 @@ static const luaL_Reg classes[] = {
     {NULL, NULL},
 };
 
-/* Modules written in C without a global; only require loads them. */
+/* Modules written in C that have no global. Scripts load them by require. */
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
     {"archard.gnuplot", luaopen_archard_gnuplot},
@@ -104,7 +104,7 @@ static void open_functions(lua_State *L) {
 int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
-  lua_warning(L, "@on", 0); /* switches warnings on, which are off in standard Lua */
+  lua_warning(L, "@on", 0); /* enables warnings, which standard Lua disables by default */
   script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);

@@ -21,7 +21,7 @@
  * function for `require "archard"` from archard.so and then handles Ctrl-C itself. */
 int luaopen_archard(lua_State *L);
 
-/* The module `archard.term`: properties of the terminal. */
+/* The module `archard.term`: returns properties of the terminal, such as its size. */
 int luaopen_archard_term(lua_State *L);
 
 /* The module `archard.gnuplot`: draws figures by gnuplot. Figures are tables
@@ -31,7 +31,7 @@ int luaopen_archard_gnuplot(lua_State *L);
 /* The module `archard.store`: reads and writes run files. */
 int luaopen_archard_store(lua_State *L);
 
-/* The module `archard.process`: worker processes, which are copies of this program. */
+/* The module `archard.process`: starts worker processes, which are copies of this program. */
 int luaopen_archard_process(lua_State *L);
 
 /* The module `archard.warnings`: collects warnings instead of printing them. */
@@ -40,14 +40,14 @@ int luaopen_archard_warnings(lua_State *L);
 /* The module `archard.files`: writes texts and numbers in the format of all exports. */
 int luaopen_archard_files(lua_State *L);
 
-/* The module `archard.random`: sample points of a design (such as Sobol points) for a seed, and
- * quantiles. */
+/* The module `archard.random`: computes the sample points of a design, such as Sobol points, from a
+ * seed, and quantiles of distributions. */
 int luaopen_archard_random(lua_State *L);
 
-/* The module `archard.least_squares`: nonlinear least squares. */
+/* The module `archard.least_squares`: solves nonlinear least-squares problems. */
 int luaopen_archard_least_squares(lua_State *L);
 
-/* The module `archard.measure`: measures of wear profiles. */
+/* The module `archard.measure`: computes measures of wear profiles, such as their sum. */
 int luaopen_archard_measure(lua_State *L);
 
 /* The module `archard.names`: shows values in messages, searches for the most similar valid name,
@@ -57,10 +57,11 @@ int luaopen_archard_names(lua_State *L);
 /* The module `archard.strict`: raises errors for unknown names. */
 int luaopen_archard_strict(lua_State *L);
 
-/* The module `archard.sphere`: ball-and-socket joints, used by scripts/joint. */
+/* The module `archard.sphere`: computes ball-and-socket joints for scripts/joint. */
 int luaopen_archard_sphere(lua_State *L);
 
-/* The module `archard.settings`: all settings of definitions, and all columns of the history. */
+/* The module `archard.settings`: lists all settings of definitions and all columns of the
+ * history. */
 int luaopen_archard_settings(lua_State *L);
 
 #endif

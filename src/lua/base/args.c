@@ -17,7 +17,8 @@ const char *args_show_number(lua_State *L, double value) {
   return lua_pushstring(L, text);
 }
 
-/* Raises an error for the value on top of the stack. `near` is a similar valid text, or NULL. */
+/* Raises an error for the invalid value on top of the stack. `near` is a similar valid string that
+ * the message suggests, or NULL. */
 static void refuse_field(lua_State *L, args_location location, const char *name,
                          const char *expected, const char *near) __attribute__((noreturn));
 

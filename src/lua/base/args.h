@@ -10,7 +10,7 @@
 #include <lua.h>
 #include <math.h>
 
-/* The function and the field in error messages, as in "wear: field 'mesh.size': ...". */
+/* The function and the field that an error message names, as in "wear: field 'mesh.size': ...". */
 typedef struct args_location {
   const char *where;  /* name of the function, such as "wear" */
   const char *prefix; /* prefix of the field's name, such as "mesh.", or "" */

@@ -1,4 +1,4 @@
-/* lua/base/box.h - userdata that own one object of the engine (called `thing`).
+/* lua/base/box.h - boxes: userdata that each own one object of the engine, the `thing`.
  *
  * Every constructor checks all arguments, pushes an empty box, calls the engine and then fills the
  * box, so that an error leaks nothing. close(), a to-be-closed variable or the garbage collector
@@ -41,7 +41,8 @@ typedef struct box {
   void *thing;           /* NULL: the box is empty */
   int tag;               /* number whose meaning the class defines */
   int busy;              /* true while the engine changes the thing; other calls are errors */
-  int closing;           /* true if close() was called during use; the last user empties the box */
+  int closing; /* true if close() was called while functions used the box; the last of them empties
+                  the box */
   call_held held;
 } box;
 
@@ -54,7 +55,7 @@ box *box_push(lua_State *L, const box_class *class);
 box *box_test(lua_State *L, int index, const box_class *class);
 
 /* If the box at `index` has the class `class_name`, copies the value in the box to `value` and
- * returns true. Otherwise returns 0. */
+ * returns true. Otherwise returns false. */
 int box_copy_value(lua_State *L, int index, const char *class_name, void *value);
 
 /* Returns the box at `index` and marks it as used until the running function returns (call.h).
@@ -67,7 +68,7 @@ box *box_check(lua_State *L, int index, const box_class *class, const char *wher
 box *box_self(lua_State *L, const box_class *class, const char *where);
 box *box_self_idle(lua_State *L, const box_class *class, const char *where);
 
-/* Empties a box even if it is busy. It is used for temporary boxes. */
+/* Empties a temporary box, even if the box is busy. */
 void box_empty(box *emptied, const box_class *class);
 
 /* Stores the value at index `parent` as user value 1 of the box on top of the stack. */

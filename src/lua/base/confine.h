@@ -10,7 +10,7 @@
  * if a folder does not exist. */
 arc_status confine_files(const char *read, const char *write, arc_error *error);
 
-/* Returns the folder of readable files, or NULL without restriction. */
+/* Returns the folder to which reading is restricted, or NULL if there is no restriction. */
 const char *confine_folder(void);
 
 /* Returns the number of free bytes on the disk of the folder `write`; 0 if unknown. */

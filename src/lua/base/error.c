@@ -10,7 +10,7 @@
 
 static const char kind[] = "archard.error";
 
-/* Pushes field `name` of the error at index 1, or "" if it is not a text. */
+/* Pushes field `name` of the error object at index 1, or "" if the field is not a string. */
 static const char *push_text(lua_State *L, const char *name) {
   if (lua_getfield(L, 1, name) != LUA_TSTRING) {
     lua_pop(L, 1);
@@ -120,7 +120,7 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes the text of the value on top of the stack. The value may have a __tostring of the user, so
+/* Pushes the value on top of the stack as a string. A __tostring of the user may raise an error, so
  * the call is protected. */
 static void push_error_text(lua_State *L) {
   lua_pushcfunction(L, to_text);

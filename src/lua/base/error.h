@@ -29,8 +29,8 @@ void error_check(lua_State *L, arc_status status, const arc_error *error, const 
  * raised. `name` describes the user's function. An interrupt is raised again unchanged. */
 void error_callback(lua_State *L, const char *where, const char *name) __attribute__((noreturn));
 
-/* Calls lua_pcall and adds a traceback to errors that are text. Returns LUA_OK, or another status
- * with the error value on top of the stack. */
+/* Calls lua_pcall and adds a traceback to errors that are strings. Returns LUA_OK, or another
+ * status with the error value on top of the stack. */
 int error_pcall(lua_State *L, int arguments, int results);
 
 /* Returns the stack level of the innermost function of the user. Functions in C do not count as

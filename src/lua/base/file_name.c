@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-/* Returns a description of the expected value if the file name at `index` is invalid, otherwise
- * NULL. */
+/* Returns NULL if the value at `index` is a valid file name, otherwise a description of the
+ * expected value. */
 static const char *trouble_with(lua_State *L, int index) {
   size_t length = 0;
   const char *path = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &length) : NULL;

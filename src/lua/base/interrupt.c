@@ -18,8 +18,8 @@ static void (*limit_reached)(void);
 static const char *volatile exceeded;
 enum { PERIOD = 10000 }; /* instructions between two checks */
 
-/* Error texts of an interrupt: `plain` without and `explained` with the progress of the run.
- * `explained` is set outside the signal handler. */
+/* Error messages of an interrupt: `plain` does not contain the progress of the run, `explained`
+ * does. `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
@@ -46,7 +46,8 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* hook of an earlier request, set before the coroutine yielded */
+  if (!interrupt_pending(NULL)) { /* the hook is from an earlier request and was set before the
+                                     coroutine yielded */
     rest(L);
     return;
   }

@@ -5,12 +5,12 @@
 
 #include <lua.h>
 
-/* A search for the valid name that is most similar to `name`. Common symbols and terms of
- * textbooks (mu, R, Q) are replaced by the valid name of their meaning. */
+/* A search for the valid name that is most similar to `name`. Common symbols and terms of textbooks
+ * (mu, R, Q) are replaced by the valid name of the quantity. */
 typedef struct names_search {
   const char *name;
   const char *best; /* most similar name so far, alphabetically first if equal; NULL: none */
-  int limit;        /* number of letters that may differ */
+  int limit;        /* largest allowed number of different letters */
 } names_search;
 
 names_search names_begin(const char *name);

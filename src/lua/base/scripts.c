@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* Registry keys of the table of modules and of the globals of scripts. The address of each
- * variable is the key. */
+/* Registry keys of the table of modules and of the table of the scripts' globals. The keys are the
+ * addresses of these variables. */
 static const char modules_key = 0, globals_key = 0;
 
 /* --- globals ---------------------------------------------------------------------------------- */
@@ -84,7 +84,7 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Version of pairs that ignores metamethods of the user's tables. raw_ipairs is such a version of
+/* Replacement of pairs that ignores metamethods of the user's tables. raw_ipairs replaces
  * ipairs. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);

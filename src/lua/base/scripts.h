@@ -14,7 +14,7 @@
  * scripts/plot/init.lua. Lua's libraries must be open. */
 void script_preload(lua_State *L, const luaL_Reg *modules);
 
-/* Pushes the value of a built-in module. Errors of its script are raised. */
+/* Pushes the value that a built-in module returns. Raises the errors of the module's script. */
 void script_require(lua_State *L, const char *name);
 
 /* Calls the function that a module returns, with the arguments on top of the stack. Returns a

@@ -40,7 +40,8 @@ int strict_reads_called(lua_State *L) {
 
 /* --- valid names ------------------------------------------------------------------------------ */
 
-/* Adds the text keys of the table at `index`, and the texts in its list part, to a search. */
+/* Adds the string keys of the table at `index`, and the strings in its list part, to the candidates
+ * of a search. */
 static void offer_all(lua_State *L, int index, names_search *search) {
   if (!lua_istable(L, index)) return;
   index = lua_absindex(L, index);
@@ -56,8 +57,8 @@ static int by_text(const void *a, const void *b) {
   return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Pushes a list such as " (known: cylinder, plate)" of the text keys of the table at `index`.
- * Pushes "" if the table has no text keys or more than eight. */
+/* Pushes a list such as " (known: cylinder, plate)" of the string keys of the table at `index`.
+ * Pushes "" if the table has no string keys or more than eight. */
 static const char *push_few(lua_State *L, int index) {
   enum { most = 8 };
   const char *keys[most];
@@ -82,7 +83,7 @@ static const char *push_few(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Returns advice for a name that is a term of another class, or NULL if there is no advice. */
+/* Returns a hint for the error message if the name is a term of another class, otherwise NULL. */
 static const char *elsewhere(const char *where, const char *name) {
   static const char *const list[][3] = {
       {"body", "cup", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"},
@@ -364,7 +365,7 @@ static int object_newindex(lua_State *L) {
   return 0;
 }
 
-/* Pops a table and appends its text keys and list values to the list below it. */
+/* Pops a table and appends its string keys and list values to the list below it. */
 static void gather(lua_State *L) {
   for (lua_pushnil(L); lua_istable(L, -2) && lua_next(L, -2); lua_pop(L, 1)) {
     lua_pushvalue(L, lua_type(L, -2) == LUA_TSTRING ? -2 : -1);
@@ -373,8 +374,8 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
-/* Calls a method of an object made in Lua after it has checked the class of the object.
- * Upvalues: the method, the metatable of its class. */
+/* Checks the class of an object made in Lua and then calls the method of the object. Upvalues: the
+ * method, the metatable of its class. */
 static int object_method(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {

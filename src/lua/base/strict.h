@@ -11,12 +11,13 @@
 /* Switches the errors for unknown names off in this Lua state (option --lax). */
 void strict_lax(lua_State *L);
 
-/* Returns true if the user's code reads the field. It is called by __index functions in C. */
+/* Returns true if the user's code, not a built-in script, reads a field. The metamethods in C call
+ * this function. */
 int strict_reads(lua_State *L);
-int strict_reads_called(lua_State *L); /* like strict_reads, in a function wrapped by call.h */
+int strict_reads_called(lua_State *L); /* version of strict_reads for functions wrapped by call.h */
 
-/* Raises the error "no field 'NAME'" for the object `where`. Valid names are the text keys and the
- * list values of the table at index `known`. */
+/* Raises the error "no field 'NAME'" for the object `where`. Valid names are the string keys and
+ * the list values of the table at index `known`. */
 void strict_refuse(lua_State *L, const char *where, const char *name, int known)
     __attribute__((noreturn));
 

@@ -49,7 +49,8 @@ static void add_name(name_list *to, const char *name) {
   if (to->count < MOST_NAMES) to->name[to->count++] = name;
 }
 
-/* Adds the names of all settings in the list except texts (the setting `name`). */
+/* Appends the names of all settings in `list` to `to`, except string settings (the setting
+ * `name`). */
 static void add_settings(name_list *to, const arc_setting *list) {
   for (const arc_setting *s = list; s->name; s++)
     if (s->kind != ARC_TEXT) add_name(to, s->name);
@@ -84,7 +85,7 @@ static void refuse_body_name(lua_State *L, args_location location, arc_solid kin
   for (const char *const *own = arc_body_fields(kind); *own; own++) add_name(&known, *own);
   add_name(&known, "name");
   add_settings(&known, arc_material_settings);
-  add_settings(&known, common + 2); /* + 2 omits kind and name */
+  add_settings(&known, common + 2); /* + 2 skips the settings kind and name */
   refuse_name(L, location, name, lua_pushfstring(L, " of a %s", arc_solid_names[kind]), &known);
 }
 
@@ -143,8 +144,8 @@ static void read_material(lua_State *L, int index, args_location location, arc_m
       read_part(L, index, location, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
-/* Returns true for the settings of a layer in `layers`: all settings except the name, which is for
- * `materials`, and the material. */
+/* Returns true for the settings of an item of `layers`, which are all settings of a layer except
+ * its name (used in `materials` only) and its material. */
 static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
 }

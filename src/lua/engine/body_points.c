@@ -63,8 +63,8 @@ void body_read_profile(lua_State *L, int index, args_location location, double r
 
 /* --- maps ------------------------------------------------------------------------------------- */
 
-/* Reads list `name` of the table at `index` as a series, whose distances are the indices from 0.
- * Pushes the buffer of the series. */
+/* Reads list `name` of the table at `index` as a series. Item i (from 0) of the series has the
+ * distance i. Pushes the buffer of the series. */
 static arc_series push_numbers(lua_State *L, int index, args_location location, const char *name) {
   size_t count;
   if (lua_getfield(L, index, name) != LUA_TTABLE)

@@ -57,7 +57,7 @@ static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   lua_setfield(L, -2, word);
 }
 
-/* Pushes a table that maps each word for a body to the name of the body's field. */
+/* Pushes a table that maps each alias of a body to the name of the body's field. */
 static void push_words(lua_State *L, const arc_model_def *def) {
   lua_newtable(L);
   for (int b = 0; b < ARC_BODIES; b++) {

@@ -36,8 +36,8 @@ extern const box_class wear_class;    /* box of an arc_wear; user value 1: box o
  * definitions and files. */
 extern const char *const body_names[];
 
-/* body_name returns the name of a body (as arc_model_body_name). body_find searches for the body
- * that a word names (as arc_model_find_body). */
+/* body_name returns the name of a body, like arc_model_body_name. body_find searches for the body
+ * that a name, role or kind identifies, like arc_model_find_body. */
 const char *body_name(const arc_model_def *def, arc_body body);
 int body_find(const arc_model_def *def, const char *word, arc_body *body);
 
@@ -54,8 +54,8 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table with one number for each body. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
-/* Adds aliases of depth_NAME and volume_NAME to the history on top of the stack, one for each
- * word that names a body. */
+/* Adds aliases of the columns depth_NAME and volume_NAME to the history on top of the stack, one
+ * for each name, role or kind that identifies a body. */
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table of the names of both bodies. */
 void push_body_names(lua_State *L, const arc_model_def *def);

@@ -102,11 +102,11 @@ static void show_peak(const arc_contact *contact, const arc_contact_result *solv
   free(arrays);
 }
 
-/* Pushes the lines on friction of a printed contact. */
+/* Pushes the lines of a printed contact that describe friction. */
 static void push_friction_text(lua_State *L, const arc_contact_def *def,
                                const arc_contact_result *solved) {
   char text[240];
-  const double least = 1e-8 * def->load; /* below this a force is shown as 0 */
+  const double least = 1e-8 * def->load; /* [N] smaller forces are printed as 0 */
   const double along_x = fabs(solved->tangential) < least ? 0 : solved->tangential;
   const double along_z = fabs(solved->tangential_z) < least ? 0 : solved->tangential_z;
   if (arc_model_has_maps(model_of(self(L))))
@@ -322,7 +322,7 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
                               .material = {model->material[0], model->material[1]}};
   arc_hertz hertz = {0};
   const arc_status status =
-      arc_hertz_of(&pair, &hertz, error); /* this call also checks the ranges */
+      arc_hertz_of(&pair, &hertz, error); /* also checks the ranges of the definition */
   if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }
@@ -356,8 +356,8 @@ typedef struct request {
   const arc_motion_def *motion;
 } request;
 
-/* Solves the requested contact and pushes a box with it. The value at `holder` keeps the contact's
- * model alive. */
+/* Solves the requested contact and pushes a box that owns the contact. The value at `holder` keeps
+ * the contact's model alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
   arc_contact *contact = NULL;

@@ -323,7 +323,7 @@ typedef struct worn {
   called functions;
   arc_joint_record record;
   double cycles;
-  size_t bytes; /* memory of the joint before the update */
+  size_t bytes; /* size of the joint in memory before the update */
 } worn;
 
 static const arc_callbacks interruptible = {.stop = interrupt_pending};
@@ -350,13 +350,15 @@ static void begin_wear(lua_State *L, worn *w, int arguments) {
 static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
   const size_t bytes = arc_joint_bytes(w->holder->thing);
   w->holder->busy = 0;
-  if (bytes > w->bytes) box_weigh(L, bytes - w->bytes); /* the arrays of the contact have grown */
+  if (bytes > w->bytes)
+    box_weigh(L, bytes - w->bytes); /* the joint has allocated larger contact arrays */
   if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);
 }
 
-/* update(joint, gait, k, alpha, cycles, record, explicit, creep) returns the new record. */
+/* update(joint, gait, k, alpha, cycles, record, explicit, creep) wears the joint by one update of
+ * `cycles` cycles and returns the new record. */
 static int sphere_update(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -367,8 +369,9 @@ static int sphere_update(lua_State *L) {
   return end_wear(L, &w, status, &error);
 }
 
-/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) returns the new record and
- * the next step [cycles]. */
+/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) wears the joint by one
+ * error-controlled step of at most `most` cycles. Returns the new record and the length of the next
+ * step [cycles]. */
 static int sphere_advance(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -427,8 +430,8 @@ static int has_field(lua_State *L, const char *name) {
   return has;
 }
 
-/* Returns true if the value on top of the stack is a joint. A table of its fields is replaced by a
- * joint. */
+/* Returns true if the value on top of the stack is a joint, or a table of the fields of a joint,
+ * which is then replaced by a joint. */
 static int is_joint(lua_State *L) {
   if (luaL_getmetafield(L, -1, "__name") != LUA_TNIL) {
     const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "joint") == 0;

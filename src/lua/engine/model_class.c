@@ -55,7 +55,7 @@ static void rename_zones(lua_State *L, args_location location, const arc_model_d
 /* Pushes a copy of the table at `index` without the fields upper and lower, which body_read
  * reads. */
 static void push_without_bodies(lua_State *L, int index, args_location location) {
-  /* If the value is not a table, this call raises the error. */
+  /* raises the error for a value that is not a table */
   if (!lua_istable(L, index)) args_read(L, index, location, arc_model_settings, NULL);
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -142,7 +142,8 @@ static arc_mesh **push_meshes(lua_State *L, args_location location) {
   return given;
 }
 
-/* Reads all fields of the table at `index` except the field `mesh`, which is a text here. */
+/* Reads all fields of the table at `index` except the field `mesh`, which is a file name or the
+ * text of a mesh file. */
 static void read_beside_mesh(lua_State *L, int index, args_location location, arc_model_def *def) {
   args_push_copy(L, index);
   lua_pushnil(L);

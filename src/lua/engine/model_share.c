@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-static const char cache_key = 0, last_key = 0; /* registry keys by their addresses */
+static const char cache_key = 0, last_key = 0; /* their addresses are registry keys */
 
 /* --- building and sharing --------------------------------------------------------------------- */
 
@@ -71,14 +71,14 @@ static void push_cache(lua_State *L) {
 /* State of the progress display (archard.lib.build_progress) during a long construction. */
 typedef struct building {
   lua_State *L;
-  int begun; /* true: the display function is on the stack */
+  int begun; /* true if the display function is on the stack */
 } building;
 
 static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* nil: the model is built without a display */
+  lua_pushnil(b->L); /* nil: the model is built without showing progress */
 }
 
 static void tell(building *b, int arguments) {

@@ -34,12 +34,13 @@ static void set_flag(lua_State *L, const char *name, int flag) {
   lua_setfield(L, -2, name);
 }
 
-/* Returns true if the values of a setting are texts, not true and false. */
+/* Returns true if the setting is a choice between strings, not between true and false. */
 static int is_choice(const arc_setting *s) {
   return s->kind == ARC_CHOICE && s->choices != arc_switch_names;
 }
 
-/* Sets the list of values for completion. */
+/* Sets the field `values`, a list of the valid strings, which completion suggests. No list is set
+ * if it would be empty. */
 static void set_values(lua_State *L, const arc_setting *s) {
   lua_newtable(L);
   int count = 0;
@@ -58,8 +59,8 @@ static void set_values(lua_State *L, const arc_setting *s) {
     lua_pop(L, 1);
 }
 
-/* Sets the field for the description of the valid values. The unit is omitted, because it has a
- * field of its own. */
+/* Sets the field with the description of the valid values. The description has no unit, because the
+ * unit is a separate field. */
 static void set_type(lua_State *L, const arc_setting *s) {
   arc_setting bare = *s;
   char text[240];

@@ -35,7 +35,7 @@ const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc
   return field;
 }
 
-/* Pushes a table of arrays with the stress field of one body. */
+/* Pushes the stress field of one body as a table of nodal arrays. */
 static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
   const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
 #define SET_COLUMN(name, unit, text) array_set(L, #name, field->name, (size_t)field->nodes);

@@ -103,7 +103,8 @@ static double call_depth(lua_State *L, int index, const char *where, arc_body bo
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Pushes the value for a body from the table at `worn`. Returns the Lua type of this value. */
+/* Pushes the function or map for a body from the table at `worn`, or nil. Returns the Lua type of
+ * the pushed value. */
 static int push_body(lua_State *L, int worn, const arc_model_def *def, arc_body body,
                      const char *where) {
   push_usual_names(L, worn, (args_location){where, "worn."}, def);

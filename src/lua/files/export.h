@@ -8,7 +8,8 @@
  */
 const char *export_ending(const char *path);
 
-/* Pushes "file-cylinder.ending" for "file.ending". `usual` is the extension if `path` has none. */
+/* Pushes the file name for one body, such as "file-cylinder.vtk" for "file.vtk". `usual` is the
+ * extension if `path` has none. */
 const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual);
 
 /* Lua function export.csv (export_csv.c). */

@@ -28,7 +28,7 @@ static const char where[] = "export.csv";
 
 enum { MOST_COLUMNS = 100000 };
 
-/* Columns of a file, whose arrays are on the Lua stack. */
+/* Columns of a file. Their arrays are on the Lua stack. */
 typedef struct csv_table {
   const char **names, **units;
   const double **data;

@@ -42,7 +42,7 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
   return store;
 }
 
-/* store.open(path, mode) returns a store. */
+/* store.open(path, mode) opens a run file and returns it as a store object. */
 static int store_open(lua_State *L) {
   int mode = args_choice(L, 2, (args_location){"store.open", ""}, "mode", mode_names, 0);
   const char *path = path_argument(L, 1, "store.open", "file");
@@ -76,7 +76,7 @@ static int store_replace(lua_State *L) {
   return 1;
 }
 
-/* --- the file as a whole ---------------------------------------------------------------------- */
+/* --- functions of the whole file -------------------------------------------------------------- */
 
 /* Defines a Lua method of a store that has no arguments and calls one function of the engine. */
 #define PLAIN(name, call)                                                                          \
@@ -96,7 +96,7 @@ static int store_rollback(lua_State *L) {
   return 0;
 }
 
-/* store:info(name) returns the text of the note `name`, or nil if there is none. */
+/* store:info(name) returns the text of the note `name`, or nil if the file has no such note. */
 static int store_info(lua_State *L) {
   arc_error error = {0};
   char *text = NULL;
@@ -193,7 +193,8 @@ static int store_cases(lua_State *L) {
   return failed ? lua_error(L) : 1;
 }
 
-/* store:values(id, use) returns a table of names and values. */
+/* store:values(id, use) returns the named values of a case as a table. `use` is "settings"
+ * (default), "definition" or "results". */
 static int store_values(lua_State *L) {
   static const char where[] = "store:values";
   arc_store *store = self(L, where);
@@ -203,7 +204,8 @@ static int store_values(lua_State *L) {
   return 1;
 }
 
-/* store:set_values(id, use, table) stores named values. */
+/* store:set_values(id, use, table) stores the fields of the table as named values of a case. `use`
+ * is "settings", "definition" or "results". */
 static int store_set_values(lua_State *L) {
   static const char where[] = "store:set_values";
   arc_store *store = self(L, where);

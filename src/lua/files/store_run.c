@@ -27,8 +27,8 @@ static double read_number(lua_State *L, const char *name) {
   return value;
 }
 
-/* Reads one array of the surface table on top of the stack. The table `anchors` keeps its numbers
- * alive. */
+/* Reads one array of the surface table on top of the stack. The buffer of the array is appended to
+ * the table `anchors`, which keeps the buffer alive. */
 static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_getfield(L, -1, array->name);
   array->values =
@@ -200,7 +200,7 @@ static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const
   return run;
 }
 
-/* Fills the list of the settings that may be functions. */
+/* Writes the settings that may be functions to `list`, which ends with a NULL name. */
 static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)

@@ -299,8 +299,8 @@ static int hand_over(lua_State *L, char *picture, size_t length) {
   return status == LUA_OK ? 1 : lua_error(L);
 }
 
-/* draw(figure, output) returns the picture, or true if there is none. On failure it returns nil,
- * message, status. */
+/* draw(figure, output) draws a figure and returns the picture, or true if there is none. On failure
+ * it returns nil, message, status. */
 static int gnuplot_draw(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -320,7 +320,8 @@ static int gnuplot_draw(lua_State *L) {
   return hand_over(L, picture, length);
 }
 
-/* animate(figures, delay, output) returns true. On failure it returns nil, message, status. */
+/* animate(figures, delay, output) writes an animation of the figures and returns true. On failure
+ * it returns nil, message, status. */
 static int gnuplot_animate(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   double delay = luaL_checknumber(L, 2);

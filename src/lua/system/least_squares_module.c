@@ -35,7 +35,7 @@ typedef struct callback {
   const gsl_vector *x;
   double *to;
   size_t count; /* length of the list that the function must return */
-  int failed;   /* true: the error value is on top of the stack */
+  int failed;   /* true if the call failed; the error value is on top of the stack */
 } callback;
 
 /* Calls the function with a list and copies the returned list. lua_pcall calls this function. */

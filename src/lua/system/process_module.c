@@ -53,7 +53,7 @@ static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  int idle = 0; /* this process and the idle workers get equal parts of the memory */
+  int idle = 0; /* the memory is divided equally between this process and the idle workers */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
   arc_child_def def = {"/proc/self/exe",
                        p->arguments,
@@ -258,7 +258,7 @@ static int pool_send(lua_State *L) {
 
 /* --- waiting ---------------------------------------------------------------------------------- */
 
-/* Reads the available bytes. Returns 0 at the end of the stream. */
+/* Reads the available bytes of a worker's output. Returns 0 at the end of the stream. */
 static int read_some(int descriptor, char *to, size_t bytes, size_t *count) {
   ssize_t got = read(descriptor, to, bytes);
   *count = got > 0 ? (size_t)got : 0;
@@ -297,7 +297,7 @@ static void split_lines(lua_State *L, int which, worker *w) {
     left -= (size_t)(end - from) + 1;
     from = end + 1;
   }
-  if (left == LINE) left = 0; /* too long for a valid line: discarded */
+  if (left == LINE) left = 0; /* discards a line that is too long to be valid */
   memmove(w->line, from, left);
   w->filled = left;
 }
@@ -337,7 +337,7 @@ static void check_interrupt(lua_State *L, pool *p) {
   luaL_error(L, "interrupted");
 }
 
-/* Returns the number of seconds at `index`, converted to milliseconds for poll. */
+/* Reads the number of seconds at `index` and returns it in milliseconds, as poll requires. */
 static int wait_argument(lua_State *L, int index) {
   const double seconds = luaL_checknumber(L, index);
   luaL_argcheck(L, seconds >= 0 && seconds <= 1e6, index, "expected 0 to 1e6 seconds");
@@ -372,8 +372,8 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
-/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted",
- * after the text `stand` and a colon if it is given. */
+/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted", or
+ * "STAND: interrupted" if the text `stand` is given. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
@@ -433,8 +433,8 @@ static int list_folder(lua_State *L) {
   return 1;
 }
 
-/* process.files(folder) returns the names of all entries, unsorted, or nil if the folder cannot be
- * opened. */
+/* process.files(folder) returns the unsorted names of all entries of a folder, or nil if the folder
+ * cannot be opened. */
 static int process_files(lua_State *L) {
   DIR *folder = opendir(luaL_checkstring(L, 1));
   if (!folder) return 0;

@@ -123,7 +123,8 @@ static int beta_quantile(lua_State *L) {
   return 1;
 }
 
-/* student_quantile(p, freedom) returns the quantile of Student's t distribution. */
+/* student_quantile(p, freedom) returns the quantile of Student's t distribution with `freedom`
+ * degrees of freedom. */
 static int student_quantile(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_tdist_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
   return 1;

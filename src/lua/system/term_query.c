@@ -53,7 +53,7 @@ static void keep(unsigned char key) {
 }
 
 /* Separates the terminal's replies from typed keys. Returns the number of processed bytes. Sets
- * *finished if the reply to DA1 was found. */
+ * *finished to true if the reply to DA1 is among them. */
 static size_t sort_out(const unsigned char *bytes, size_t count, int *finished) {
   size_t i = 0;
   while (i < count) {

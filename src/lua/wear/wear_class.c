@@ -1,5 +1,5 @@
-/* Class wear: construction, cloning, and the list of methods, which are in the other wear_*.c
- * files. */
+/* Class wear: construction, cloning and the table of methods. The other wear_*.c files implement
+ * the methods. */
 #include "lua/wear/wear_class.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -166,7 +166,7 @@ static int wear_set(lua_State *L) {
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   wear_request request = wear_request_read(L, 2, 1);
-  /* repeated, because a function of the user may have closed the run */
+  /* repeats the check, because a function of the user may have closed the run */
   box_self_idle(L, &wear_class, where);
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);

@@ -17,7 +17,7 @@ void wear_note_saved(box *made);
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles;                        /* end of the run [cycles]; 0: the end is a distance */
+  double cycles; /* end of the run [cycles]; 0: the end is given as a distance */
   double distance_before, cycle_before; /* [mm], [cycles] present position of a run in wear:set */
   int own_steps; /* true if the user set scheme or jump, or wear:set changes the run */
   int own_k;     /* true if the user set k or alpha, or wear:set changes the run */
@@ -30,8 +30,8 @@ typedef struct wear_request {
  * or the defaults if `changed` is 0. Buffers of arrays stay on the stack. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* Returns the definition of the request, completed for a model. `cycles` is converted to a
- * distance. */
+/* Returns the definition of a requested run, completed by the data of its model. Converts `cycles`
+ * to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` ------------------------------------------------------ */

@@ -25,7 +25,7 @@ typedef struct wear_functions {
   functions_place now;
   callback_state *state;
   int vector;     /* true: local_factor is called once with arrays of all nodes */
-  char what[200]; /* description of the failed call */
+  char what[200]; /* description of the call that failed, for the error message */
 } wear_functions;
 
 static const char kind[] = "archard.functions";
@@ -91,8 +91,8 @@ typedef struct local_call {
   double *factor;
 } local_call;
 
-/* Computes the factors by one call for each node. Nodes without pressure do not wear and are
- * omitted. The stack contains the function and the state. */
+/* Computes the local factors by one call of the user's function for each node. Nodes without
+ * pressure do not wear and are omitted. The stack contains the function and the state. */
 static int each_node(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushstring(L, body_names[call->body]);
@@ -127,8 +127,8 @@ static void push_loaded(lua_State *L, const local_call *call, const double *valu
   }
 }
 
-/* Computes the factors by one call for all nodes under pressure. The stack contains the function
- * and the state. */
+/* Computes the local factors by one call of the user's function for all nodes under pressure. The
+ * stack contains the function and the state. */
 static int all_nodes(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushvalue(L, 1);

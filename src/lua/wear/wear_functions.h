@@ -21,7 +21,7 @@ typedef struct functions_place {
   box *run;                  /* NULL while the run is constructed */
   const arc_model_def *pair; /* model definition, if the run is being constructed */
   int at;                    /* stack index of the holder, followed by the functions */
-  int failed;                /* true if the holder has an error value */
+  int failed;                /* true if the holder contains the error value of a function */
 } functions_place;
 
 typedef struct functions_call {
@@ -33,15 +33,15 @@ typedef struct functions_call {
  * effect. While a function runs, `run` is marked as busy. Pushes values that must stay on the
  * stack until functions_leave. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
-/* Works like functions_enter for a run that is being constructed with the model definition
+/* Version of functions_enter for a run that is being constructed with the model definition
  * `pair`. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
 /* Returns true if a function has raised an error, which functions_leave will raise again. */
 int functions_failed(const functions_call *call);
 
-/* Ends the context. If a function has failed, raises its error. The values on the stack are not
- * removed. */
+/* Ends the context that functions_enter created. If a function has failed, raises its error. The
+ * values that functions_enter pushed stay on the stack. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
 
 /* Pushes the function of a field, such as "k", from the holder at `holder`. Pushes nil if the
@@ -62,6 +62,6 @@ typedef struct callback_state {
 callback_state *state_push(lua_State *L);
 
 enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of box.busy of a run */
-enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 };            /* user values of a run */
+enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 }; /* indices of the user values of a run's box */
 
 #endif

@@ -62,7 +62,7 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 /* --- measures --------------------------------------------------------------------------------- */
 
 typedef struct measure {
-  const char *group, *name; /* field of the run, and its subfield (or NULL) */
+  const char *group, *name; /* name of a field of the run, and of its subfield (or NULL) */
   int column;
   int grows; /* true if the measure never decreases; the target must then exceed its value */
 } measure;

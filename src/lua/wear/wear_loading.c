@@ -68,7 +68,7 @@ static const double *push_times(const reading *r, size_t *count) {
   return t;
 }
 
-/* Returns the length of the array `name`, or 0 if the field is not a table. */
+/* Returns the length of the array in the field `name`, or 0 if the field is not a table. */
 static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;

@@ -1,4 +1,4 @@
-/* Class wear: profiles, pressures and results computed from these. */
+/* Class wear: methods that return profiles, pressures and results computed from them. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"

@@ -39,8 +39,8 @@ static const char *show_partition(const arc_wear_record *record, char *text, siz
   return text;
 }
 
-/* Returns the number of decimals for printing a cycle. A decimal is needed if an adaptive step
- * ended within a cycle. */
+/* Returns the number of decimals for printing a cycle number: 1 if an adaptive step ended within a
+ * cycle, 0 for whole cycles and from cycle 1000 on. */
 static int cycle_digits(double cycle) {
   return cycle == floor(cycle) || cycle >= 1000 ? 0 : 1;
 }

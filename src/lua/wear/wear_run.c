@@ -1,4 +1,4 @@
-/* Class wear: steps, runs, progress and interruption. */
+/* Class wear: methods that compute steps and runs, show progress and handle interrupts. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
@@ -116,7 +116,7 @@ typedef struct run_call {
   functions_call functions;
 } run_call;
 
-/* Calls a function with the run. Returns true if the run must end. */
+/* Calls a function of the user with the run as argument. Returns true if the run must end. */
 static int call_user(run_call *call, int function, const char *name) {
   lua_State *L = call->L;
   if (!function) return 0;
@@ -156,10 +156,11 @@ static void push_display(lua_State *L, double goal) {
   lua_pushnumber(L, goal);
   if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
-  lua_pushnil(L); /* nil: the run continues without a display */
+  lua_pushnil(L); /* nil: the run does not display its progress */
 }
 
-/* Pushes the progress function. Returns its stack index, or 0 if there is no function. */
+/* Pushes the function that displays progress and returns its stack index. Returns 0 if there is no
+ * such function. */
 static int push_progress_function(lua_State *L, double goal) {
   int type = args_get(L, 2, "progress");
   if (type == LUA_TFUNCTION) return lua_gettop(L);

@@ -54,7 +54,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  /* 3-D runs store only the depth along y */
+  /* in 3-D the depth is stored along y only */
   if (arc_model_has_maps(pair_of(L))) return wear_depth(L);
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
@@ -266,7 +266,8 @@ static double of_update(const arc_wear_record *record, double value) {
   return record->update > 0 ? value : NAN;
 }
 
-/* Writes a coefficient: "0.5", "by distance" for a series, or "by function". */
+/* Writes a coefficient as text: "0.5" for a constant, "by distance" for a series, or "by
+ * function". */
 static const char *show_coefficient(double record, double number, const arc_series *series,
                                     int function, const char *unit, char *text, size_t size) {
   if (function) return "by function";
@@ -303,7 +304,7 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
-/* Returns true for settings that are printed in the first lines of the summary. */
+/* Returns true for settings that the first lines of the summary already contain. */
 static int is_printed_above(const arc_setting *s) {
   static const int printed[] = {
       ARC_AT_scheme,   ARC_AT_k,         ARC_AT_alpha,      ARC_AT_load, ARC_AT_stroke,
@@ -318,7 +319,7 @@ static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
   return arc_setting_number(s, settings) == s->usual;
 }
 
-/* Adds a setting, such as "law_pressure 50 MPa". */
+/* Appends the name and value of a setting to the summary, such as "law_pressure 50 MPa". */
 static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_def *settings) {
   const void *member = arc_setting_value(s, settings);
   char line[120];
