@@ -4,7 +4,7 @@ local prefix = arg and arg[1]
 local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,
   model = { mesh = { size = 0.06, height = 0.06 } } }
 
--- in older releases the field is named "looks"
+-- older releases name the field `snapshots` "looks"
 local snapshots = pcall(study, { base = base, looks = 1, vary = { alpha = { 0 } } }) and "looks" or "snapshots"
 local function new_study() return study{ name = "old", base = base, [snapshots] = 1,
   vary = { alpha = { 0.25, 0.5 } } } end

@@ -25,7 +25,7 @@ static arc_status wear_down(arc_shape *shape, arc_body body, source *s) {
     h[i] = wild ? take_any(s) : take_in(s, 0, 0.004);
   }
   for (int i = 1; i < count; i++)
-    if (!(x[i] > x[i - 1])) return ARC_ARGUMENT; /* the Lua binding refuses such values */
+    if (!(x[i] > x[i - 1])) return ARC_ARGUMENT; /* the Lua binding requires increasing x */
   arc_error error = {0};
   arc_status status = arc_shape_sample(
       shape, body, (arc_depths){.x = x, .h = h, .count = (size_t)count}, depth, &error);

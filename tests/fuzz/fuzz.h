@@ -17,7 +17,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 /* Prints a finding and aborts the program. */
 #define FOUND(...) (fprintf(stderr, "found: " __VA_ARGS__), fputc('\n', stderr), abort())
 
-/* Returns the path of a file for this process only, in a folder in memory if the system has one. */
+/* Returns the path of a file that only this process uses. The file is in memory if the system has a
+ * folder for such files. */
 __attribute__((unused)) static const char *own_file(const char *ending) {
   static char path[4][80];
   static int turn;

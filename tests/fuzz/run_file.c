@@ -7,7 +7,7 @@
 
 #include "store/store.h"
 
-/* --- the valid file --------------------------------------------------------------------------- */
+/* --- creation of the valid file --------------------------------------------------------------- */
 
 static void must(arc_status status, const arc_error *error) {
   if (status != ARC_OK) FOUND("%s", error->message);

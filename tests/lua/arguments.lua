@@ -1,9 +1,9 @@
--- Tests definition tables: refused fields, their error messages, and the error objects.
+-- Tests that invalid fields of definition tables are refused, and tests the error messages and error objects.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
--- Tests unknown names.
+-- Tests the error messages for unknown field names.
 fails(function() wear{ aplha = 0.3 } end, "unknown field 'aplha' (did you mean 'alpha'?)",
   "swapped letters")
 fails(function() wear{ storke = 0.3 } end, "(did you mean 'stroke'?)", "swapped letters, longer name")
@@ -19,11 +19,11 @@ fails(function() hertz{ cylinder = { e = 1 } } end, "unknown field 'cylinder.e' 
 fails(function() wear{ model = { raduis = 9 } } end, "'model.raduis' (did you mean 'radius'?)",
   "model written as a table")
 
--- Tests choices that do not exist.
+-- Tests values that are not among the choices of a field.
 fails(function() model{ geometry = "3D" } end, 'or "3-D", got "3D"; did you mean "3-D"?', "a choice nearly right")
 fails(function() wear{ scheme = "backward" } end, '"explicit" or "implicit", got "backward"', "a choice far from all")
 
--- Tests wrong types and values out of range.
+-- Tests that values of a wrong type or out of range are refused.
 fails(function() wear(3) end, "wear: expected a table of named fields, got 3", "no table")
 fails(function() wear{ alpha = 1.5 } end, "field 'alpha': expected a number in [0, 1], got 1.5",
   "above the range")
@@ -53,7 +53,7 @@ fails(function() wear{ worn = 3 } end, "field 'worn': expected a wear object or 
 fails(function() contact{ x = "left" } end, [[field 'x': expected a number in mm, got "left"]],
   "number without a range")
 
--- Tests enumerations, whose messages list all values.
+-- Tests that the message for a wrong choice lists all valid values.
 fails(function() wear{ procedure = "sp" } end,
   [[field 'procedure': expected "auto", "SP" or "NSP", got "sp"]], "enumeration lists its values")
 fails(function() wear{ slip = 1 } end, [[expected "rigid" or "total", got 1]], "enumeration of two")
@@ -88,17 +88,17 @@ is(err.step, nil, "error.step outside a run")
 is(err.message, "field 'alpha': expected a number in [0, 1], got 2", "error.message")
 is("failed: " .. err, "failed: " .. tostring(err), "errors can be joined with text")
 
--- Tests values that are not possible for the model: strokes, element sizes, procedures.
+-- Tests that strokes, element sizes and procedures that do not fit the model are refused.
 fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the plate")
 fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
 ok(pcall(wear), "no table at all: the defaults")
 
--- Tests messages for fields that belong to another table.
+-- Tests the messages for a field of another definition and for a field that cannot be set.
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 
--- Tests refused file names and refused case numbers.
+-- Tests that invalid file names and case numbers are refused.
 for where, call in pairs{ ["wear.open"] = wear.open, ["csv.read"] = csv.read, ["study.open"] = study.open,
   ["session.open"] = session.open, ["session.save"] = session.save, ["profile.read"] = profile.read } do
   fails(function() call "a\0b" end, { where, [[got "a\0b"]] }, where .. ": a zero byte in a name is refused, not its end")
@@ -112,7 +112,7 @@ for _, case in ipairs{ 0, -1, 1.5, 2 ^ 31, 2 ^ 62, 0 / 0, "1" } do
     ("case %s"):format(case))
 end
 
--- Tests tables that contain themselves and studies with too many cases.
+-- Tests that tables that contain themselves and studies with too many cases are refused.
 local endless, many = {}, {}
 endless.k = endless
 for i = 1, 1000 do many[i] = i end
@@ -136,7 +136,7 @@ fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
 
--- Tests fields of another object, and symbols used in textbooks.
+-- Tests the messages for fields that belong to another object, and for textbook symbols used as field names.
 for _, case in ipairs{
   { function() wear{ geometry = "axisymmetric" } end, "field 'geometry'", "give model = { geometry = \"axisymmetric\" }" },
   { function() wear{ plate = { E = 1e5 } } end, "unknown field 'plate': it is a field of model{}" },

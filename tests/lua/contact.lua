@@ -68,7 +68,7 @@ end
 is(fails(function() contact{ model = { mesh = { zone = { cylinder = 0.4, plate = 0.4 } } }, load = 5000 } end, "zone", "once more").code, "ZONE",
   "its code")
 
--- Tests worn shapes.
+-- Tests the contact of bodies whose worn shape is given by functions, lists or runs.
 local function scar(x) return math.max(0, 1e-3 * (1 - (x / 0.3) ^ 2)) end
 local worn = contact{ worn = { cylinder = scar } }
 ok(worn.p_center < 0.9 * c.p_center, "a worn cylinder lowers the pressure")
@@ -93,7 +93,7 @@ near(other.p_center, w.p_center, 2e-2, "a wear object on another mesh: its profi
 local copy = contact{ worn = { cylinder = w:profile("cylinder"), plate = w:profile("plate") } }
 near(copy.p_center, w.p_center, 2e-3, "profiles of a run are profiles")
 
--- Tests refused worn shapes.
+-- Tests that invalid worn shapes are refused.
 fails(function() contact{ worn = { pin = scar } } end, "unknown field 'worn.pin'", "unknown body")
 fails(function() contact{ worn = { plate = 1 } } end, "field 'worn.plate': expected a function",
   "number for a profile")

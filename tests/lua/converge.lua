@@ -1,5 +1,5 @@
 -- Tests study.converge and calibrate: results and messages.
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -27,7 +27,7 @@ local lucky = { load = 40, model = { radius = 6, cylinder = material{ E = 410e3,
 steps, good = search.mesh(lucky, 0.01)
 ok(good and good.elements >= 8, "a chance agreement on a coarse mesh is rejected")
 
--- --- jump and increments -------------------------------------------------------------------------
+-- --- search for jump and increments --------------------------------------------------------------
 local c = study.converge{ base = { alpha = 1, model = coarse }, mesh = false }
 local found = c.cases[1].found
 is(found.increments, nil, "a plate that does not slide needs no increments")
@@ -96,7 +96,7 @@ fails(function()
 end, "loading", "a loading history")
 fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of range")
 
--- Tests the table of the reference paper with results that are set by the test.
+-- Tests that Table 1 of the reference paper is printed correctly for results that this test invents.
 local rows = {}
 for i, case in ipairs(study.paper():cases()) do
   rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4,

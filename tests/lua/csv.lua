@@ -1,5 +1,5 @@
 -- Tests csv.read: separators, quotes, names, numbers, refused files.
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails = tap.is, tap.near, tap.fails
@@ -30,7 +30,7 @@ is(t.t[2], 1, "a column by its name")
 is(t.x[1], 1, "a column by its number")
 is(rawget(t, "time"), nil, "only the chosen columns are read")
 
--- Tests units in column names.
+-- Tests that units in column names are recognized.
 t = csv.read(file "x [mm],h [um],p (GPa),T [K],w/h,\"\"\"a\"\" [nm]\"\n1,0.3,0.5,300,2,7\n2,-1.7,0.25,301,3,8\n")
 is(t.x[2], 2, "mm stay")
 is(t.h[1], 0.0003, "um to mm, rounded once")

@@ -1,10 +1,10 @@
--- Tests the points of experimental designs, and distributions.
+-- Tests the points of experimental designs, and the quantiles of distributions.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails = tap.ok, tap.is, tap.fails
 local random = require "archard.random"
 
--- Returns the smallest and the largest number of points in the `n` slices of (0, 1).
+-- Divides (0, 1) into `n` equal slices. Returns the smallest and the largest number of points in a slice.
 local function slices(column, n)
   local count = {}
   for i = 1, n do count[i] = 0 end

@@ -31,7 +31,7 @@ local function read_csv(name)
   return columns, names, headers
 end
 
--- Tests CSV files.
+-- Tests exported CSV files: columns, units and file names.
 local w = wear{ increments = 20 }
 w:step(3)
 is(export.csv(w, at "history.csv"), at "history.csv", "returns the name of the file")
@@ -88,7 +88,7 @@ local err = fails(function() export.csv(w, at "no/such/folder.csv") end, { "cann
   "a folder that is not there")
 is(err.code, "IO", "its code")
 
--- Tests VTK files.
+-- Tests exported VTK files.
 local files = { export.vtk(c, at "stress.vtk") }
 is(files[1], at "stress-cylinder.vtk", "a file for the cylinder")
 is(files[2], at "stress-plate.vtk", "a file for the plate")
@@ -150,7 +150,7 @@ holds(read "soft.inp", { "TYPE=C3D8, ELSET=cylinder", "TYPE=C3D8I, ELSET=plate" 
 fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a run, a contact or a model", "of others")
 fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
 
--- Tests time series (tests/cli/test_vtk reads the files).
+-- Tests exported time series of VTK files (tests/cli/test_vtk reads the files).
 ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "a file name that XML cannot contain")
 local add = export.pvd(w, at "series.pvd")
 add()
@@ -176,7 +176,7 @@ fails(function() export.pvd(w, at "c.pvd", { each = 2 }) end, "unknown field 'ea
 ok(not io.open(at "c.pvd"), "nothing was written")
 fails(function() export.pvd(w, at "no/c.pvd") end, "export.pvd: cannot write", "no folder")
 
--- Tests summaries in JSON.
+-- Tests exported JSON summaries of runs.
 w = wear{ model = w.model, increments = 20 }
 w:step(3)
 is(export.json(w, at "w"), at "w.json", "a summary, the ending is added")

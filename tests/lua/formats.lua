@@ -1,6 +1,6 @@
 -- Tests run files of older releases (in tests/files, written by write.lua there): they are read correctly,
 -- continued and merged. tests/unit/test_store_format.c checks their tables.
--- Ordinary collector (see tests/run): this test mostly compares texts.
+-- Ordinary collector settings are used (see tests/run): this test mostly compares texts.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local content = dofile(here .. "/lib/content.lua")

@@ -33,7 +33,7 @@ ok(gross.volume.total < ideal and gross.volume.total > 0.9 * ideal, "wear by the
 near(gross.volume.total, 1e-7 * gross.energy / 0.6, 1e-9, "k p ds and mu p ds go together")
 near(gross.volume.cylinder, gross.volume.plate, 1e-9, "on both bodies alike")
 
--- Tests the energy law.
+-- Tests the energy law, in which wear is proportional to the dissipated energy.
 for _, jump in ipairs{ 50, "auto" } do
   local w = run{ stroke = 0.1, law = "energy", jump = jump }
   w:run{ progress = false }
@@ -113,7 +113,7 @@ for _, alpha in ipairs{ 0, 0.5, 1 } do
   near(highest, w.volume.plate / 20, 1e-9, label .. "by its volume over its width")
 end
 
--- Tests partial slip under a force.
+-- Tests wear in partial slip under a prescribed tangential force.
 local partial = run{ stroke = false, cycles = 200 }
 partial:run{ progress = false }
 is(partial.cycle, 200, "number of cycles")
@@ -198,7 +198,7 @@ for _, E in ipairs{ 200e3, 200e3 * (1 + 1e-6), 202e3 } do
 end
 near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alike")
 
--- Tests vanishing friction: the wear is that of the run without friction and with rigid sliding.
+-- Tests that a run with very small friction wears like a run without friction and with rigid sliding.
 local plain, slight = run{ friction = 0, stroke = 0.2, jump = 10 }, run{ friction = 1e-6, stroke = 0.2, jump = 10 }
 plain:run{ progress = false } slight:run{ progress = false }
 near(slight.volume.total, plain.volume.total, 1e-3, "without shear the slip is almost the stroke")
@@ -230,7 +230,7 @@ for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, pressed = 
   is(stored.press, w.press, label .. ": how it is pressed")
 end
 
--- Tests materials so different that the solution may not be unique.
+-- Tests the warning for materials so different that the solution may not be unique.
 local heard = require "archard.warnings"
 heard.keep()
 local uneven = wear{ model = { mesh = { size = 0.04, height = 0.05 }, plate = { E = 2e3, nu = 0.1 } }, friction = 1.2,
@@ -247,8 +247,8 @@ is((heard.take() or ""):find "the surfaces slip over", nil, "none where they hav
 run{ stroke = 0.1, cycles = 100 }:run{ progress = false }
 is((heard.take() or ""):find "the surfaces slip over", nil, "none in gross slip")
 
--- Tests that the slip annuli determine the size of default elements, under a force and under a stroke, and
--- that given elements are not changed.
+-- Tests that the slip annuli determine the size of default elements, under a force and under a stroke, and that
+-- element sizes set by the user are not changed.
 local function automatic(fields, mesh)
   local all = { friction = 0.6, load = 100, k = 1e-7, cycles = 100, increments = 24, model = { mesh = mesh } }
   for name, value in pairs(fields) do all[name] = value end
@@ -343,7 +343,7 @@ for _, law in ipairs{ "archard", "energy" } do -- the reference is the energy of
   near(w.volume_cylinder, w.volume_plate, 1e-9, "of both bodies")
 end
 
--- Tests refused input.
+-- Tests that invalid friction settings are refused.
 local function refused(fields, words, label) fails(function() run(fields) end, words, label) end
 refused({ friction = -0.1 }, { "field 'friction'", ">= 0", "-0.1" }, "friction below 0")
 refused({ friction = 0, tangential = 10 }, { "field 'tangential'", "friction" }, "a force without friction")
@@ -365,7 +365,7 @@ refused({ stroke = 0.1, procedure = "NSP", alpha = 1 }, "field 'procedure'", "a 
 refused({ stroke = 0.1, friction = 0, law = "energy" }, { "field 'law'", "friction" }, "energy without friction")
 
 
--- --- cycles of the load alone ----------------------------------------------------------------------
+-- --- cycles of the normal load without motion ------------------------------------------------------
 -- Tests that dissimilar bodies slip under a changing load alone and that equal bodies do not.
 local unlike = { cylinder = { E = 4e5, nu = 0.22 }, plate = { E = 7e4, nu = 0.33 }, mesh = { size = 0.02, height = 0.025 } }
 local function breathing(bodies, strength)

@@ -18,7 +18,7 @@ for _, q in ipairs(smooth:shear().q) do if q ~= 0 then ok(false, "no shear witho
 fails(function() smooth:slip() end, "expected a contact with friction", "no slip without friction")
 fails(function() smooth:move{ tangential = 1 } end, { "field 'tangential'", "no friction" }, "a force without friction")
 
--- Tests a contact that is only pressed.
+-- Tests a contact that is pressed but not moved: similar bodies stick everywhere and dissipate no energy.
 local c = contact{ model = m, friction = 0.6, load = 100 }
 near(c.p_center, smooth.p_center, 1e-3, "similar bodies press as without friction")
 near(c.tangential, 0, 1e-6, "no force along x")
@@ -42,7 +42,7 @@ local loose = contact{ model = m, friction = 0.6, press = "frictionless" }
 is(loose.p_center, smooth.p_center, "press = frictionless: the same bits")
 for _, q in ipairs(loose:shear().q) do if q ~= 0 then ok(false, "and no shear") end end
 
--- Tests a contact that is moved.
+-- Tests a contact in partial slip under a tangential force.
 local d = c:move{ tangential = 45 }
 near(d.tangential, 45, 1e-9, "the force")
 ok(d.x > 1e-3 and d.x < 3e-3, "displacement of the plate")
@@ -79,7 +79,7 @@ holds(tostring(d), { "friction  0.6", "tangential force 45 N" }, "print(contact)
 is(d:move{}.tangential, d:move{}.tangential, "the same motion gives the same bits")
 near(d:move{}.tangential, 45, 1e-9, "an empty motion changes nothing")
 
--- Tests refused motions.
+-- Tests that invalid arguments of contact:move are refused.
 local err = fails(function() c:move{ tangential = 60 } end, { "field 'tangential'", "less than", "60 N" }, "more than mu L")
 is(err.code, "ARGUMENT", "its code")
 is(err.where, "contact:move", "the function in the error")
@@ -111,7 +111,7 @@ do
   end
 end
 
--- Tests the columns of an exported file.
+-- Tests the columns of an exported contact with friction.
 do
   local file = os.tmpname() .. ".csv"
   export.csv(d, file)

@@ -43,7 +43,7 @@ is(again.model.mesh.plate.rows, 0, "on its mesh")
 is(contact{ worn = w }.model.mesh.plate.nodes, own.mesh.plate.nodes, "contact{ worn = } stays on its mesh")
 fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
 
--- Tests wrong uses of imported meshes.
+-- Tests the error messages for wrong uses of imported meshes.
 is(model{ mesh = at("pair.msh"), lower = body.block{ name = "plank", E = 1e5 } }.bodies.lower, "plank", "a body without a shape")
 local function told(upper, field)
   fails(function() model{ mesh = at("pair.msh"), upper = upper } end, "field 'upper." .. field .. "':", "a shape beside that of the mesh")
@@ -155,7 +155,7 @@ is(the_model.upper.materials.layer1.E, 400e3, "a session stores models with thei
 is(contact{ model = the_model, load = 100 }.p_center, contact{ model = roller, load = 100 }.p_center, "the same ones")
 is(export.msh(the_model), export.msh(roller), "on the same mesh; without a path export.msh gives the text")
 
--- Tests a mesh of the same bodies that was made by Gmsh.
+-- Tests that a mesh of the reference pair made by Gmsh gives the results of archard's own mesh.
 local outside = model{ mesh = here .. "/../../examples/gmsh_pair.msh", radius = 10 }
 local e = contact{ model = outside, load = 100 }
 near(e.p_center, d.p_center, 0.01, "Gmsh's mesh: pressure within 1 %")

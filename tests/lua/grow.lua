@@ -106,7 +106,7 @@ for fields, said in pairs{ [{ mesh = 3 }] = "field 'mesh': expected a table",
 end
 is(tostring(light), stays, "a refused change leaves the run unchanged")
 
--- Tests a contact as wide as the bodies.
+-- Tests the error for a contact that becomes as wide as the bodies.
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
 ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
 local _, why = pcall(contact, { model = soft })
@@ -144,7 +144,7 @@ ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) 
 -- Tests that automatic steps do not become short near the edge of a zone, because the mesh is enlarged before
 -- the contact reaches the edge.
 local function pin_in_hole()
-  -- model{} is called without the wear, so its mesh is too small for this run
+  -- model{} is called without the wear settings, so its mesh is too small for this run
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
     stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
 end

@@ -1,4 +1,4 @@
--- Tests functions in a definition, loading, w:set and ends of a run: accepted and refused input.
+-- Tests which input is accepted and refused by functions in a definition, loading, w:set and end conditions.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -125,7 +125,7 @@ is(coroutine.wrap(function()
 end)(), plain.p_center, "a coroutine as a function, in a coroutine")
 fails(function() run_of{ k = function() coroutine.yield() end } end, "attempt to yield", "no yielding out of a step")
 
--- Tests that functions exist as long as they are used.
+-- Tests that the functions of a run are not collected as garbage while the run or its clone exists.
 do
   local kept = setmetatable({}, { __mode = "v" })
   local copy
@@ -217,7 +217,7 @@ is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
 local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
 near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
 
--- Tests loads that are zero or almost zero, under which nothing wears.
+-- Tests that nothing wears under loads that are zero or almost zero.
 local function swing(t) return 0.1 * math.sin(2 * math.pi * t) end
 local function lifting(least)
   return run_of{ load = 100, distance = 2, jump = 5, loading = { x = swing,
@@ -329,7 +329,7 @@ is(w.k.value[2], 1e-8, "changes nothing")
 fails(function() w:set{ loading = { x = function(at) w:close() return 0.05 * at end } } end, "has been closed",
   "closed within a change")
 
--- --- ends of a run --------------------------------------------------------------------------------
+-- --- end conditions of a run ----------------------------------------------------------------------
 
 w = run_of{}
 local again, why = w:run{ depth = { cylinder = 1e-3 } }

@@ -4,7 +4,7 @@
 -- Long
 --   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
 --   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
--- Ordinary collector (see tests/run): this test sets the mode of the garbage collector itself.
+-- Ordinary collector settings are used (see tests/run): this test sets the mode of the garbage collector itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, settings = require "archard.help", require "archard.settings"
@@ -49,7 +49,7 @@ for i, class in ipairs{ "wear", "model", "contact", "mesh", "store" } do
   world.closed[i] = make[class]()
   world.closed[i]:close()
 end
-world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- the error of a failed constructor
+world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- an error object instead of a wear object
 objects.wear:save(calls.path "hostile.archard")
 
 local hostile = dofile(here .. "/lib/hostile.lua")(world)
@@ -67,7 +67,7 @@ local function is_long(address)
 end
 
 local short_list, long_list = {}, {}
-local function add(address, f) -- f() makes the call
+local function add(address, f) -- f() calls the function `address`
   if left_out[address] then return end
   local list = is_long(address) and long_list or short_list
   list[#list + 1] = { address = address, call = f }
@@ -334,7 +334,7 @@ end
 local untouched = tostring(objects.wear)
 
 local function check_run(number)
-  collectgarbage "stop" -- a finalizer could step the run between two reads
+  collectgarbage "stop" -- because a finalizer could step the run between two reads
   local fine, lack = pcall(lack_of_run, objects.wear)
   collectgarbage "restart"
   if not fine and not tostring(lack):find "has been closed" then lack = tostring(lack) end

@@ -1,5 +1,5 @@
 -- Tests balls in sockets: defaults, gaits, contact, wear, messages.
--- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would make long runs too slow.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 local warnings = require "archard.warnings"
@@ -134,7 +134,7 @@ local function bits(list)
   return table.concat(words, " ")
 end
 
--- --- start shapes, blocks of gaits --------------------------------------------------------------------
+-- --- runs on worn shapes, blocks of gaits -------------------------------------------------------------
 local worn = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = function(theta, phi) return 0.02 * math.cos(math.rad(2 * phi)) end } }
 near(worn.depth.cup, 0.02, 1e-2, "worn by a function")
 local copy = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = worn:map "cup" } }

@@ -1,5 +1,5 @@
 -- Tests .vtu and .pvd files of joints, and warnings and refusals of joints.
--- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would make long runs too slow.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
@@ -85,7 +85,7 @@ looked:run{ progress = function() looked:map "pressure" end }
 is(looked.volume.cup, whole.volume.cup, "a look at the pressures changes nothing")
 ok(#before == #w:map("cup").values, "a map of an instant")
 
--- --- the rim, springs -----------------------------------------------------------------------
+-- --- warnings near the rim, layers of springs -----------------------------------------------
 local program
 for i = -1, -9, -1 do program = arg[i] or program end
 local function warning_of(f)

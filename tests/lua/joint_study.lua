@@ -1,5 +1,5 @@
 -- Tests studies, samples, sensitivities, fits and sessions with joints.
--- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would make long runs too slow.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 

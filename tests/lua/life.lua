@@ -151,7 +151,7 @@ collectgarbage "incremental"
 ok(refused > 0 and stepped.distance % 11 == 0, "a finalizer can step a run only between its calls")
 tap.note(("%d refused, at %g mm"):format(refused, stepped.distance))
 
--- Tests objects with the metatable of another class.
+-- Tests that objects with the metatable of another class are refused.
 local steel, other = material{}, run_of{}
 debug.setmetatable(steel, getmetatable(other))
 fails(function() return steel.distance end, "expected a wear object", "a material with the metatable of runs")
@@ -163,7 +163,7 @@ ok(not pcall(getmetatable(other).__methods.step, setmetatable({}, getmetatable(o
 debug.setmetatable(steel, getmetatable(material{}))
 is(steel.E, 200e3, "the metatable of a material restored")
 
--- Tests errors without a printable text.
+-- Tests error values that cannot be converted to a string.
 fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = error })) end } end,
   "k(state at distance 0 mm, cycle 0) failed: (error value is a table)", "an error without a text")
 local files = os.tmpname()

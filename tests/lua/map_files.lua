@@ -1,7 +1,7 @@
 -- Tests map files: this test writes each format from its specification and reads it back. Also tests units,
 -- missing points, outliers, and broken files, which give errors with the name of the file, the expected and
 -- the found value.
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -202,7 +202,7 @@ local function al3d(changes, list)
     local value = changes and changes[tag[1]] or tag[2]
     if value ~= "none" then head = head .. pack("c20c30c2", tag[1], tostring(value), "\r\n") end
   end
-  -- a row of 7 columns has 32 bytes
+  -- each row of 7 columns is padded to 32 bytes
   return head .. ("\0"):rep(254) .. "\r\n" .. packed(list or rows(1e3, true), "<f", "\0\0\0\0")
 end
 same(map.read(write("a.al3d", al3d())), 1e-6, ".al3d")
@@ -285,7 +285,7 @@ fails(function() map.read(3) end, "expected the path of a file, got 3", "no path
 
 local whole = { xyz = xyz("", 1, 1), dsaa = dsaa(), dsbb = dsbb(), dsrb = dsrb(), sdfa = sdf_text(), sdfb = sdf_binary(7, "<d"),
   gsf = gsf(), sur = sur(), al3d = al3d() }
-local broken = { -- contents, and a part of the error message
+local broken = { -- each row: contents of a file, and a part of the error message
   { "", "expected a map, the file is empty" },
   { "\0\1\2\3", "got other bytes" },
   { "PK\3\4 and more", "got a zip archive, such as .x3p; save it as .sdf" },

@@ -1,5 +1,5 @@
 -- Tests the C modules below the classes, loaded by require: refused arguments, worker processes.
--- Ordinary collector (see tests/run): this test mostly starts other programs.
+-- Ordinary collector settings are used (see tests/run): this test mostly starts other programs.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails

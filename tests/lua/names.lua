@@ -1,5 +1,5 @@
 -- Tests the names of numeric settings, which are the same for studies, samples, fits and sensitivities.
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -14,7 +14,7 @@ local function pair(E, thickness, k)
 end
 local usual = { cylinder = { k = 1e-8 }, plate = { k = 2e-8 }, mesh = mesh }
 
--- Tests to which field a name refers.
+-- Tests which field of a definition a name of a setting changes.
 local function varied(given) return tostring(study(given)):match("varied: (.*)$") end
 for _, case in ipairs{
   { "lower.E", "model.lower.E" }, { "plate.E", "model.lower.E" }, { "block.nu", "model.lower.nu" },

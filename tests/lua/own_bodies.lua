@@ -6,7 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 local coarse = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 4, plate = 5 } }
 local pin = { upper = body.disc{ radius = 9.5, k = 1e-8 }, lower = body.ring{ inner = 10, outer = 15, E = 20e3, nu = 0.4 }, mesh = coarse }
 
--- Tests the kinds of bodies.
+-- Tests that bodies of all kinds can be defined.
 local m = model(pin)
 is(m.upper.kind, "disc", "the upper body as it was given")
 is(m.lower.outer, 15.0, "outer radius of the lower body")
@@ -57,14 +57,14 @@ fails(function() contact{ model = turned }:pressure("cylinder") end, { "'body'",
 fails(function() return run_of.depth.bash end, "did you mean 'bush'", "an unknown name")
 fails(function() run_of:profile("hip") end, { '"pin" or "bush"', "hip" }, "no body of that name")
 
--- Tests stresses and forces.
+-- Tests that the stresses in a ring have the magnitude of the contact pressure.
 local c = contact{ model = m, load = 50 }
 local worst = 0
 local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
 
--- Tests runs in two parts that are stored between the parts.
+-- Tests that runs that are saved halfway continue with identical bits, and that bodies are stored in run files.
 local file = os.tmpname()
 os.remove(file)
 local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end
@@ -152,7 +152,7 @@ plot.stress(lined, { unrolled = true, body = "bush", file = unrolled })
 os.remove(unrolled)
 fails(function() plot.mesh(listed, { unrolled = true }) end, { "'unrolled'", "hole" }, "unrolled without a hole")
 
--- Tests refused definitions.
+-- Tests that invalid definitions of bodies are refused.
 local function refused(parts, what, f) fails(f, parts, what) end
 refused({ "body.cylinder", "'width'", "radius" }, "a field of another body", function() body.cylinder{ width = 3 } end)
 refused({ "'radius'", "> 0 mm", "-1" }, "a negative radius", function() body.cylinder{ radius = -1 } end)

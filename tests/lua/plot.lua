@@ -80,7 +80,7 @@ do
   ok(tonumber(step) and tonumber(step) > 0.02, "numbers of x do not touch")
 end
 
--- --- many curves, letters -----------------------------------------------------------------------
+-- --- figures with many curves, panel letters ----------------------------------------------------
 
 do
   local curves = {}
@@ -197,7 +197,7 @@ end
 
 pictures.remove()
 
--- Tests a key of three lines below a picture of dots.
+-- Tests a key of three lines below a picture drawn by characters.
 do
   local titles, given = { "a", "a long title that takes half of it", "c", "d", "e" }, { term = "dots", size = { 90, 22 } }
   for i, title in ipairs(titles) do

@@ -7,7 +7,7 @@ local ok, has, refused = tap.ok, tap.holds, tap.fails
 local folder, read, picture_of, line = pictures.folder, pictures.read, pictures.picture_of, pictures.line
 local gnuplot = require "archard.gnuplot"
 
--- --- no command is run --------------------------------------------------------------------------
+-- --- commands in texts are not executed ---------------------------------------------------------
 
 do
   local ran = folder .. "/ran"

@@ -5,7 +5,7 @@ local pictures = dofile(here .. "/lib/pictures.lua")
 local ok, has, refused = tap.ok, tap.holds, tap.fails
 local folder, read, script_of, line = pictures.folder, pictures.read, pictures.script_of, pictures.line
 
--- --- measured points, responses -------------------------------------------------------------------
+-- --- measured points, response plots --------------------------------------------------------------
 
 do
   local measured = { x = { 1, 2 }, y = { 2, 5 }, error = { 0.5, 1 }, title = "measured" }

@@ -64,7 +64,7 @@ tap.is(shown(("a"):rep(200)), '"' .. ("a"):rep(200) .. '"', "a text of 200 chara
 tap.is(shown(("é"):rep(150)), '"' .. ("é"):rep(100) .. '..." (300 characters)', "of a longer one whole characters")
 tap.is(shown("| a |\n" .. ("b"):rep(500)), '"| a |..." (506 characters)', "of its first line")
 
--- --- bodies and materials ------------------------------------------------------------------------
+-- --- printed bodies and materials ----------------------------------------------------------------
 local dlc = material{ name = "DLC", E = 2e5, k = 1e-10 }
 tap.is(tostring(dlc), "material DLC: E 200000 MPa, nu 0.3, E_star 219780 MPa, k 1e-10 mm2/N = 1e-07 mm3/(N m)", "a material has a name")
 local coated = body.block{ name = "coated", material = material{ name = "100Cr6", E = 21e4 }, layers = { { thickness = 0.05, material = dlc } } }

@@ -1,7 +1,7 @@
 -- Tests every row of every list of settings: each setting is changed from its default in all objects that
 -- have it, and read back from the object, a copy, a run file, a session and export.json. A new row is tested
 -- without a change of this file, unless the row depends on another row.
--- Ordinary collector (see tests/run): continuous garbage collection would make this test too slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would make this test too slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
@@ -103,7 +103,7 @@ local function reads_back_model(given, places, value, what)
   for _, place in ipairs(places) do same(at(m, place), value, what .. ", the model as " .. place) end
   local again = model(settings.nest(settings.flatten("rows", { is = m })).is)
   for _, place in ipairs(places) do
-    local found = place == "mesh.fineness" -- fineness determines the size, which is read instead
+    local found = place == "mesh.fineness" -- fineness is stored as the size that follows from it
     if not found then same(at(again, place), value, what .. ", a model like it as " .. place) end
   end
   local in_run = {}
@@ -127,7 +127,7 @@ for _, row in ipairs(known.material) do
   same(hertz{ cylinder = m }.cylinder[name], value, "hertz.cylinder." .. name)
   local function a_pair(given) return merged({ mesh = coarse }, given) end
   reads_back_model(a_pair{ cylinder = m }, { "cylinder." .. name }, value, "of the usual pair")
-  local is_text = type(value) == "string" -- `name` beside E is the name of the body or layer
+  local is_text = type(value) == "string" -- beside E, a field `name` would name the body, not the material
   local inner = is_text and "material." .. name or name
   local function own_of(fields) return is_text and merged(fields, { material = m }) or merged(fields, { E = 1e5, [name] = value }) end
   reads_back_model(a_pair{ lower = body.block(own_of{}) }, { "lower." .. inner, "plate." .. name }, value, "of a body")
@@ -206,7 +206,7 @@ for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " i
 local grid = {}
 for i = 1, 8 do grid[i] = 0.1 * i end
 local waved = map{ x = grid, z = grid, y = function(x, z) return 1e-3 * math.cos(x) * math.cos(z) end }
-local beside = { -- other fields that a row requires or excludes
+local beside = { -- each row: a setting, and other fields that it requires or excludes
   model = {
     axis = { geometry = "axisymmetric", axis = 40 },
     periodic = { geometry = "3-D", upper = body.map{ y = waved }, lower = body.block{}, mesh = {} },

@@ -1,6 +1,6 @@
 -- Tests session.save and session.open: objects are restored under their names, and restored runs are
 -- identical to the bit. Also tests who(), time() and examples().
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -54,7 +54,7 @@ w:step()
 is(w.saved, false, "a step makes it another")
 is(wear.open(path "w.archard").saved, true, "an opened run is in a file")
 
--- --- all objects by name -------------------------------------------------------------------------
+-- --- objects are restored by name ----------------------------------------------------------------
 
 base.k = function() return 2e-8 end
 driven = quickened{}
@@ -174,7 +174,7 @@ is(w.saved, true, "indeed")
 
 -- --- untrusted sessions ----------------------------------------------------------------------------
 
--- Writes a session file with one value that consists of these settings.
+-- Writes a session file that contains one value with the given settings.
 local function stranger(settings)
   local file <close> = require "archard.store".replace(path "stranger", "session")
   file:begin()
@@ -217,7 +217,7 @@ holds(session.open(stranger{ kind = "study", file = path "pi\27[2Jpe", ["key.1"]
 fails(function() study.open(path "pipe") end, { "not a file" }, "a pipe as a study")
 fails(function() wear.open(path "pipe") end, { "not a file" }, "a pipe as a run")
 
--- --- who, time, examples ---------------------------------------------------------------------------
+-- --- the functions who, time and examples ----------------------------------------------------------
 
 forget()
 holds(printed(who), "no variables yet", "an empty session")

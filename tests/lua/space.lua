@@ -115,7 +115,7 @@ s:run{ progress = false, workers = 1 }
 is(#s:cases(), 2, "a study of runs in 3-D")
 s:close()
 
--- --- automatic enlargement of windows, tracks for strokes -------------------------------------------
+-- --- windows enlarged automatically, tracks of strokes ----------------------------------------------
 local function growing() return wear{ model = m, load = 10, stroke = 0.04, alpha = 0.5, distance = 300, k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } } end
 local grown = growing()
 local narrow = grown:map("ball").x
@@ -203,7 +203,7 @@ warnings.keep()
 contact{ model = { geometry = "3-D", upper = body.ball{ radius = 0.5 }, lower = body.block{} }, load = 500 }
 ok((warnings.take() or ""):find("0.24 of the radius 0.5 mm: half-spaces are accurate up to 0.2", 1, true), "a contact beyond half-spaces")
 
--- --- thin coats, coarse cells -------------------------------------------------------------------------
+-- --- thin coatings, warnings for coarse cells ---------------------------------------------------------
 local coat = body.block{ layers = { { thickness = 0.001, E = 400e3 } } }
 local thin = contact{ model = model{ geometry = "3-D", upper = body.ball{ radius = 10 }, lower = coat }, load = 10 }
 near(thin.p_max, c.p_max, 0.02, "a coat of 1 um has cells that resolve it")

@@ -1,5 +1,5 @@
 -- Tests fits, designs, sensitivities and samples of runs in three dimensions.
--- Ordinary collector (see tests/run): continuous garbage collection would only make this Lua code slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would only slow this code down.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

@@ -1,6 +1,6 @@
 -- Tests fretting wear in three dimensions: exchange of bodies, mirror images, energies, files, loops, gross
 -- slip.
--- Ordinary collector (see tests/run): continuous garbage collection would make these long runs too slow.
+-- Ordinary collector settings are used (see tests/run): continuous garbage collection would make long runs too slow.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")

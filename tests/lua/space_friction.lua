@@ -8,7 +8,7 @@ local function ball_on(lower, mesh)
 end
 local m = ball_on(nil, { size = 0.0044 })
 
--- Tests a contact that is only pressed.
+-- Tests a contact that is pressed but not moved: it sticks everywhere and dissipates no energy.
 local c = contact{ model = m, load = 10, friction = 0.5 }
 is(c.stick, 1, "all of it sticks")
 is(c.energy, 0, "nothing is dissipated")
@@ -45,7 +45,7 @@ do
   end
 end
 
--- Tests a motion that needs too much memory.
+-- Tests that a motion that needs too much memory is refused.
 fails(function() c:move{ x = 1e300 } end, "cells at all positions of the motion needs about", "a motion that needs too much memory")
 fails(function() c:move{ load = 1e6 } end, "cells in the half width, expected at most 512", "a load whose contact needs too many cells")
 
@@ -61,7 +61,7 @@ do
   end
 end
 
--- Tests motion along z, and changes of direction.
+-- Tests motions along z, changes of direction and gross slip.
 local z = c:move{ tangential_z = 3, increments = 2 }
 near(z.z, d.x, 2e-6, "along z as along x in a round contact")
 near(z.energy, d.energy, 5e-6, "with the same energy")
@@ -73,13 +73,13 @@ near(slid.tangential, 5, 1e-4, "gross slip")
 is(slid.stick, 0, "nothing sticks")
 ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
 
--- Tests changes of the load.
+-- Tests changes of the normal load under a tangential force.
 local more = d:move{ load = 15, increments = 2 }
 near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")
 near(more.tangential_z, 0, 1e-6, "nothing across")
 near(d:move{ tangential = 3, load = 8 }.tangential, 3, 1e-4, "a smaller load under the force")
 
--- Tests maps and sections.
+-- Tests maps and sections of pressure, shear and slip.
 local q, s = d:shear{ z = 0 }, d:slip()
 local p = d:pressure{ z = 0 }
 for i = 1, #q.x do if math.abs(q.q[i]) > 0.5 * p.p[i] * (1 + 1e-12) then ok(false, "|q| is friction times p at most") end end
@@ -88,7 +88,7 @@ ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "not across")
 ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the middle sticks, the rim slips")
 is(s.unit, "mm", "slip is a length")
 
--- Tests bodies of different materials.
+-- Tests that bodies of different materials slip while they are pressed together.
 local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
 ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
 is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "frictionless pressing dissipates nothing")
@@ -120,7 +120,7 @@ do
   near(right_of{ xrange = { -0.01, 0.02 } }, 0.02, 1e-6, "or where the user looks")
 end
 
--- Tests refused motions.
+-- Tests that invalid motions are refused.
 local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
 is(err.where, "contact:move", "the function in the error")
 fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than", "both together")

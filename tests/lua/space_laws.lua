@@ -11,7 +11,7 @@ local function run(changes)
   return wear(all)
 end
 
--- --- laws, and factors of cells ---------------------------------------------------------------------
+-- --- wear laws, and local factors of the cells ------------------------------------------------------
 for _, exponent in ipairs{ 1, -0.5 } do
   local law = { law = "power", law_exponent = exponent, law_pressure = 500, distance = 50 }
   local implicit = run(law)

@@ -13,7 +13,7 @@ local cap = map{ x = x, z = z, y = function(u, v) return -(u * u + v * v) / 20 e
 local flat = map{ x = x, z = z, y = function() return 0 end }
 local function pair(upper, lower) return model{ geometry = "3-D", upper = upper, lower = lower } end
 
--- --- the same contact in five forms ----------------------------------------------------------------
+-- --- one contact, defined by bodies and maps in five forms -----------------------------------------
 local ball, block = body.ball{ radius = 10 }, body.block{}
 local c = contact{ model = pair(ball, block), load = 10 }
 for what, m in pairs{

@@ -1,5 +1,5 @@
 -- Tests studies: settings, running, resuming, shards, tables, results of cases; wear:save and wear.open.
--- Ordinary collector (see tests/run): continuous garbage collection would make this test 40 times slower.
+-- Ordinary collector settings are used (see tests/run): with continuous collection this test is 40 times slower.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails, holds = tap.is, tap.near, tap.fails, tap.holds
@@ -219,7 +219,7 @@ is(content(merged), content(one), "a case that is in two of them is there once")
 fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
   "different studies", "shares of another study")
 
--- --- a file whose program was killed during its start -------------------------------------------
+-- --- a file left by a program that was killed at its start --------------------------------------
 local function begun()
   os.remove(path "begun")
   require "archard.store".open(path "begun", "create"):close()
@@ -263,7 +263,7 @@ for _, each in ipairs(drawn) do
   holds(assert(io.open(each.files[1])):read("a"), "8 of 9 cases", "the picture shows the share of cases")
 end
 
--- --- one run in a file -------------------------------------------------------------------------
+-- --- run files with one run --------------------------------------------------------------------
 local w = wear{ geometry = "frozen", increments = 8, distance = 220, model = coarse.model }
 w:step(5)
 is(w:save(path "wear"), w, "wear:save returns the run")

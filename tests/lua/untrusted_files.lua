@@ -92,7 +92,7 @@ end
 s = study.open(stranger{ cases = { { alpha = "x", stroke = "y", load = "z" } } })
 fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end, "has no surface stored; its status is waiting", "plots of words")
 
--- --- wrong arguments of help functions -----------------------------------------------------------
+-- --- wrong arguments of the functions of help ----------------------------------------------------
 
 for _, name in ipairs{ "find", "option", "matches", "fields", "members", "definition", "entry" } do
   for _, value in ipairs{ false, 1, {}, print } do

@@ -3,7 +3,7 @@ local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
--- Tests that the definition can be read back.
+-- Tests that the fields of a wear object return its definition.
 local automatic = wear{}
 for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
   jump = "auto", increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
@@ -29,7 +29,7 @@ near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "cycles instead of distanc
 near(wear{ cycles = 10, stroke = 20 }.total_distance, 200, 1e-12, "one stroke a cycle at 2R")
 is(wear{ stroke = 20 }.procedure, "NSP", "2R: the plate stays flat")
 
--- Tests one step.
+-- Tests the results and the printed record of steps.
 local record = w:step()
 is(w.update, 1, "a step is one update")
 is(w.cycle, 100, "of jump cycles")
@@ -53,7 +53,7 @@ fails(function() w:step("x") end, [[got "x"]], "steps by name")
 fails(function() w.step() end, { "wear:step", "called with a colon" }, "w.step()")
 fails(function() w.step(material{}) end, { "expected a wear object", "material" }, "another object")
 
--- Tests the history.
+-- Tests the columns of the history and its first and last row.
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
 for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "load", "travel", "p_center", "p_max",
@@ -122,7 +122,7 @@ do
   is(still.p_peak, still.p_max, "nothing but Hertz' contact")
 end
 
--- Tests profiles and pressures.
+-- Tests that profiles, pressures and measures of a run agree with its record.
 local profile = w:profile("plate")
 is(#profile.x, #profile.h, "profile: depths")
 is(#profile.x, #profile.y, "profile: heights")
@@ -143,7 +143,7 @@ local stability = w:stability()
 near(stability.jump_limit, 2 / stability.eigenvalue, 1e-12, "stability limit")
 ok(stability.jump_limit > 100, "jump = 100 is below the stability limit")
 
--- Tests a run to its end, and a clone.
+-- Tests a run to its end, a clone of the run, and the end conditions.
 local bits = w:clone()
 is(bits.p_center, w.p_center, "a clone is the same state")
 bits:step()
@@ -167,7 +167,7 @@ fails(function() w:run{ cycles = 1, distance = 1 } end, "got both", "run by both
 fails(function() w:run{ progres = print } end, "did you mean 'progress'?", "misspelt option")
 fails(function() w:run{ progress = 3 } end, "expected a function", "progress is a function")
 
--- Tests the progress function.
+-- Tests that the progress function is called after each step and can end the run.
 local seen = {}
 local p = wear{ increments = 10 }
 p:run{ progress = function(run) seen[#seen + 1] = run.update return run.update == 3 end }
@@ -230,7 +230,7 @@ is(law.law, "threshold", "law can be read back")
 is(wear{ update = "increment", jump = 1, increments = 4, distance = 0.22 }.update_at, "increment",
   "quasi-continuous can be read back")
 
--- Tests worn shapes as the start of a run.
+-- Tests runs that start from worn shapes.
 local start = wear{}:run{ distance = 220 }
 local onward = wear{ worn = start }
 is(onward.model, start.model, "worn: the same model")

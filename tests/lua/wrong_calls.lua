@@ -1,7 +1,7 @@
 -- Tests wrong calls of every public function, made from the help entries. Each wrong value gives an error
 -- with the function, the argument, the expected and the given value, and with the position of the user's
 -- call.
--- Ordinary collector (see tests/run): this test only checks error messages.
+-- Ordinary collector settings are used (see tests/run): this test only checks error messages.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, names = require "archard.help", require "archard.names"
@@ -34,8 +34,8 @@ local function has_one(text, list)
   return false
 end
 
--- Returns texts of which a message must contain one: the parts of the field's path, or texts that replace the
--- path.
+-- Returns the strings of which a message must contain at least one: the parts of the field's path, or strings that
+-- replace the path.
 local function names_of(field)
   local list = { "unknown field", "panel ", "curve ", "cannot read", "holds a " }
   for part in field:gmatch "[^.]+" do list[#list + 1] = part end
@@ -73,7 +73,7 @@ local function would_work(address, value)
   return address == "study.figures" or address == "study.converge" and next(value) == nil
 end
 
--- Tries each wrong value as the first argument.
+-- Calls a function with each wrong value as the first argument.
 local function try_arguments(entry)
   local f = callee(entry)
   for _, value in ipairs(f and wrong or {}) do
@@ -81,7 +81,7 @@ local function try_arguments(entry)
   end
 end
 
--- Tries each wrong value in the field of the table described by an entry.
+-- Calls a function with each wrong value in the field of its table that a help entry describes.
 local function try_field(entry)
   local owner, field = entry.owner, (entry.path ~= "" and entry.path .. "." or "") .. entry.name
   local f = callee(help.entry(owner))

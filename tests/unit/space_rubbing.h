@@ -18,7 +18,7 @@ typedef struct rubbing {
   arc_halfspace_increment to;
   arc_halfspace_effort effort;
   arc_halfspace_options options;
-  double work; /* [N mm] work of the last leg */
+  double work; /* [N mm] work of the last part of the loading history */
 } rubbing;
 
 UNUSED static void slide(rubbing *r) {

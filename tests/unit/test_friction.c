@@ -15,7 +15,7 @@ typedef struct history {
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state, before;
-  double mu, slope; /* slope: the largest slope of the surfaces */
+  double mu, slope; /* mu: coefficient of friction; slope: largest slope of the surfaces */
 } history;
 
 static double scar(double x) {
@@ -163,7 +163,7 @@ static friction_step random_step(const history *h) {
   if (kind < 7 || h->slope >= h->mu) return s;
   s.by_force = 1;
   s.tangential =
-      random_in(-0.95, 0.95) * (h->mu - h->slope) * s.line; /* slopes carry a part of the force */
+      random_in(-0.95, 0.95) * (h->mu - h->slope) * s.line; /* slopes transmit part of the force */
   return s;
 }
 

@@ -68,7 +68,7 @@ static void test_materials(void **state) {
       arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
       "field 'upper.materials': expected a material for each name in the mesh, 'steel', 'bronze', "
       "got none for 'steel'");
-  assert_null(mesh[ARC_CYLINDER]); /* ownership is transferred even if the call fails */
+  assert_null(mesh[ARC_CYLINDER]); /* the caller no longer owns the mesh, even if the call fails */
 }
 
 /* --- writing and reading ---------------------------------------------------------------------- */
@@ -80,7 +80,7 @@ static void check_same(const arc_mesh *got, const arc_mesh *expected) {
   assert_int_equal(got->surface, expected->surface);
   assert_int_equal(got->fixed, expected->fixed);
   assert_int_equal(got->outline, expected->outline);
-  for (int k = 0; k < 2 * got->nodes; k++) /* not compared as memory: a zero may change its sign */
+  for (int k = 0; k < 2 * got->nodes; k++) /* compared by value: a zero may change its sign */
     assert_true(got->xy[k] == expected->xy[k]);
   assert_memory_equal(got->surface_node, expected->surface_node,
                       (size_t)got->surface * sizeof(int));

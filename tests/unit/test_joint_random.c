@@ -162,7 +162,7 @@ static int run_one(worst_case *worst) {
   assert_int_equal(arc_joint_create(&def, &j, NULL), ARC_OK);
   int fine = press(j, &gait[0], &c, worst);
   if (fine) {
-    /* the wear depth is 0.1 to 10 times the elastic approach */
+    /* gives a wear depth of 0.1 to 10 times the elastic approach */
     const double sag = fmax(c.approach[2] - def.clearance, 0.01 * def.clearance);
     const double depth = fmin(between(0.1, 10) * sag, 0.02 * def.radius);
     const double corners[] = {0, 1, 0.5, uniform(0, 1)};

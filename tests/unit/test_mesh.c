@@ -141,7 +141,7 @@ static void check_rows(const arc_mesh *m) {
     }
 }
 
-/* --- sets and outline ------------------------------------------------------------------------- */
+/* --- node sets and outline -------------------------------------------------------------------- */
 
 static void check_fixed(const arc_mesh *m) {
   const double base = m->body == ARC_PLATE ? -m->radius : m->radius;

@@ -85,7 +85,7 @@ static void check_forces(const arc_shape *shape, double x) {
     for (int i = 0; i < p.np; i++) sum[ARC_PLATE][d] += l[d * p.np + i];
   }
   for (int i = 0; i < p.nc; i++) along_x += fabs(c[i]);
-  assert_true(along_x > 0.01); /* otherwise the balance would be trivial */
+  assert_true(along_x > 0.01); /* without forces along x their balance would be trivial */
   check_near(sum[ARC_CYLINDER][0], -sum[ARC_PLATE][0], 1e-11);
   check_near(sum[ARC_CYLINDER][1], 100, 1e-10);
   check_near(sum[ARC_PLATE][1], -100, 1e-10);

@@ -331,7 +331,7 @@ static void test_steps(void **state) {
     }
 }
 
-/* Tests that a failed implicit step leaves the run unchanged, too. */
+/* Tests that a failed implicit step does not change the run. */
 static void test_implicit_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);

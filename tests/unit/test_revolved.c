@@ -20,8 +20,7 @@ static element random_ring(int trial) {
                .kind = trial % 3 == 2 ? ARC_CPE4I : ARC_CPE4,
                .revolved = {1, trial % 2 == 0 ? 0 : 20}};
   const double turn =
-      trial % 2 == 0 ? 0
-                     : random_in(0, 6.3); /* with the axis at x = 0, the elements stay at x > 0 */
+      trial % 2 == 0 ? 0 : random_in(0, 6.3); /* elements with the axis at x = 0 are not rotated */
   for (int c = 0; c < e.corners; c++) {
     const double x = 0.3 + unit[c][0] + random_in(-0.2, 0.2), y = unit[c][1] + random_in(-0.2, 0.2);
     e.xy[c][0] = cos(turn) * x - sin(turn) * y;

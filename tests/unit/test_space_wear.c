@@ -187,7 +187,7 @@ static void test_eigenvalue(void **state) {
   free_history(&w);
 }
 
-/* --- exchange, grooves, fractions ------------------------------------------------------------- */
+/* --- exchange of bodies, grooves, wear factors ------------------------------------------------ */
 
 /* Computes one stage with the ball as the upper body at x = -2 .. 3 cells, or with the same ball
  * as the lower body, moving in the opposite direction. Writes the depths of the ball and of the
@@ -296,13 +296,13 @@ static void test_factors(void **state) {
   arc_halfspace_destroy(&h);
 }
 
-/* --- workers, growth, refusals ---------------------------------------------------------------- */
+/* --- worker threads, larger windows, failed stages -------------------------------------------- */
 
 static void test_workers(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.0110055, 43, 0.5, 0.0880442, 600);
   d.steps = 6;
-  d.increments = 7; /* positions between cells */
+  d.increments = 7; /* gives positions between the cell centres */
   d.space.track = 43 + 10;
   history one = run_history(&d);
   d.space.workers = 4;

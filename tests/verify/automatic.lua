@@ -10,7 +10,7 @@ local within, below, ok = figures.within, figures.below, figures.ok
 local function off_elements(c, half) return math.abs(c.half_width - half) / c.model.mesh.size end
 local function soft(thickness, E, nu) return { { thickness = thickness, material = material{ E = E, nu = nu } } } end
 
--- --- layers: integral transforms ----------------------------------------------------------------
+-- --- layers against integral transforms ---------------------------------------------------------
 
 local rigid = 1e9
 for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 1000, 0.3, 10, 19.412, 0.3283, 10, rigid },
@@ -24,8 +24,8 @@ for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 10
   if half then below(off_elements(c, half), 1, of .. "half width off [elements]") end
 end
 
--- Layers of thickness t, much thinner than the contact is wide, against the Winkler foundation: a^3 = 3 P R C /
--- 2 and p0 = a^2 / (2 R C) with C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
+-- Tests layers of thickness t, much thinner than the contact is wide, against the closed form for springs
+-- (Winkler foundation): a^3 = 3 P R C / 2 and p0 = a^2 / (2 R C) with C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
 for _, t in ipairs{ 1e-4, 1e-3 } do
   local C = t * 0.4 * 1.3 / (1000 * 0.7)
   local a = (1.5 * 10 * 10 * C) ^ (1 / 3)
@@ -33,8 +33,8 @@ for _, t in ipairs{ 1e-4, 1e-3 } do
   within(c.p_center, a * a / (20 * C), 0.01, ("layer of %g mm, thin as springs: centre pressure [MPa]"):format(t))
   below(off_elements(c, a), 1, "half width off [elements]")
 end
--- Layers that are squeezed out sideways, against centre pressures of 0.8294, 24.53 and 1.4222 MPa on eight
--- times finer meshes.
+-- Tests layers of rubber, which bulges beside the contact, against centre pressures of 0.8294, 24.53 and 1.4222 MPa
+-- on eight times finer meshes.
 for _, row in ipairs{ { 20, 0.3, 0.1, 0.83026 }, { 2000, 0.1, 1, 24.606 }, { 20, 0.1, 0.1, 1.4222 } } do
   local E, t, load, p0 = table.unpack(row)
   local c = contact{ load = load, model = { lower = body.block{ layers = soft(t * 0.10764, E, 0.49) } } }

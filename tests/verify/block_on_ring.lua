@@ -58,8 +58,8 @@ while w.distance < 3600e3 do
 end
 below(math.abs(w.volume.plate / (k * load * total) - 1), 5e-5, "volume against k times the integral of p over the arc, off by")
 
-warn "@off" -- no warnings about the coarse mesh
--- Tests that long steps converge, too: the whole distance in a few steps of backward Euler.
+warn "@off" -- suppresses warnings about the coarse mesh
+-- Tests that long steps also converge: computes the whole distance in a few steps of backward Euler.
 for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do
   local steps, error = table.unpack(case)
   local w = wear{ model = { radius = radius, mesh = { size = 0.05, height = 0.06, zone = { cylinder = 8, plate = 8 } } },

@@ -6,8 +6,8 @@ local within, below = figures.within, figures.below
 
 -- --- worn ----------------------------------------------------------------------------------------
 
--- A coating that wears ten times slower than its base: the volume is V = k F s with the coating's k until the
--- coating is worn through, then it grows faster.
+-- Tests a coating that wears ten times slower than its base. The volume is V = k F s with the coating's k until the
+-- coating is worn through, then the volume grows faster.
 local coated = model{ radius = 10, lower = body.block{ width = 20, height = 10, k = 1e-7,
   layers = { { thickness = 2e-3, E = 400e3, nu = 0.3, k = 1e-8 } } }, mesh = { size = 0.04, height = 0.02, zone = { cylinder = 2, plate = 2 } } }
 local function worn_by(distance)

@@ -17,14 +17,14 @@ local function check(w, row, what)
   within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
 end
 
--- One run through all rows, with steps that are short compared with the distance of the first row.
+-- Computes one run with all rows, whose steps are short compared with the distance of the first row.
 local w = wear{ alpha = 1, stroke = 0.11, jump = 5 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 1e-8 }
   check(w, row, "alpha = 1")
 end
 
--- The same products k_c d with other values of alpha, k and stroke.
+-- Tests that other values of alpha, k and stroke with equal products k_c d give equal results.
 w = wear{ alpha = 0.5, stroke = 20, jump = 0.1, distance = 2640 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 0.5e-8 }
@@ -36,7 +36,7 @@ for _, row in ipairs(rows) do
   check(w, row, "s = 2R, alpha = 0.8, k = 5e-8")
 end
 
--- A long run against the limit of a flat scar: b = (3 R k_c L d / 2)^(1/3), h = b^2 / (2 R), p = L / (2 b).
+-- Tests a long run against the limit of a flat scar: b = (3 R k_c L d / 2)^(1/3), h = b^2 / (2 R), p = L / (2 b).
 local last_off
 for _, times in ipairs{ 1, 4, 16 } do
   local distance = 1320 * times

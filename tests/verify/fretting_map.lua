@@ -32,8 +32,8 @@ end
 
 -- --- borders ------------------------------------------------------------------------------------
 
--- Cattaneo and Mindlin: a share s of the width slips under the fraction 1 - (1 - s)^2 of the sliding force.
--- The motion under this force is computed by a contact with little slip, which has no mesh error.
+-- By the theory of Cattaneo and Mindlin, a share s of the width slips under the fraction 1 - (1 - s)^2 of the
+-- sliding force. The motion under this force is computed by a contact with little slip, which has no mesh error.
 local function motion_at(load, share)
   return contact{ friction = mu, load = load }:move{ tangential = share * mu * load }.x
 end

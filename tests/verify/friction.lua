@@ -214,7 +214,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   below(worst / size, 0.15, ("%g um, back from 48 N: edges of the zone that sticks, elements off"):format(1e3 * size))
 end
 
--- Tests other bodies: a thin pair, plastics, and another element type.
+-- Tests the energy of a cycle for other bodies: thin plates, plastics, and the element type CPE4I.
 do
   local plastic, fine = { E = 1000, nu = 0.46 }, mesh_of(0.02)
   fine.zone = { cylinder = 1, plate = 1.2 }
@@ -232,7 +232,8 @@ end
 
 -- --- load and force together --------------------------------------------------------------------
 
--- Jaeger: the compliance of a slice at the load P is (const - ln P) / (pi E*); the constant is omitted.
+-- Returns the compliance of a slice at the load P in Jaeger's superposition, (const - ln P) / (pi E*), without the
+-- constant.
 local function compliance(normal) return -math.log(normal) / (math.pi * exact.E_star) end
 
 -- Returns the energy dissipated in the second cycle; path(t) returns load and force.
@@ -268,7 +269,7 @@ for _, phase in ipairs{ 0.25, 0.5 } do
     ("load +-30 %%, force +-38 N, %g of a cycle apart: energy [N mm]"):format(phase))
 end
 
--- --- a normal load alone ------------------------------------------------------------------------
+-- --- stick and slip under a normal load alone ---------------------------------------------------
 
 local function elliptic(k)
   local x, y = 1, math.sqrt(1 - k * k)

@@ -36,8 +36,8 @@ end
 
 -- --- k and alpha by results ----------------------------------------------------------------------------
 
--- The references are small explicit steps extrapolated to length zero, because their error in these cases is
--- of first order.
+-- The references are results of small explicit steps, extrapolated to step length zero. The error of these steps is
+-- of first order in these cases.
 local measured = { -- each row: name, fields, compared result, tolerances of auto and implicit
   { "k of the pressure", { k = function(s) return 1e-8 * (s.p_center / 500) ^ 2 end },
     function(w) return w.volume.total end, 4e-3, 5e-4 },

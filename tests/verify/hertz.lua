@@ -55,7 +55,7 @@ for i = 2, #sizes do
     :format(1000 * sizes[i - 1], 1000 * sizes[i]))
 end
 
--- Tests that CPE4I has the same accuracy.
+-- Tests that the element type CPE4I is as accurate as CPE4.
 within(contact{ model = { mesh = { element = "CPE4I" } } }.p_center, exact.p_max, 5e-3,
   "centre pressure, CPE4I [MPa]")
 

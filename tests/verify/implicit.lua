@@ -100,7 +100,7 @@ for _, case in ipairs(cases) do
   ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
 end
 
--- --- other cases: a soft cylinder, moving nodes, a smaller tolerance ---------------------------------
+-- --- a soft cylinder, moving nodes, a smaller tolerance ----------------------------------------------
 
 check("soft cylinder, moving", { model = { radius = 5, cylinder = { E = 3e3, nu = 0.35 } }, load = 8, stroke = 0.3,
   alpha = 0.8, k = 3e-7, distance = 400 }, 2, 1e-3)

@@ -40,7 +40,7 @@ local hertz = joint{ head = { radius = 25, material = cocr }, cup = { clearance 
   mesh = { size = 0.5 } }
 within(contact{ model = hertz, load = 3200 }.p_center, 186.73, 3e-3, "a head in a block: 1 % over Hertz")
 
--- --- wear: depths in um, volumes in mm3 --------------------------------------------------------------
+-- --- wear of head and cup: depths in um, volumes in mm3 ----------------------------------------------
 local function run(j, loading, k, alpha, cycles)
   return wear{ model = j, loading = loading, k = k, alpha = alpha, cycles = cycles }:run()
 end

@@ -14,7 +14,7 @@ local function on_cylinder(E, nu, thickness)
     lower = body.block{ E = 210e3, nu = 0.3 } }
 end
 
--- Each row: distance [mm], centre pressure [MPa], largest depth [um].
+-- Each row: distance [mm], centre pressure [MPa] and largest depth [um] of the other program.
 local cases = {
   { "3 GPa, 100 um", on_plate(3e3, 0.35, 0.1), 0.2, 1e-7,
     { { 40, 335.8, 1.102 }, { 100, 311.8, 2.655 }, { 200, 276.7, 5.003 }, { 400, 224.6, 8.983 } } },

@@ -11,8 +11,9 @@ figures.ok(hexes(contact{ model = { upper = body.cylinder{ radius = 10 }, lower 
 
 -- --- rounded punch ------------------------------------------------------------------------------
 
--- Half-planes: sin f = b/a, b = 0.5 mm, and 4 P R / (E* a^2) = pi - 2 f - sin 2f give the half width a = 0.530577
--- mm. Another program with finite elements of 5 um, bodies 10 mm high: p(0) = 123.70 MPa, p_max = 644.46 MPa.
+-- For half-planes, sin f = b/a, b = 0.5 mm, and 4 P R / (E* a^2) = pi - 2 f - sin 2f give the half width a =
+-- 0.530577 mm. For bodies 10 mm high, another program with finite elements of 5 um gives p(0) = 123.70 MPa and
+-- p_max = 644.46 MPa.
 local punch = model{ upper = body.punch{ flat = 1, radius = 2, height = 10 }, lower = body.block{ width = 20, height = 10 },
   mesh = { size = 0.01, height = 0.0125, zone = { cylinder = 1.4, plate = 1.4 } } }
 local c = contact{ model = punch, load = 200 }

@@ -8,7 +8,7 @@ math.randomseed(23)
 
 local function between(low, high) return low * (high / low) ^ math.random() end
 
--- Returns the definition of a random run to a scar of 1.2 to 12 unworn half widths, and whether R > 8 half widths.
+-- Returns the definition of a random run to a scar of 1.2 to 12 unworn half widths, and true if R > 8 half widths.
 local function random_run()
   local radius, load = between(1, 200), between(10, 500)
   local pair = { radius = radius, cylinder = { E = between(3e3, 4e5) }, plate = { E = between(3e3, 4e5) } }

@@ -6,8 +6,8 @@ local pi = math.pi
 
 -- --- Hertz --------------------------------------------------------------------------------------
 
--- A ball with R = 10 mm under P = 50 N: a = 0.150554 mm, p0 = 1053.25 MPa on half-spaces. A hemisphere on a
--- disc of 10 mm height has p0 = 1051.34 MPa with finite elements of another program.
+-- For half-spaces, a ball with R = 10 mm under P = 50 N has a = 0.150554 mm and p0 = 1053.25 MPa. A hemisphere
+-- on a disc of 10 mm height has p0 = 1051.34 MPa with finite elements of another program.
 local ball = hertz{ geometry = "axisymmetric", radius = 10, load = 50 }
 within(ball.half_width, 0.150554, 1e-5, "ball: radius of the contact in closed form [mm]")
 within(ball.p_max, 1053.25, 1e-5, "ball: pressure in closed form [MPa]")
@@ -28,9 +28,9 @@ end
 below(off, 0.006, "ball: pressures over nine tenths of the contact, largest share off")
 below(figures.asymmetry(p.p), 1e-9, "ball: both halves of the section alike")
 
--- Hertz' theory: the largest shear stress is 0.31002 p0 at the depth 0.4809 a on the axis. Outside the
--- contact the radial stress of the surface is tensile and the hoop stress compressive, both with the value (1
--- - 2 nu) p0 a^2 / (3 r^2).
+-- By Hertz' theory, the largest shear stress is 0.31002 p0 at the depth 0.4809 a on the axis. Outside the
+-- contact the radial stress of the surface is tensile and the hoop stress compressive, both with the value (1 -
+-- 2 nu) p0 a^2 / (3 r^2).
 local field = c:stress().plate
 local deepest, shear, around, along = nil, 0, 0, 0
 for i, x in ipairs(field.x) do

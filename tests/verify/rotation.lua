@@ -14,7 +14,7 @@ local journal = model{ upper = bush(), lower = pin(), mesh = mesh }
 -- the bush rotates under a load fixed to the pin
 local hip = model{ upper = pin(), lower = bush(), mesh = mesh }
 
--- --- unworn: round bodies are the same from all directions ---------------------------------------
+-- --- unworn round bodies: no effect of rotation or load angle ------------------------------------
 
 for name, m in pairs{ journal = journal, hip = hip } do
   local straight = contact{ model = m, load = P }

@@ -53,8 +53,8 @@ for _, case in ipairs{ { 0.5, 1.0844e-7, 8.46e-7, 1.503e-5, 9.0055e-7, 7.7996e-5
   within(contact{ worn = w, load = load }.approach, approach * a * a / radius, 0.001, label .. ", the end: approach")
 end
 
--- At the end the pressure at the edge of the stick zone is eleven times p0. Here cells with little pressure around
--- it carried no shear, so a ring of sticking cells slipped, and the volume was 8 % too large.
+-- At the end the pressure at the edge of the stick zone is eleven times p0. If cells with little pressure around
+-- this edge carry no shear, a ring of sticking cells slips, and the volume is 8 % too large.
 within(fret(0, 0.95, 17):run{ progress = false }.volume.total, 3.99883e-5, 0.02, "nu = 0, 0.95 of full slip, 17 cells, the end: volume")
 
 -- --- nu = 0.3 --------------------------------------------------------------------------------------

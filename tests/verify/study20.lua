@@ -118,7 +118,7 @@ for i, head in ipairs(table_1[1]) do
   end
 end
 
--- --- symmetry depends on the rule --------------------------------------------------------------------
+-- --- the integration rule determines the symmetry ----------------------------------------------------
 local trials = study.trials():run{ workers = 2, file = folder .. "/trials", progress = false }
 local function lopsided(increments, jump, rule, body)
   for _, case in ipairs(trials:cases()) do

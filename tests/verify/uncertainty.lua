@@ -64,7 +64,7 @@ fails(function() normal{ 100, 5, low = 200 } end, "is almost 0", "nothing is lef
 fails(function() uniform(3) end, { "uniform", "table" }, "no table")
 
 -- --- Sobol's indices -----------------------------------------------------------------------------
--- Ishigami's function: its indices are known in closed form and include strong interactions.
+-- Tests the indices of Ishigami's function, which are known in closed form and include strong interactions.
 local function ishigami(x) return math.sin(x[1]) + 7 * math.sin(x[2]) ^ 2 + 0.1 * x[3] ^ 4 * math.sin(x[1]) end
 local function at(columns, i, first)
   local x = {}
@@ -164,7 +164,7 @@ fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:r
 fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet", "no results yet")
 
 -- --- a case with a known answer ------------------------------------------------------------------
--- The volume of the cylinder is alpha k L d, so all moments and indices are known in closed form.
+-- Tests the volume of the cylinder, alpha k L d, whose moments and indices are known in closed form.
 local s = with{ n = 64, indices = true, name = "known", sample = { alpha = uniform{ 0.4, 0.6 },
   k = lognormal{ mean = 1e-8, variation = 0.1 }, load = normal{ 100, 5 } } }
 s:run{ file = path("known"), workers = 2, progress = false }

@@ -5,9 +5,9 @@ local within, below = figures.within, figures.below
 
 -- --- waves --------------------------------------------------------------------------------------
 
--- Westergaard: with p* = pi E* D / l, waves that touch over the width 2 a of each length l carry the mean
--- pressure p* sin^2(pi a / l), and the pressure at the crest is 2 mean / sin(pi a / l). On a crowned profile
--- this holds for the wave in the middle.
+-- By Westergaard's theory, with p* = pi E* D / l, waves that touch over the width 2 a of each length l carry the
+-- mean pressure p* sin^2(pi a / l), and the pressure at the crest is 2 mean / sin(pi a / l). On a crowned
+-- profile this holds for the wave in the middle.
 local length, height = 0.1, 1e-4
 local star = math.pi * 109890.1 * height / length
 local rough = contact{ load = 50, average = 0, model = {
@@ -18,7 +18,7 @@ local rough = contact{ load = 50, average = 0, model = {
 local at = rough:pressure("cylinder")
 local force, touching = 0, 0
 for i, x in ipairs(at.x) do
-  -- fraction of the node's width inside the middle wave
+  -- fraction of the node's tributary width that is inside the middle wave
   local share = math.max(0, math.min(1, (length / 2 - math.abs(x)) / 0.002 + 0.5))
   force = force + share * at.p[i] * 0.002
   if at.p[i] > 0 then touching = touching + share * 0.002 end

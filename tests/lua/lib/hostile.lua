@@ -100,7 +100,7 @@ return function(world)
   -- --- values -------------------------------------------------------------------------------------
 
   local numbers = { 0, -1, 1, 2, 0.5, 3, 7, 12, 0 / 0, -(0 / 0), math.huge, -math.huge, 2^53, -2^61,
-    -- no values that give small steps or fine meshes, which are slow
+    -- omits values that give small steps or fine meshes, which are slow
     math.maxinteger, math.mininteger, 1e300, -1e-300 }
   local texts = { "", "cylinder", "plate", "auto", "a\0b", ("x"):rep(300), "\27[31m", "%s%n", "100", "implicit" }
 
