@@ -27,8 +27,8 @@ int interrupt_ever(void);
  * used. */
 int interrupt_pending(void *context);
 
-/* Raises the error of a pending request: the message "STAND: interrupted", where `stand` describes
- * the progress of the run. Later errors of this request repeat the message. */
+/* Raises the error of a pending request: the text `stand`, which describes the progress of the run,
+ * followed by ": interrupted". Later errors of this request repeat the message. */
 void interrupt_raise(lua_State *L, const char *stand);
 
 /* Sets a text that replaces `stand` in the errors of interrupt_raise, such as the progress of a

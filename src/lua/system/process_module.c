@@ -372,8 +372,8 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
-/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted", or
- * "STAND: interrupted" if the text `stand` is given. */
+/* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted". If
+ * the text `stand` is given, the error starts with this text and a colon. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);

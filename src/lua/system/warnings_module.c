@@ -32,8 +32,7 @@ static int warnings_keep(lua_State *L) {
   return 0;
 }
 
-/* take() returns the warnings since the last call of take(), joined by "; ", or nil if there are
- * none. */
+/* take() returns the warnings since its last call, joined by "; ", or nil if there are none. */
 static int warnings_take(lua_State *L) {
   if (kept.text[0])
     lua_pushstring(L, kept.text);
