@@ -144,8 +144,8 @@ static arc_atomic_file *new_file(const char *name) {
   return file;
 }
 
-/* Sets *result to `file`. If `why` is an errno, discards the file, sets *result to NULL and
- * fails. */
+/* Sets *result to `file` if `why` is 0. If `why` is an errno, discards the file, sets *result to
+ * NULL and fails. */
 static arc_status finish(arc_atomic_file *file, int why, arc_atomic_file **result,
                          arc_error *error) {
   arc_status status = why ? failed(file->name, why, error) : ARC_OK;
@@ -209,7 +209,7 @@ static int open_stream(const arc_atomic_file *file) {
   return fcntl(file->own, F_DUPFD_CLOEXEC, 0);
 }
 
-/* Writes all bytes. Returns 0 or an errno. */
+/* Writes `count` bytes to the descriptor `to`. Returns 0 or an errno. */
 static int write_all(int to, const char *bytes, size_t count) {
   while (count > 0) {
     const ssize_t written = write(to, bytes, count);
@@ -234,7 +234,8 @@ static int copy_to_stream(const arc_atomic_file *file) {
   return why;
 }
 
-/* Flushes the folder, if the disk supports it, so that the new name of the file is on the disk. */
+/* Flushes the folder of the file to disk, if the file system supports it, so that the new file name
+ * is stored. */
 static void sync_folder(const arc_atomic_file *file) {
   char folder[PATH_MAX];
   snprintf(folder, sizeof folder, "%.*s", (int)file->folder, file->path);
@@ -244,8 +245,8 @@ static void sync_folder(const arc_atomic_file *file) {
   close(descriptor);
 }
 
-/* Renames the file `path` to `target` unless `target` exists. On disks without hard links an
- * existing target is replaced. Returns 0 or an errno. */
+/* Renames the file `path` to `target` unless `target` exists. On file systems without hard links,
+ * an existing target is replaced. Returns 0 or an errno. */
 static int name_first(const char *path, const char *target) {
   if (link(path, target) == 0 || errno == EEXIST) return unlink(path) == 0 ? 0 : errno;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;

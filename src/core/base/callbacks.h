@@ -17,7 +17,7 @@ static inline int callbacks_progress(const arc_callbacks *c, const struct arc_we
   return c && c->progress && c->progress(c->context, wear);
 }
 
-/* Formats a warning of one line about the accuracy of results and passes it to the warning
+/* Formats a one-line warning about the accuracy of results and passes it to the warning
  * callback. */
 void arc_warn(const arc_callbacks *callbacks, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -10,9 +10,9 @@ typedef struct carve_part {
   size_t count;
 } carve_part;
 
-/* Allocates all arrays, in this order, as one block of zeros. Returns the block, which the caller
- * frees (the first array begins there). If out of memory, returns NULL and sets all pointers to
- * NULL. */
+/* Allocates all arrays, in the given order, as one block of zeros. Returns the address of the block
+ * and of the first array, which the caller frees. If out of memory, returns NULL and sets all
+ * pointers to NULL. */
 double *arc_carve(const carve_part *part, size_t parts);
 #define ARC_CARVE(part) arc_carve(part, sizeof(part) / sizeof *(part))
 

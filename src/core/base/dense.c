@@ -71,8 +71,8 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of a contact, dtrsm
- * is half as fast. */
+/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of a contact problem,
+ * dtrsm is half as fast. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -107,9 +107,10 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Number of right-hand sides that are solved together, as LAPACK solves them one by one; x[sides *
- * i + c] is row i of side c. Beyond the rows of the load, solutions decay within a few band widths.
- * Values that are smaller than `negligible` times the largest one count as zero. */
+/* Number of right-hand sides that are solved together; LAPACK solves them one by one. x[sides * i +
+ * c] is row i of right-hand side c. Outside the nonzero rows of the right-hand sides, solutions
+ * decay within a few band widths. Values smaller than `negligible` times the largest one count as
+ * zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
 
@@ -160,8 +161,8 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Solves in steps of `band` + 1 rows. If all values of a step are negligible, the remaining values
- * count as zero. */
+/* Substitutes forward, then backward, in steps of `band` + 1 rows. If all values of a step are
+ * negligible, the remaining values count as zero. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {

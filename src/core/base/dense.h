@@ -17,10 +17,10 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
  * does. */
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
- * the factor l. Row i of side c is x[i * sides + c]; on entry, only rows *from .. *to - 1 differ
- * from zero. x points to row 0 of an array with `band` additional rows after the last one. Sets
- * *from and *to so that rows *from .. *to - 1 contain all values above rounding; all other rows are
- * zero. */
+ * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]; on entry, only rows
+ * *from .. *to - 1 differ from zero. x points to row 0 of an array with `band` additional rows
+ * after the last one. Sets *from and *to so that rows *from .. *to - 1 contain all values above
+ * rounding; all other rows are zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 

@@ -22,7 +22,7 @@ typedef struct question {
   int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
-/* Queries the lock of one of the bytes that SQLite locks. */
+/* Queries the lock on one of the bytes that SQLite locks in a database file. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -36,7 +36,7 @@ static void discard(void *job) {
   free(q);
 }
 
-/* Time limit for the answer of the disk [s]. */
+/* Time limit for a lock query to the disk [s]. */
 enum { PATIENCE = 10 };
 
 static int has_waited(void *context) {
@@ -98,8 +98,8 @@ static int make(const char *lock) {
   return symlink(owner, lock);
 }
 
-/* Removes an abandoned lock. If several programs find the same lock, only one of them checks it
- * again and removes it. */
+/* Removes an abandoned lock. If several programs find the same abandoned lock, only one of them
+ * checks it again and removes it. */
 static void remove_left(const char *lock) {
   char turn[PATH_MAX];
   if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)
@@ -116,7 +116,7 @@ int arc_lock_take(const char *lock, mode_t ignored) {
     remove_left(lock);
     return make(lock);
   }
-  errno = EEXIST; /* readlink sets ENOENT if the owner has released the lock meanwhile */
+  errno = EEXIST; /* readlink sets ENOENT if the owner releases the lock meanwhile */
   return -1;
 }
 

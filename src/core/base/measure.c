@@ -1,4 +1,4 @@
-/* Measures of profiles on plain arrays. */
+/* Computes measures of worn profiles from plain arrays. */
 #include "archard/measure.h"
 
 #include <math.h>

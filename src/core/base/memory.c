@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Returns the number after `key` at the beginning of a line of a file, or NaN. An empty key selects
- * the first number. */
+/* Returns the number that follows `key` on a line of the file that begins with `key`, or NaN if
+ * there is none. With an empty key, returns the first number of the file. */
 static double number_in(const char *path, const char *key) {
   FILE *file = fopen(path, "r");
   char line[200];

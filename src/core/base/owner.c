@@ -17,8 +17,8 @@ static unsigned long long add(unsigned long long sum, const void *bytes, size_t 
   return sum;
 }
 
-/* Returns a number that identifies the computer, its last boot and the process namespace. A process
- * can be checked only where this number is the same. */
+/* Returns a number that identifies the computer, its last boot and the process namespace. This
+ * program can check whether another process exists only if both have the same number. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};
   struct stat processes = {0};

@@ -11,7 +11,7 @@ void arc_owner_name(char name[ARC_OWNER]);
 typedef enum arc_owner_state {
   ARC_OWNER_GONE,
   ARC_OWNER_LIVES,
-  ARC_OWNER_ELSEWHERE /* unknown, as the program is on another computer or the text is not a name */
+  ARC_OWNER_ELSEWHERE /* unknown: the program is on another computer, or the text is no name */
 } arc_owner_state;
 
 /* Returns the state of the program whose name is at the beginning of a text. The name ends with the

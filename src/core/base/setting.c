@@ -1,4 +1,5 @@
-/* Lists of settings: defaults, range checks with messages, loops. */
+/* Implements lists of settings: access to members, defaults, range checks with messages, and
+ * iteration over a list. */
 #include "archard/setting.h"
 
 #include <math.h>
@@ -50,7 +51,7 @@ const arc_setting *arc_setting_find(const arc_setting *list, const char *name) {
 
 /* --- texts --------------------------------------------------------------------------------- */
 
-/* Buffer to which text is appended. Text beyond its size is cut off. */
+/* Buffer to which text is appended. Text that does not fit is cut off. */
 typedef struct phrase {
   char *text;
   size_t size, length;

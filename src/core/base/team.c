@@ -11,7 +11,7 @@ struct work_team {
   pthread_mutex_t lock;
   pthread_cond_t begun, ended;
   pthread_t *thread;
-  pid_t process; /* process that the threads belong to */
+  pid_t process; /* process that created the threads */
   int threads;   /* number of threads besides the caller */
   int loop;      /* number of loops started so far */
   int busy;      /* number of threads still in the loop */
@@ -52,7 +52,8 @@ static void *work(void *context) {
   return NULL;
 }
 
-/* Starts one thread with all signals blocked, so that the caller's thread handles them. */
+/* Starts one thread with all signals blocked, so that signals are handled by the caller's
+ * thread. */
 static int start(work_team *t) {
   member *m = malloc(sizeof *m);
   if (!m) return 0;

@@ -9,7 +9,8 @@
 
 static const long interval = 50000000; /* [ns] interval between two calls of callbacks */
 
-/* Data shared by both threads; the thread that ends last frees them. */
+/* Data shared by the caller's thread and the worker thread. The thread that ends last frees
+ * them. */
 typedef struct worker {
   pthread_t thread;
   pthread_mutex_t lock;
@@ -50,7 +51,8 @@ static void *run(void *context) {
   return NULL;
 }
 
-/* Starts the thread with all signals blocked, as the caller's thread handles them. */
+/* Starts the worker thread with all signals blocked, so that signals are handled by the caller's
+ * thread. */
 static int start(worker *w) {
   sigset_t all, before;
   sigfillset(&all);
@@ -66,7 +68,8 @@ static double clock_now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Waits for the end of the work or of the interval. Returns 1 if the work is done. */
+/* Waits until the work is done or the interval between callbacks ends. Returns 1 if the work is
+ * done. */
 static int wait_interval(worker *w) {
   struct timespec until;
   clock_gettime(CLOCK_REALTIME, &until);
@@ -80,7 +83,7 @@ static int wait_interval(worker *w) {
   return done;
 }
 
-/* Abandons the work. Returns 0 if the work has ended meanwhile. */
+/* Abandons the work unless it is done. Returns 1 if it is abandoned, 0 if it is done. */
 static int abandon(worker *w) {
   const pthread_t thread = w->thread;
   pthread_mutex_lock(&w->lock);

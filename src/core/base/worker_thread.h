@@ -7,8 +7,8 @@
 
 #include <stdatomic.h>
 
-/* Progress of a computation, and the request to stop it. The computation updates and reads these
- * values at each stage. */
+/* Progress of a computation, and a flag that abandons it. The computation updates `stage` and reads
+ * `abandoned` at each stage. */
 typedef struct work_progress {
   _Atomic int stage, stages;
   _Atomic int abandoned;
@@ -17,12 +17,12 @@ typedef struct work_progress {
 /* Counts a finished stage. Returns ARC_STOPPED if the work was abandoned. `p` may be NULL. */
 arc_status arc_work_stage(work_progress *p);
 
-/* Functions of a job. `work` computes the job and returns its status; `discard` frees the job with
- * all results. */
+/* Functions of a job. `work` performs the computation and returns its status; `discard` frees the
+ * job with all its results. */
 typedef struct worker_task {
   arc_status (*work)(void *job);
   void (*discard)(void *job);
-  work_progress *progress; /* address of the progress, which is a member of the job */
+  work_progress *progress; /* progress of the computation, a member of the job */
 } worker_task;
 
 /* Runs the work of a job and reports its progress under the name `what`. If a callback requests a

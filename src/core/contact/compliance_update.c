@@ -1,9 +1,9 @@
-/* Computes the change of the compliance since the last condensation to first order. Wear hardly
- * changes the stiffness of the body itself; only the error of the elements near the surface
- * changes, as they become thinner. This change is limited to a few columns and proportional to the
- * loss of thickness. The change by one column, computed once (arc_body_thinning), therefore gives
- * the changes by all columns. This correction prevents jumps of the pressures when the wear box is
- * condensed again. */
+/* Computes the first-order change of the compliance since the last condensation. Wear hardly
+ * changes the true stiffness of a body, but it makes the elements near the surface thinner, which
+ * changes their discretisation error. The effect of one column is limited to a few neighbouring
+ * columns and proportional to the loss of thickness. It is therefore computed once
+ * (arc_body_thinning) and used for all columns. Without this correction, pressures would jump
+ * whenever the wear box is condensed again. */
 #include "core/contact/contact_problem.h"
 
 #include <math.h>
@@ -37,7 +37,7 @@ static void add_column(shape_side *side, int at, double share) {
 }
 
 /* Computes the change of the compliance of one side. Bodies with layers are not corrected: wear
- * also changes their stiffness itself, so they are condensed again earlier. */
+ * changes their true stiffness too, so they are condensed again earlier. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) {
   side->compliance_changed = 0;
   if (shape->geometry == ARC_FROZEN || !shape_is_corrected(shape)) return;
@@ -58,7 +58,7 @@ static void compliance_change_times(const shape_side *side, const double *f, dou
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row = &side->compliance_change[j * span + reach]; /* equal to column j */
+    const double *row = &side->compliance_change[j * span + reach]; /* row j equals column j */
     for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }

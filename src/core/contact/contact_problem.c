@@ -78,8 +78,8 @@ arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape
   return ARC_OK;
 }
 
-/* Drops the warm start and fails with ARC_ZONE. The message names the zone whose edge the contact
- * reaches. */
+/* Drops the warm start and fails with ARC_ZONE. The message names the body whose candidate zone is
+ * too narrow. */
 static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
@@ -92,8 +92,8 @@ static arc_status edge_reached(contact_problem *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-/* Solves with the compliance of the last condensation. If the compliance has changed since, solves
- * again with the change times the forces added to the gaps. */
+/* Solves the contact problem with the compliance of the last condensation. If the compliance has
+ * changed since then, adds this change times the forces to the gaps and solves again. */
 static arc_status solve(contact_problem *p, double line) {
   arc_status status = arc_lcp_solve(p, line);
   if (status != ARC_OK || !arc_contact_problem_add_compliance_change(p)) return status;
@@ -210,8 +210,8 @@ static double force_between(const contact_problem *p, const double *cyl, double 
   return sum;
 }
 
-/* Compares all windows of this length that begin or end at the edge of a cell, as one of them has
- * the largest mean. */
+/* Compares all windows of the given length that begin or end at the edge of a cell, as one of them
+ * has the largest mean pressure. */
 double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape,
                                    double length) {
   const double *cyl = shape->side[ARC_CYLINDER].settled;

@@ -38,11 +38,11 @@ typedef struct contact_problem {
   int iterations;  /* number of iterations of the last solution */
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
-  int *joined;     /* [nc] workspace for the next set */
-  int *made, of;   /* [nc] set for which factor and ones were computed; number of its candidates */
-  double *factor;  /* [of x of] Cholesky factor of A on that set */
-  double *ones;    /* [nc] (A_set)^-1 down */
-  int factored;    /* 1: factor and ones are valid for A */
+  int *joined;     /* [nc] workspace for the next active set */
+  int *made, of;   /* [nc] active set of `factor` and `ones`; its size */
+  double *factor;  /* [of x of] Cholesky factor of A on the set `made` */
+  double *ones;    /* [nc] A^-1 `down` on the set `made` */
+  int factored;    /* 1: `factor` and `ones` are valid for A */
   /* workspaces, each used by one function and its callees */
   double *column;   /* [np] for the assembly of A */
   double *weighted; /* [nc] for transfers to the plate */
@@ -64,13 +64,12 @@ size_t arc_contact_problem_bytes(const contact_problem *p);
 arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 
-/* Sets the angle of the load [rad], which applies from the next update on. */
+/* Sets the angle of the load [rad]. It applies from the next arc_contact_problem_update on. */
 void arc_contact_problem_set_angle(contact_problem *p, double angle);
 
-/* This and the next three functions are the steps of arc_contact_problem_update. This step computes
- * B and tributary widths for the plate at x [mm] from the positions along x at the last
- * condensation, so that coupling and compliance match. ARC_ZONE: fewer than three candidates;
- * ARC_MEMORY. */
+/* arc_contact_problem_update calls this function and the next three. Computes B and the tributary
+ * widths for the plate at x [mm] from the positions along x at the last condensation, so that
+ * coupling and compliance match. Errors: ARC_ZONE (fewer than three candidates), ARC_MEMORY. */
 arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 /* Computes `down`, the components of the candidates' unit forces along the load. */
@@ -100,7 +99,7 @@ arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error);
  * if the compliances have not changed. */
 int arc_contact_problem_add_compliance_change(contact_problem *p);
 
-/* Writes the forces of the solution at all cylinder nodes, f [nc]. */
+/* Writes the nodal forces of the solution at all surface nodes of the cylinder to f [nc] [N/mm]. */
 void arc_contact_problem_forces(const contact_problem *p, double *f);
 /* Writes the forces of the solution on a body's surface nodes [N/mm], force [2 * surface], first
  * along x at all nodes, then along y. The forces on both bodies balance to rounding. */
@@ -113,12 +112,12 @@ void arc_contact_problem_transfer(const contact_problem *p, const double *from, 
 /* Computes the pressure [MPa] at the cylinder's node in the direction of the load, and the largest
  * nodal pressure. */
 void arc_contact_problem_peaks(const contact_problem *p, double *center, double *largest);
-/* Returns the sawtooth measure of the pressures within `reach` [mm] of the cylinder's lowest node:
- * the largest difference of a node from the mean of its neighbours, relative to the mean pressure
- * [-]. */
+/* Returns the sawtooth measure [-] of the pressures within `reach` [mm] of the cylinder's lowest
+ * node: the largest difference between a nodal pressure and the mean of both neighbours, relative
+ * to the mean pressure. */
 double arc_contact_problem_ripple(const contact_problem *p, const arc_shape *shape, double reach);
-/* Returns the largest pressure averaged over a length [mm] of the cylinder's surface along x, for
- * pressures constant around each node. */
+/* Returns the largest mean pressure [MPa] over a length [mm] of the cylinder's surface along x. The
+ * pressure is assumed constant over the cell of each node. */
 double arc_contact_problem_average(const contact_problem *p, const arc_shape *shape, double length);
 /* Computes the elastic displacement of a body along x [mm] at its surface nodes, u [surface]. */
 void arc_contact_problem_tangential(const contact_problem *p, const arc_shape *shape, arc_body body,
@@ -142,21 +141,21 @@ contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape 
 /* Computes the contact edges [mm], left and right. */
 void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape, double edges[2]);
 /* Sharpens nodal values p [n] [MPa] at x [n] (in the cylinder's frame) near a smooth edge. Values
- * within two elements of the edge and outside it are replaced by `share` times the pressure of the
- * edge law. `share` is 1 for pressures, and shear / pressure for shears. The sum of the forces is
- * not conserved. */
+ * outside the edge, and within two elements inside it, are replaced by `share` times the pressure
+ * of the edge law. `share` is 1 for pressures, and the ratio shear / pressure for shear tractions.
+ * The sum of the forces is not conserved. */
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
-/* Adds a correction [MPa] for the stress along the surface to cusp [n]. A shear of `share` times
- * the pressure causes a cusp of this stress at the edge. The correction is the value of the cusp at
- * the node minus its mean under the node's hat function. */
+/* Adds a correction [MPa] of the normal stress along the surface to cusp [n]. A shear traction of
+ * `share` times the pressure causes a cusp of this stress at the edge. The correction is the value
+ * of the cusp at a node minus its mean under the node's hat function. */
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp);
 
-/* Solves the complementarity problem (lcp.c): computes p's set, factor, ones, f and approach for a
- * load per thickness [N/mm], with the present set as a warm start. */
+/* Solves the complementarity problem (lcp.c): computes the members set, factor, ones, f and
+ * approach of p for a load per thickness [N/mm], with the present active set as a warm start. */
 arc_status arc_lcp_solve(contact_problem *p, double line);
-/* Computes factor and ones for the present set unless they are already valid for it. Returns
- * non-zero if A is not positive definite on the set. */
+/* Computes `factor` and `ones` for the present active set unless they are already valid for it.
+ * Returns non-zero if A is not positive definite on this set. */
 int arc_lcp_factorise(contact_problem *p);
 
 #endif

@@ -133,8 +133,9 @@ static double add_equations(const ending *e, const stencil *at, const edge_law *
   return sqrt(sum / count);
 }
 
-/* Solves by Gauss-Newton least squares, beginning with the edge between the nodes. Returns the
- * residual divided by the pressure one element inside; INFINITY without convergence. */
+/* Fits the edge law by Gauss-Newton least squares, beginning with the interpolated edge `start`.
+ * Returns the residual divided by the pressure one element inside the edge; INFINITY without
+ * convergence. */
 static double fit_law(const ending *e, const stencil *at, double start, edge_law *law) {
   enum { most_iterations = 12 };
   const double h = node_x(e, 1) - node_x(e, 0);
@@ -152,8 +153,8 @@ static double fit_law(const ending *e, const stencil *at, double start, edge_law
   return INFINITY;
 }
 
-/* Returns true if all nodes of the fit exist in this half of the contact and outside, with positive
- * pressures and increasing gaps. */
+/* Returns true if all nodes of the fit exist, both in this half of the contact and outside the
+ * contact, with positive pressures inside and increasing gaps outside. */
 static int has_nodes(const ending *e, const stencil *at) {
   if (e->p->active < 1 - 2 * at->first) return 0;
   const int inner = e->last + e->out * (at->first - 1), outer = e->last + e->out * at->to;
@@ -165,11 +166,11 @@ static int has_nodes(const ending *e, const stencil *at) {
   return 1;
 }
 
-/* Fits the law at nodes so far from the edge that the position of the edge between nodes has no
- * influence, or at nearer nodes if the law does not extend so far. Returns 1 if the law fits as
- * well as in unworn contacts, 0 if it does not fit, and a weight between 1 and 0 for a fit between
- * these limits. Comparisons with finer meshes of worn contacts show that the edge of a law that
- * fits is more accurate than the interpolated edge. */
+/* Fits the edge law at nodes so far from the edge that the position of the edge between nodes has
+ * no influence, or at nearer nodes if the law is not valid so far inside. Returns the weight of the
+ * fitted edge: 1 if the law fits as well as in unworn contacts, 0 if it does not fit, and an
+ * intermediate value between these limits. On finer meshes of worn contacts, the edge of a law that
+ * fits proved more accurate than the interpolated edge. */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;
@@ -185,7 +186,7 @@ contact_edge arc_contact_problem_edge(const contact_problem *p, const arc_shape 
               .last = right ? p->set[p->active - 1] : p->set[0],
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = node_x(&e, 1) - node_x(&e, 0)};
-  /* modulus with layers, at the wave length of the fitted nodes */
+  /* contact modulus with layers, for pressure waves about as long as the fitted range */
   e.E_star = arc_model_apparent_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
@@ -223,7 +224,7 @@ static double cusp_at(const contact_edge *edge, double x, double *integral) {
 
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp) {
-  static const double reach = 4; /* [elements] farther away, nodal means are accurate */
+  static const double reach = 4; /* [elements] at larger distances nodal means are accurate */
   for (int i = 1; i + 1 < n && edge->smooth > 0; i++) {
     const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
     double sum[3];

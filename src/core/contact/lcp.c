@@ -13,7 +13,7 @@
 
 enum { newton_limit = 30 };
 
-/* Returns true if the factor of A belongs to the present set. */
+/* Returns true if the factor of A belongs to the present active set. */
 static int is_made(const contact_problem *p) {
   return p->factored && p->of == p->active &&
          memcmp(p->made, p->set, (size_t)p->of * sizeof *p->made) == 0;
@@ -35,8 +35,8 @@ int arc_lcp_factorise(contact_problem *p) {
   return 0;
 }
 
-/* Returns the sum of value [active] over the set, weighted by `down`: the component along the
- * load. */
+/* Returns the sum of value [active] over the active set, weighted by `down`, the component of a
+ * unit force along the load. */
 static double along_load(const contact_problem *p, const double *value) {
   double sum = 0;
   for (int k = 0; k < p->active; k++) sum += p->down[p->set[k]] * value[k];
@@ -44,10 +44,10 @@ static double along_load(const contact_problem *p, const double *value) {
 }
 
 /* Corrects approach and forces so that the forces balance the load. If gaps are far larger than the
- * deformation, their rounding errors change the load by more than its tolerance. */
+ * deformation, their rounding errors change the sum of the forces by more than its tolerance. */
 static void restore_load(contact_problem *p, double line, double total, double *fs) {
-  static const double rounding =
-      1e-12; /* relative tolerance; the error of the sum over a usual set is below 1e-14 */
+  static const double rounding = 1e-12; /* relative tolerance; the sum over a usual active set has a
+                                           relative error below 1e-14 */
   const double missing = line - along_load(p, fs);
   if (fabs(missing) <= rounding * line) return;
   p->approach += missing / total;

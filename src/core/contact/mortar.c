@@ -103,7 +103,7 @@ static void fill_row(contact_problem *p, int k, const double *cyl, const double 
   const int i = p->lo + k;
   const double a = at(p, cyl, i - 1), b = at(p, cyl, i), c = at(p, cyl, i + 1);
   double *row = &p->b[k * p->width];
-  /* rows that would extend beyond the end of the plate are shifted inside */
+  /* rows of B that would extend beyond the last plate node begin at an earlier node */
   int first = plate_segment(p, plate, a);
   if (first > p->np - p->width) first = p->np - p->width;
   if (first < 0) first = 0;
@@ -181,8 +181,8 @@ static inline void cylinder_responses(const contact_problem *p, const compliance
   for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
 }
 
-/* Computes column = F_p b_k, with row k of B as b_k, from the first non-zero entry of b_k on, as
- * later columns need no earlier rows. */
+/* Computes column = F_p b_k, where b_k is row k of B. Rows before the first non-zero entry of b_k
+ * are omitted, as later columns do not use them. */
 static inline void plate_responses(const contact_problem *p, const double *fp, int k,
                                    double *column) {
   const int low = p->first[k];

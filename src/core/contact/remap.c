@@ -1,8 +1,8 @@
 /* Transfers worn surfaces to another mesh of the same bodies, and measured profiles to a mesh.
  * Pressures depend on curvature, so the displacements of the nodes are interpolated by cubic
- * splines with two continuous derivatives, one for each scar. At the edge of a scar, which is a
- * kink, the spline of the worn nodes is extrapolated to zero. The displacements are then scaled so
- * that the polygon of the new nodes has lost the same area. */
+ * splines with two continuous derivatives, one spline for each scar. At the edge of a scar, which
+ * is a kink, the spline of the worn nodes is extrapolated to zero. The displacements are then
+ * scaled so that the polygon of the new nodes has lost the same area. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -70,7 +70,8 @@ static void bend_spline(const double *x, const double *y, int n, double *diagona
   m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
 }
 
-/* Returns the value of the cubic between points i and i + 1, which may be extrapolated. */
+/* Returns quantity q at x = `at` from the cubic polynomial of the interval between points i and i +
+ * 1, which also extrapolates. */
 static double cubic(const track *t, int q, int i, double at) {
   const double h = t->x[i + 1] - t->x[i], b = (at - t->x[i]) / h, a = 1 - b;
   const double *y = t->value[q], *m = t->bend[q];
@@ -108,7 +109,8 @@ static double share_beyond(const track *t, int edge, int outside, double at) {
   return fmin(1, fmax(0, cubic(t, DEPTH, i, at) / depth));
 }
 
-/* Interpolates all quantities at x = `at`. They are 0 beyond the ends and between unworn nodes. */
+/* Interpolates displacements and depth at x = `at`. They are 0 beyond the ends of the surface and
+ * between unworn nodes. */
 static void track_at(const track *t, double at, double value[QUANTITIES]) {
   memset(value, 0, QUANTITIES * sizeof *value);
   if (at < t->x[0] || at > t->x[t->n - 1]) return;
@@ -133,8 +135,8 @@ static void track_at(const track *t, double at, double value[QUANTITIES]) {
 
 /* --- areas ------------------------------------------------------------------------------------ */
 
-/* Returns the area [mm2] that the displacements of a track, multiplied by `scale`, remove from the
- * polygon of unworn nodes. */
+/* Returns the area [mm2] that the displacements of the nodes, multiplied by `scale`, remove from
+ * the polygon of unworn nodes. */
 static double area_under(const shape_side *side, const track *t, double scale) {
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
@@ -148,7 +150,8 @@ static double area_under(const shape_side *side, const track *t, double scale) {
   return area;
 }
 
-/* Scales a track so that it removes a given area [mm2]. The area is nearly linear in the scale. */
+/* Scales displacements and depths so that they remove a given area [mm2], which is nearly linear in
+ * the scale. */
 static void scale_to(const shape_side *side, track *t, double wanted) {
   enum { sweeps = 6 };
   const double forth = area_under(side, t, 1), back = area_under(side, t, -1);
@@ -176,8 +179,8 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[SHIFT_X], 0, (size_t)t->n * sizeof(double));
 }
 
-/* Returns true if the nodes of the side cover the whole scar. Otherwise the outer part of the scar
- * is lost. */
+/* Returns true if the nodes of the new mesh cover the whole scar. Otherwise the outer part of the
+ * scar is lost. */
 static int covers(const shape_side *side, const track *from) {
   for (int i = 0; i < from->n; i++)
     if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))

@@ -117,7 +117,8 @@ void arc_meshed_discard(arc_shape **shape) {
 }
 
 /* Computes the position of node k of the wear box. The displacements in a column decrease from the
- * displacement of the surface to zero at the bottom. Without rows only the surface nodes move. */
+ * displacement of the surface to zero at the bottom. In a mesh without a wear box only the surface
+ * nodes move. */
 static void box_node_at(const shape_side *side, const double *surface_xy, double even, int k,
                         double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
@@ -147,10 +148,10 @@ static double left_of_layer(const shape_side *side, int i) {
   return end - side->h[i];
 }
 
-/* Returns true if node i has moved too far since the last condensation: by `share` times the
- * element's height, by a fifth of `share` times the remaining layer, or along the surface by a
- * hundredth of `share` times the element's width. These motions have similar effects on the
- * pressure at the edge of a scar. */
+/* Returns true if node i has moved too far since the last condensation. The limits are `share`
+ * times the element's height and a fifth of `share` times the remaining layer thickness for motion
+ * in depth, and a hundredth of `share` times the element's width for motion along the surface.
+ * Motions at these limits have similar effects on the pressure at the edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
@@ -192,10 +193,10 @@ static int is_unworn(const shape_side *side) {
   return 1;
 }
 
-/* Sets the slopes of a compliance's surface and, unless all slopes are zero, computes its response
- * along the normals. On polar charts pressures act along z on any worn surface. A pin that sinks
- * into a hole rotates relative to the surfaces, so slopes from its total displacement would not be
- * more accurate, and they would change suddenly at a condensation. */
+/* Sets the slopes of the surface in a compliance and, unless all slopes are zero, computes the
+ * response along the normals. On polar charts pressures act along z on any worn surface. A pin that
+ * sinks into a hole rotates relative to the surfaces, so slopes from its total displacement would
+ * not be more accurate, and they would change suddenly at a condensation. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
   if (side->body->chart.polar) return;
@@ -340,8 +341,8 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *shift_x,
   return status;
 }
 
-/* Condenses bodies with layers at every change of the even wear, so the even wear at the last
- * condensation need not be stored. */
+/* Adds even wear to a body. A body with layers is condensed at every change of its even wear, so
+ * the even wear at the last condensation is not stored. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error) {
   shape_side *side = &shape->side[body];
   shape_side worn = *side;

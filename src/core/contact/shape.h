@@ -1,4 +1,4 @@
-/* Members of arc_shape: worn surfaces and their compliance. */
+/* Defines arc_shape, the worn surfaces of a pair and their compliance, and its functions. */
 #ifndef CONTACT_SHAPE_H
 #define CONTACT_SHAPE_H
 
@@ -124,7 +124,7 @@ void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* --- compliance_update.c ---------------------------------------------------------------------- */
 
-/* Updates `compliance_change` to the present nodes. */
+/* Updates `compliance_change` for the present surface nodes. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side);
 
 /* --- shape.c ---------------------------------------------------------------------------------- */
@@ -149,7 +149,7 @@ double arc_shape_risen(const arc_shape *shape, arc_body body);
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
-/* Switches the corrections of the elements' errors on or off. */
+/* Switches the corrections of the discretisation errors on or off. */
 void arc_shape_set_corrections(arc_shape *shape, arc_corrections corrections);
 static inline int shape_is_corrected(const arc_shape *shape) {
   return shape->corrections == ARC_CORRECTIONS_ALL;

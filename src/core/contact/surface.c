@@ -39,8 +39,9 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* Returns the cross product n_i x n_i+1 of the normals at two neighbours, times -inward: twice the
- * area that their displacements share, per depth of each. */
+/* Returns turn_i in arc_shape_conserve, the cross product n_i x n_i+1 of the normals at
+ * neighbouring nodes, times -inward. It is twice the area between both nodes that unit depths
+ * remove in addition to the areas h_i span_i. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];
   if (i + 1 == side->n) return 0;
@@ -54,7 +55,7 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
  * sum (h_i span_i + t_i / 2), where t_i = h_i h_i+1 turn_i. Half of t_i / 2 is assigned to node i,
  * the other half to node i + 1. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
-  enum { sweeps = 4 }; /* each sweep reduces the error by the factor depth / radius of curvature */
+  enum { sweeps = 4 }; /* a sweep multiplies the error by depth / radius of curvature */
   const shape_side *side = &shape->side[body];
   if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;

@@ -13,8 +13,8 @@ double arc_shape_box_depth(const shape_side *side) {
   return fabs(arc_body_bottom(side->body, middle)[1] - arc_body_top(side->body, middle)[1]);
 }
 
-/* Returns the number of rows of a wear box that is at least `needed` [mm] deep, as far as the
- * bodies allow. Returns 0 if the box cannot be deeper. */
+/* Returns the number of rows of a wear box that is `needed` [mm] deep, or as deep as the bodies
+ * allow. Returns 0 if the box cannot be deeper than it is. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->handle.model)) return 0;
   const arc_model_def *def = arc_model_definition(shape->handle.model);
@@ -35,7 +35,7 @@ static int rows_above(const elastic_body *body, const double *column, double dep
 
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
   static const double thinnest_row =
-      0.02; /* smallest height of a row in worn layers, relative to the usual height */
+      0.02; /* smallest height of a row in a worn layer, relative to mesh.height */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
   const double *column = arc_body_top(body, i);
@@ -80,7 +80,7 @@ int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
   const double deep = depth_of_layers(mesh);
   if (shape->geometry == ARC_FROZEN || side->even <= noticed * deep || reaches_below_layers(side))
     return 0;
-  /* tolerance: rows on interfaces may be off by a tenth of their height where cells are coarse */
+  /* tolerance: where cells are coarse, the depth of a row on an interface may be off by a tenth */
   const int rows = deeper_rows(shape, mesh, 1.1 * deep + mesh->def.height);
   const int most = rows < ARC_SHAPE_MOST_ROWS ? rows : ARC_SHAPE_MOST_ROWS;
   return most > mesh->rows ? most : 0;

@@ -1,4 +1,5 @@
-/* Builds one condensed body: numbering, assembly outside the wear box, Schur complement. */
+/* Builds one condensed body: numbers its unknowns, assembles the stiffness outside the wear box,
+ * and computes the Schur complement. */
 #include "core/elastic/body.h"
 #include "core/base/dense.h"
 #include "core/elastic/condense.h"
@@ -18,8 +19,8 @@ static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(b->mesh->body));
 }
 
-/* Numbers the rim nodes, which are the box nodes that also belong to an element outside the box,
- * and the other box nodes. */
+/* Numbers the nodes of the wear box: the rim nodes, which also belong to an element outside the
+ * box, and the inner nodes. */
 static void number_box(elastic_body *b) {
   const arc_mesh *m = b->mesh;
   for (int n = 0; n < m->nodes; n++) b->node_box[n] = -1;
@@ -116,8 +117,8 @@ static int enter_node(int node, int *nodes, int *count) {
   return at;
 }
 
-/* Adds the stiffness of the triangles of one cell. Each triangle has its own deviatoric stiffness,
- * and all triangles have one common dilatation. */
+/* Adds the stiffness of all triangles of one cell. The deviatoric part is computed for each
+ * triangle, the dilatation is common to all triangles. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
   const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
   int nodes[most_cell_nodes], count = 0;
@@ -155,7 +156,8 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-/* Factorises the stiffness and computes S_far = K_rr - K_rf K_ff^-1 K_fr from the factor. */
+/* Factorises the stiffness and computes its Schur complement S_far = K_rr - K_rf K_ff^-1 K_fr, with
+ * f for far and r for rim unknowns. */
 static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
@@ -214,7 +216,7 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  /* not needed for a body without a wear box or with layers */
+  /* a body without a wear box, or with layers, has no `thinning` */
   if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);

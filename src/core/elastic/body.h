@@ -24,7 +24,7 @@ typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
   elasticity d; /* elasticity of the body's own material, below all layers */
-  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of each layer, then of the own material */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of each layer, then d */
   arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
@@ -32,34 +32,33 @@ typedef struct elastic_body {
   int *far_at;    /* [2 nodes] number of the far unknown of each nodal displacement x, y, or -1 */
   int far_count;  /* number of far unknowns */
   int box_count;  /* number of nodes in the wear box */
-  int *box_inner; /* [box_count] number among the inner nodes, or -1 */
-  int *box_rim;   /* [box_count] number among the rim nodes, or -1 */
+  int *box_inner; /* [box_count] number of the node among the inner nodes, or -1 */
+  int *box_rim;   /* [box_count] number of the node among the rim nodes, or -1 */
   int inner, rim; /* numbers of inner and rim nodes */
   int band;       /* half band width of the inner unknowns */
   factor *far;
-  sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
+  sparse_entries coupling; /* stiffness between far (row) and rim (column) unknowns */
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
-  double *thinning;   /* [ARC_THINNING_SPAN^2] see arc_body_thinning */
-  stratum *stratum;   /* for an imported mesh with layers, the layers node by node; else NULL */
-  int *stratum_start; /* [surface] index of the first layer below a node */
+  double *thinning; /* [ARC_THINNING_SPAN^2] change of the compliance, see arc_body_thinning */
+  stratum *stratum; /* layers below each surface node of an imported mesh; NULL for other bodies */
+  int *stratum_start; /* [surface] index in `stratum` of the first layer below a node */
 } elastic_body;
 
-/* Returns the change of the compliance as the wear box becomes thinner at one column: the term that
- * is added, per fraction of thickness lost, to the normal compliance between the nodes that are `a`
- * and `b` columns away from this column. The change is limited to ARC_THINNING_REACH columns,
- * because wear hardly changes the stiffness of the box itself; only the error of the elements
- * changes. The change is computed at the unworn centre. If the centre is on an axis of revolution,
- * it is computed halfway between the axis and the edge; for bodies of revolution it is given per 1
- * mm of circumference. */
+/* Returns the change of the normal compliance between the nodes that are `a` and `b` columns away
+ * from a column of the wear box, per fraction of its thickness that this column has lost. The
+ * change is limited to ARC_THINNING_REACH columns, because wear hardly changes the true stiffness
+ * of the box; only the discretisation error changes. The change is computed at the unworn centre.
+ * If the centre is on an axis of revolution, it is computed halfway between the axis and the edge;
+ * for bodies of revolution it is given per 1 mm of circumference. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises and condenses a body, in ARC_BODY_STAGES stages of the progress
- * `seen` (NULL: no progress). If *given is not NULL, this imported mesh is used. The body then owns
- * the mesh and *given becomes NULL, also on failure. On failure *body is NULL. */
+/* Meshes, assembles, factorises and condenses a body. Unless `seen` is NULL, it counts the
+ * ARC_BODY_STAGES stages. If *given is not NULL, this imported mesh is used. The body then owns the
+ * mesh and *given becomes NULL, also on failure. On failure *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
                            work_progress *seen, elastic_body **body, arc_error *error);

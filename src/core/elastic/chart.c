@@ -78,8 +78,8 @@ double arc_chart_rest(const chart *c, double s, double angle) {
   return off * cos(at) + sqrt(c->pin * c->pin - off * off * sin(at) * sin(at));
 }
 
-/* A pin rotates about its own centre, and a body with a hole rotates about the centre of the
- * hole. */
+/* Computes the position of a body. A pin rotates about its own centre, a body with a hole about the
+ * centre of the hole. */
 placing arc_chart_placing(const chart *c, arc_body body, double x, double angle) {
   placing p = {.cos = 1};
   const int is_pin = (body == ARC_UPPER) == (c->side > 0);

@@ -1,4 +1,5 @@
-/* Compliances: memory, slopes, and the compliance for shear. */
+/* Implements compliances: allocation, references, response along the normals, and compliance for
+ * shear. */
 #include "core/elastic/compliance.h"
 #include "core/base/dense.h"
 
@@ -6,8 +7,8 @@
 
 enum { blocks = 5 };
 
-/* Returns the number of doubles in the block of a compliance. The last one is the number of
- * references. */
+/* Returns the number of doubles in the block of a compliance. The last double is the reference
+ * count. */
 static size_t compliance_numbers(int n) {
   return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
@@ -60,8 +61,8 @@ void arc_compliance_incline(compliance *c) {
   }
 }
 
-/* Returns yy - xx between column k and the column `columns` columns away, as the mean of both sides
- * that exist. */
+/* Returns yy - xx between node k and the nodes `columns` columns to its left and right, as the mean
+ * over those that exist. */
 static double difference_at(const compliance *c, int k, int columns) {
   double sum = 0;
   int sides = 0;
@@ -74,8 +75,8 @@ static double difference_at(const compliance *c, int k, int columns) {
   return sum / sides;
 }
 
-/* Extrapolates yy - xx from two distances, as the error of the elements decreases with the square
- * of the distance between the nodes. */
+/* Computes `level` by extrapolation of yy - xx from two distances between nodes, as the
+ * discretisation error decreases with the square of this distance. */
 void arc_compliance_level(compliance *c) {
   if (c->n <= 2 * ARC_SHEAR_REACH) return;
   c->level = c->slope + c->n;

@@ -15,21 +15,20 @@
 #include <string.h>
 
 enum {
-  together = ARC_DENSE_BAND_SIDES, /* number of right-hand sides of the band solved at once */
+  together = ARC_DENSE_BAND_SIDES, /* number of right-hand sides of K_ii that are solved together */
   panel = 64                       /* number of columns of W processed together: 32 surface nodes */
 };
 
 typedef struct condensation {
-  int ni, nr, ns; /* numbers of inner unknowns, rim unknowns and surface nodes */
-  double even;    /* [mm] even wear */
-  double *band;   /* [(band + 1) * ni] factor of K_ii */
-  double *side; /* [(ni + band) x together] right-hand sides of the band, side by side; zero between
-                   calls */
-  double *t;    /* [nr x nr] factor of T, lower triangle */
-  double *w;    /* [nr x 2 ns] matrix W */
-  int *first;   /* [2 ns] first nonzero row of W's column */
-  double *f;    /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
-  sparse_entries rim; /* matrix K_ri: row rim, column inner */
+  int ni, nr, ns;     /* numbers of inner unknowns, rim unknowns and surface nodes */
+  double even;        /* [mm] even wear */
+  double *band;       /* [(band + 1) * ni] factor of K_ii */
+  double *side;       /* [(ni + band) x together] right-hand sides of K_ii; zero between calls */
+  double *t;          /* [nr x nr] factor of T, lower triangle */
+  double *w;          /* [nr x 2 ns] matrix W */
+  int *first;         /* [2 ns] first nonzero row of each column of W */
+  double *f;          /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
+  sparse_entries rim; /* matrix K_ri */
 } condensation;
 
 static void condensation_free(condensation *c) {
@@ -149,7 +148,7 @@ static int rim_unknown(const elastic_body *b, int j) {
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Range of rows, from .. to - 1, in which the right-hand sides of the band are not zero. */
+/* Range of rows, from .. to - 1, in which the right-hand sides of K_ii are not zero. */
 typedef struct reach {
   int from, to;
 } reach;
@@ -173,7 +172,7 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Subtracts by * x[k] from to[k] for the right-hand sides k < n that are processed together. */
+/* Subtracts by * x[k] from to[k] for the first n right-hand sides, at most `together`. */
 static void subtract(int n, double by, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
 }

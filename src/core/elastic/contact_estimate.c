@@ -23,7 +23,7 @@ static double line_length(const arc_model_def *def) {
 }
 
 /* Returns the wave number times the half width [-] for which layers are as compliant under a
- * pressure wave as under the contact. It is exact if layers are so thin that they act like
+ * pressure wave as under the contact. The value is exact for layers so thin that they act like
  * independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
@@ -48,7 +48,7 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
 
 /* --- the gap ---------------------------------------------------------------------------------- */
 
-/* Returns the distance of a surface below its outermost point at x [mm]. */
+/* Returns the depth [mm] of the surface at x [mm] below its outermost point. */
 static double inset_at(const contact_pair *g, int b, double x) {
   const arc_body_def *s = &g->solid[b];
   const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
@@ -70,7 +70,8 @@ static double opening(const contact_pair *g, double s) {
 }
 
 /* Sets g->at to the position where the gap of smooth profiles is smallest: a point, or the middle
- * of a flat, whose half width is also stored. If there are several, the first one is used. */
+ * of a flat, whose half width is also stored. If there are several such positions, the first one is
+ * used. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -120,17 +121,17 @@ contact_pair arc_model_pair(const arc_model_def *def) {
   return g;
 }
 
-/* --- load of a given width */
+/* --- load for a given contact width */
 
-/* Returns the contact modulus of the pair for a contact of this half width [MPa]. */
+/* Returns the contact modulus [MPa] of the pair for a given half width of the contact [mm]. */
 static double modulus_at(const contact_pair *g, double half_width) {
   const arc_model_def *def = g->def;
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
 }
 
-/* Returns the load P / E* [mm] of Persson's pin in a hole of equal materials with the clearance c.
- * The formula for 2 E* c / P is a function of b = tan(e / 2), where e is the half angle of the
- * contact. */
+/* Returns the load P / E* [mm] for Persson's contact of a pin in a hole, for equal materials and
+ * the radial clearance c. His formula for 2 E* c / P is a function of b = tan(e / 2), where e is
+ * the half angle of the contact. */
 static double press_into_hole(const contact_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
   const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
@@ -150,7 +151,7 @@ static double press(const contact_pair *g, double wide) {
     const double t = most * k / steps, step = most / steps, before = t - step;
     const double inner = k < steps ? sqrt((a - t) * (a + t)) : g->least, in = opening(g, inner);
     const double both = outer + inner;
-    /* the factor follows from outer^2 - inner^2 = t^2 - before^2 */
+    /* step / (outer - inner) = both / (t + before), as outer^2 - inner^2 = t^2 - before^2 */
     sum += (out - in) * both / (t + before) * (g->round ? both : 1);
     outer = inner;
     out = in;
@@ -159,8 +160,8 @@ static double press(const contact_pair *g, double wide) {
 }
 
 /* Returns the half width [mm] under a load, minus the half width of the part that touches without
- * load, by bisection of the logarithm. If the load exceeds the load of the largest contact, returns
- * the value of the largest contact. */
+ * load, by bisection of its logarithm. For loads above that of the largest contact, returns the
+ * value of the largest contact. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -176,9 +177,9 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* Returns the half width [mm] of the cylinder (or ball) whose contact grows at the same rate with
- * the load, so that its pressure has edges of the same sharpness. The load of a cylinder (ball) is
- * proportional to the square (cube) of the half width. */
+/* Returns the half width [mm] of the contact of a cylinder (or ball) that grows at the same rate
+ * with the load, so that its pressure falls as steeply at the edges. The load of a cylinder (ball)
+ * is proportional to the square (cube) of the half width. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);
@@ -189,8 +190,8 @@ static double edge_at(const contact_pair *g, double wide) {
 
 /* --- estimates */
 
-/* A wave on a surface in contact changes the pressure by pi E* / length times the amplitude of the
- * wave. If this change is less than `felt` times the mean pressure, the wave is neglected. */
+/* Waves on a surface change the pressure by their amplitude times pi E* / wavelength. Waves that
+ * change it by less than `felt` times the mean pressure are neglected. */
 static const double felt = 1e-3;
 
 static double mean_pressure(const contact_pair *g, double half_width, double load) {
@@ -206,9 +207,9 @@ static double spot_width(const body_waves *w, double modulus, double p) {
   return p < flat ? 2 * w->length / pi * asin(sqrt(p / flat)) : w->length;
 }
 
-/* Determines which profiles are rough under the load, from the contact of their smooth forms. The
- * width of the contact is then computed from the form. Sets the length of the shortest waves and
- * the width of the spots in contact. */
+/* Determines which profiles count as rough under the load, from the contact of their smooth forms.
+ * For these profiles the contact width is computed from the form. Sets the length of the shortest
+ * waves and the width of the spots in contact. */
 static void find_waves(contact_pair *g, double load, contact_estimate *e) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;

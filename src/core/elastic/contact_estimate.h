@@ -9,15 +9,15 @@
 typedef struct contact_estimate {
   double half_width; /* half width, see arc_model_half_width */
   double flat;       /* width of the part that touches without load */
-  double at;   /* position x of the middle of the contact, as profiles may touch beside x = 0 */
+  double at;   /* position x of the middle of the contact; profiles may touch away from x = 0 */
   double edge; /* half width of the contact of a cylinder or ball whose pressure falls as steeply at
-                  its edges; differs from the half width only for rounded edges and kinks */
-  double wave; /* length of the shortest waves that change the pressure; INFINITY: there are none */
-  double spot; /* width of the spots in contact on the crests of waves; INFINITY: no waves */
+                  the edges; differs from half_width only for rounded edges and kinks */
+  double wave; /* length of the shortest waves that change the pressure; INFINITY: no waves */
+  double spot; /* width of the contact spots on the crests of waves; INFINITY: no waves */
 } contact_estimate;
 
 /* Relative shape of the unworn surfaces of a pair. It is created once for any number of loads. The
- * members `at` and `form`, and for profiles `least`, are set for one load. */
+ * members `at` and `form`, and `least` for profiles, depend on the load. */
 typedef struct contact_pair {
   const arc_model_def *def; /* model definition, which must outlive the estimate */
   int round;                /* true: the contact is a spot on the axis of revolution */

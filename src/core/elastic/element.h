@@ -7,7 +7,7 @@
 #include "core/elastic/chart.h"
 
 /* Elasticity D [MPa], with the stress D times the strain. c11 and c12 apply to all normal strains
- * (in plane stress to the strains in the plane). c22 applies to the strain along y; it equals c11
+ * (in plane stress to the strains in the plane). c22 applies to the strain along y and equals c11
  * unless D is a mean over several layers. */
 typedef struct elasticity {
   double c11, c12, c33, c22;
@@ -15,7 +15,7 @@ typedef struct elasticity {
 } elasticity;
 
 /* arc_elasticity_of returns the elasticity for plane strain and bodies of revolution,
- * arc_elasticity_in the elasticity for a given geometry. */
+ * arc_elasticity_in returns it for a given geometry. */
 elasticity arc_elasticity_of(arc_material material);
 elasticity arc_elasticity_in(arc_space space, arc_material material);
 
@@ -54,7 +54,8 @@ double arc_triangle_swelling(const element *e, double gradient[6]);
  * corners]. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* The three functions above for elements of revolution (element_revolved.c). */
+/* Implementations of arc_element_stiffness, arc_triangle_swelling and arc_element_stress for
+ * elements of revolution (element_revolved.c). */
 void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);

@@ -6,9 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-enum { components = 4, most_points = 4 }; /* strain components: rr, zz, around the axis, rz */
+enum { components = 4, most_points = 4 }; /* strain components rr, zz, circumferential, rz */
 
-/* An integration point. */
+/* An integration point, with the strains caused by unit displacements of the corners. */
 typedef struct point {
   double weight; /* [mm3] volume that the point represents */
   double strain[8][components];

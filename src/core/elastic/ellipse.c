@@ -57,7 +57,7 @@ arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star,
     if (check(name[k], value[k], error) != ARC_OK) return ARC_ARGUMENT;
   const double pi = acos(-1), large = fmax(radius_x, radius_z), small = fmin(radius_x, radius_z);
   const double s = slimness(large / small);
-  double K = pi / 2, E, share = pi / 4; /* values for a circle; share is (K - E) / m */
+  double K = pi / 2, E, share = pi / 4; /* K and share = (K - E) / m of a circle */
   if (s < 1) {
     elliptic(1 - s * s, &K, &E);
     share = (K - E) / (1 - s * s);

@@ -1,4 +1,4 @@
-/* A sparse Cholesky factor. Only factor.c includes cholmod.h. */
+/* Sparse Cholesky factorisation. Only factor.c includes cholmod.h. */
 #ifndef ELASTIC_FACTOR_H
 #define ELASTIC_FACTOR_H
 

@@ -51,7 +51,8 @@ static void cut_edge(const double *p, const double *q, double s, double *low, do
   *high = fmax(*high, z);
 }
 
-/* Adds the part of element e below node i of the surface. Returns 0 if out of memory. */
+/* Adds the part of element e below surface node i to the list of parts. Returns 0 if out of
+ * memory. */
 static int cut_element(search *f, int e, int i) {
   const arc_mesh *m = f->body->mesh;
   const int corners = arc_mesh_corners(m, e);
@@ -95,8 +96,8 @@ static int find_pieces(search *f) {
 
 /* --- layers -------------------------------------------------------------------------------- */
 
-/* Merges the pieces below each node into layers, and removes duplicates on common edges of
- * elements. */
+/* Merges the parts below each node into layers, and removes parts that occur twice on common edges
+ * of elements. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;
   int at = 0, count = 0;

@@ -30,7 +30,7 @@ static const char *list_names(const arc_mesh *mesh, char text[200]) {
     n += snprintf(text + n, (size_t)(200 - n), "%s'%s'", m > 0 ? ", " : "", mesh->material_name[m]);
   return text;
 }
-_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "size of all names in a message");
+_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "all names must fit in a message");
 
 /* Checks that every layer is a named material of the mesh. */
 static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
@@ -191,7 +191,7 @@ static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
   fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* imported meshes are not adapted to other contacts */
+  fit.mesh.fineness = 0; /* 0: the mesh is not adapted to the contact */
   for (int b = 0; b < ARC_BODIES; b++) {
     fit.mesh.zone[b] = given[b]->def.zone[b];
     fit.material[b] = bulk_of(def, given[b]);

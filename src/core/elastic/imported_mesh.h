@@ -5,8 +5,8 @@
 
 #include "archard/model.h"
 
-/* Checks a definition and two meshes, and writes the definition, completed from the meshes, to
- * *settled. Errors: ARC_ARGUMENT. */
+/* Checks a definition and two imported meshes, completes the definition from the meshes and writes
+ * it to *settled. Errors: ARC_ARGUMENT. */
 arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                             arc_model_def *settled, arc_error *error);
 /* Checks that the definition does not define the shape of a body with an imported mesh, except for

@@ -1,4 +1,4 @@
-/* Wear coefficients of layers over depth. */
+/* Computes wear coefficients of layered bodies as a function of depth. */
 #include "core/elastic/layer_wear.h"
 
 #include <math.h>

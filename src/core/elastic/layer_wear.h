@@ -6,7 +6,7 @@
 
 #include "core/elastic/body.h"
 
-/* Layers of a body below its sites, which are surface nodes or cells of the surface. */
+/* Layers of a body below its sites. Sites are surface nodes or surface cells. */
 typedef struct layers_below {
   const arc_model_def *def;
   arc_body body;

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { half = 2, whole = 4 }; /* half: number of displacements, and of stresses; whole: of both */
+enum { half = 2, whole = 4 }; /* half: number of displacements or stresses; whole: of both */
 
 /* Depth [1 / q] below which layers have no influence. */
 static const double deep = 20;

@@ -8,11 +8,12 @@
 double arc_material_modulus(arc_space space, arc_material material);
 
 /* Returns the modulus [MPa] of the half-plane that has the same displacement under a pressure of
- * wave number q [1/mm] as a body with its layers. Without layers and with a distant base it is
- * exactly the modulus of the material. */
+ * wave number q [1/mm] as a body with its layers. Without layers and with a distant base, the
+ * result is exactly the modulus of the material. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
-/* Returns the same modulus for a list of layers (from the surface inwards) on a base of the
- * material `own`, which is `base` mm thick (INFINITY: a half-plane) and fixed below. */
+/* Returns the modulus [MPa], defined as for arc_body_modulus, of a list of layers (from the surface
+ * inwards) on a base of the material `own`, which is `base` mm thick (INFINITY: a half-plane) and
+ * fixed at its lower face. */
 double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, double base,
                           arc_material own, double q);
 /* Returns the contact modulus [MPa] of two bodies with layers for a pressure of wave number q

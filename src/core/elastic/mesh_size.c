@@ -1,6 +1,6 @@
-/* Computes the values of "auto" in a model's definition for its contact. All lengths of the paper's
- * mesh are scaled with the half width of the contact, so that the error is the same for every
- * contact. */
+/* Computes the values of "auto" in a model's definition for its contact. All lengths of the
+ * reference paper's mesh are scaled with the half width of the contact, so that the relative error
+ * is the same for every contact. */
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/mesh/mesh.h"
@@ -30,8 +30,8 @@ double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
   return arc_body_widest_zone(&solid);
 }
 
-/* Returns the largest automatic element size [mm]. With it the height of a row is at most a tenth
- * of the smallest dimension, and the depth of the wear box at most a quarter. */
+/* Returns the largest automatic element size [mm]. At this size, the height of a row is at most a
+ * tenth of the smallest dimension, and the depth of the wear box at most a quarter. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
@@ -47,9 +47,9 @@ static double smallest_size(const contact_estimate *e) {
   return 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
 }
 
-/* Returns the element size [mm] that resolves the edges of the contact as finely as in the paper's
- * mesh. For round spots the size is halved, as their pressure at the axis would be 0.3 % low
- * otherwise. A flat is divided so that its ends are nodes. */
+/* Returns the element size [mm] that resolves the edges of the contact as finely as in the mesh of
+ * the reference paper. For round spots the size is halved, as their pressure at the axis would be
+ * 0.3 % low otherwise. A flat is divided so that its ends are nodes. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
@@ -71,8 +71,8 @@ static void fit_size(arc_model_def *def, const contact_estimate *e) {
 }
 
 /* Limits the height of rows [mm] so that two rows fit into soft, nearly incompressible layers, as a
- * single row locks where the layer is squeezed out sideways. Much thinner layers are ignored, as
- * they are as stiff as their foundation and would need very flat rows. */
+ * single row locks where the layer is squeezed out sideways. Much thinner layers are ignored,
+ * because they are as stiff as the material below them and would need very flat rows. */
 static double height_in_layers(const arc_model_def *def, double height) {
   static const double incompressible = 0.4;
   const double flattest = def->mesh.size / 16;
@@ -150,7 +150,8 @@ void arc_model_fit_alone(arc_model_def *def) {
 /* --- cost */
 
 /* Returns the approximate memory of one body [bytes]: the stiffness and its factor, and dense
- * blocks over the wear box. The factors were measured on meshes of 20 to 2.5 um. */
+ * blocks over the wear box. The numerical factors were fitted to meshes with elements of 20 to 2.5
+ * um. */
 static double body_memory(const arc_model_def *def, arc_body body) {
   const arc_body_def solid = arc_model_solid(def, body);
   const double nodes = arc_mesh_nodes(&def->mesh, body, &solid);

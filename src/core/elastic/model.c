@@ -69,7 +69,8 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* A model under construction. Its thread may continue after the caller has returned. */
+/* A model under construction. The thread that builds it may run on after the caller has
+ * returned. */
 typedef struct build {
   elastic_model *model;
   arc_mesh *given[ARC_BODIES]; /* imported meshes; NULL: the body is meshed */
@@ -240,8 +241,8 @@ static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks
 
 enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of its edges */
 
-/* Smallest number of elements in the spots of a rough profile. With 1.9 and 2.1 elements the errors
- * of the pressure were 3 % and 4 %. */
+/* Smallest number of elements in a contact spot of a rough profile. With 1.9 and 2.1 elements the
+ * errors of the pressure were 3 % and 4 %. */
 static const double least_of_spot = 3;
 
 /* Warns if the spots or the sharp edges of the unworn contact have too few elements. In edges with

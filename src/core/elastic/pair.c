@@ -1,4 +1,4 @@
-/* Pairs of bodies: names, and relations of two shapes. */
+/* Implements pairs of bodies: their names, and checks of the two shapes against each other. */
 #include "core/elastic/pair.h"
 #include "core/mesh/body_shape.h"
 

@@ -17,8 +17,8 @@ typedef struct numbering {
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/* Largest width of a number. CalculiX reads 20 characters and ignores the rest, even an exponent.
- * 13 digits fit with sign, point and any exponent. */
+/* Largest width of a number. CalculiX reads 20 characters and ignores the rest, even an exponent. A
+ * number of 13 digits fits with sign, point and any exponent. */
 enum { DECK_WIDTH = 20 };
 
 static arc_number_text number(double value) {
@@ -42,8 +42,8 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* Returns true if a node is in the deck. Decks of bodies of revolution have radii instead of x, and
- * contain only the part right of the axis. */
+/* Returns true if a node is in the deck. Decks of bodies of revolution have radii instead of x and
+ * contain only the nodes on the right side of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }
@@ -116,7 +116,8 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   write_surface(out, m, at, name);
 }
 
-/* Fails for a mesh without a wear box, as the deck needs the faces of the box. */
+/* Fails for a mesh without a wear box, because the contact surface of the deck consists of faces of
+ * the box. */
 static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
   if (mesh->rows > 0) return ARC_OK;
   return arc_fail(
@@ -188,7 +189,7 @@ static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   }
 }
 
-/* Computes the positions of the worn nodes at the present position of the body. */
+/* Computes the coordinates of all worn nodes, with the body at its position in the contact. */
 static void place_nodes(const deck *d, const arc_mesh *m) {
   const placing to = arc_chart_placing(&arc_model_body(d->model, m->body)->chart, m->body,
                                        arc_contact_definition(d->contact)->x, 0);
@@ -220,8 +221,8 @@ static void write_base(const deck *d) {
             m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
 }
 
-/* Returns the penalty stiffness [N/mm3]. With it the bodies overlap by only a small part of the gap
- * at the contact's edge, for any element size. */
+/* Returns the penalty stiffness [N/mm3]. At this stiffness the bodies overlap by only a small part
+ * of the gap at the edge of the contact, for any element size. */
 static double penalty(const deck *d) {
   return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }

@@ -30,7 +30,8 @@ typedef struct msh_output {
 
 /* --- the surfaces ----------------------------------------------------------------------------- */
 
-/* Returns the material of element e. The layers of archard's meshes count as materials. */
+/* Returns the index of the material of element e, or -1 for the body's own material. In generated
+ * meshes the layers count as materials. */
 static int material_of(const arc_mesh *m, int e) {
   if (m->material) return m->material[e];
   return m->layer && m->layer[e] < arc_body_layers(&m->solid) ? m->layer[e] : -1;
@@ -82,7 +83,7 @@ static void add_contact(const arc_mesh *m, line_sink *s) {
   for (int i = 1; i < m->surface; i++) add_line(s, m->surface_node[i - 1], m->surface_node[i]);
 }
 
-/* Adds the edges between fixed nodes. */
+/* Adds the edges of elements between two fixed nodes. */
 static void add_fixed(const arc_mesh *m, const char *fixed, line_sink *s) {
   for (int e = 0; e < m->elements; e++) {
     const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);

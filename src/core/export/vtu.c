@@ -25,15 +25,15 @@ typedef struct array {
   void *data;
 } array;
 
-/* Largest number of arrays: points, time, displacement, layers, three arrays of the cells,
- * stresses, and surface values. */
+/* Largest number of arrays in a file: points, time, displacement, layers, three arrays that
+ * describe the cells, stresses, and surface values. */
 #define AND_ONE(name, unit, text) +1
 enum { MOST_ARRAYS = 7 ARC_FIELD_STRESSES(AND_ONE) ARC_SURFACE_COLUMNS(AND_ONE) };
 
 typedef struct grid {
   const arc_mesh *mesh;
   const arc_contact *contact; /* NULL: only the mesh is written */
-  array list[MOST_ARRAYS];    /* sorted by section */
+  array list[MOST_ARRAYS];    /* arrays of the file, sorted by section */
   int count;
   int failed; /* 1: an allocation failed */
 } grid;
@@ -42,7 +42,7 @@ static void grid_free(grid *g) {
   for (int i = 0; i < g->count; i++) free(g->list[i].data);
 }
 
-/* Adds an array whose values are zero. Returns the address of the values, or NULL if out of
+/* Adds an array of zeros to the grid. Returns the address of the values, or NULL if out of
  * memory. */
 static void *add(grid *g, array a) {
   a.data = calloc(a.tuples * (size_t)a.components, type_sizes[a.type]);
