@@ -75,8 +75,8 @@ arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind
   const int why = locks_of(path);
   *kind = ARC_LOCK_SYSTEM;
   if (why == ETIMEDOUT)
-    return arc_fail(error, ARC_IO, "%s: the disk has not answered a request for a lock for %d s",
-                    name, PATIENCE);
+    return arc_fail(error, ARC_IO, "%s: the disk has not answered a lock request within %d s", name,
+                    PATIENCE);
   if (why == ENOLCK || why == ENOSYS || why == EOPNOTSUPP)
     *kind = is_folder_writable(path) ? ARC_LOCK_BY_NAME : ARC_LOCK_NONE;
   return ARC_OK;

@@ -24,7 +24,7 @@ typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
   elasticity d; /* elasticity of the body's own material, below all layers */
-  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of each layer, then d */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of all layers, then of the body's material */
   arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */

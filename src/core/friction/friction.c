@@ -1,8 +1,8 @@
 /* Solves one increment of Coulomb friction by sweeps. Each sweep solves for the pressures at
- * constant shear, and then for the shear at constant bounds, until the gaps no longer change. Both
- * are symmetric problems whose solvers always terminate. The sweeps converge quickly for bodies of
- * similar materials. If the coupling is strong, the method of friction_newton.c is tried between
- * sweeps. */
+ * constant shear, and then for the shear at constant bounds. Sweeps are repeated until the gaps no
+ * longer change. Both problems are symmetric, and their solvers always terminate. The sweeps
+ * converge quickly for bodies of similar materials. If the coupling is strong, the method of
+ * friction_newton.c is tried between sweeps. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -11,13 +11,13 @@
 
 enum { sweep_limit = 1000 };
 
-/* Tolerance of gaps, relative to the elastic displacement. */
+/* Tolerance for changes of the gaps in a sweep, relative to the elastic displacement. */
 static const double settled = 1e-13;
 
 /* --- the shear problem of an increment -------------------------------------------------------- */
 
-/* Sets the tangential force of the shear problem and limits it to the force of friction. Sets
- * k->over if it exceeds this limit, which is allowed only before convergence. */
+/* Sets the tangential force of the shear problem and limits it to the limit of friction, the sum of
+ * all bounds. Sets k->over if the limit is reached, which is allowed only before convergence. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -30,8 +30,8 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-/* Sets up the shear problem for the present normal forces. The states of stick and slip in w->slip
- * are its warm start. */
+/* Sets up the shear problem for the present normal forces. The signs of w->slip are its initial
+ * directions of slip (0: stick). */
 static void set_shear(friction_task *k) {
   const contact_problem *p = k->p;
   shear_problem *s = &k->w->shear;
@@ -79,8 +79,8 @@ static void set_gaps(friction_task *k) {
     k->p->gap[i] = k->w->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->w->sheared[i];
 }
 
-/* Returns the largest change of the gaps of nodes in contact [-], relative to the displacement by
- * pressures. */
+/* Returns the largest change [-] of the gaps of nodes in contact in this sweep, relative to the
+ * largest displacement caused by pressures. */
 static double changed(const friction_task *k, const double *sheared) {
   double most = 0, all = 0;
   for (int i = 0; i < k->p->active; i++) {
@@ -101,14 +101,15 @@ static void take_over(friction_task *k, const double *sheared, double held) {
   k->held += share * (held - k->held);
 }
 
-/* Makes one sweep. Returns 1 if converged, 0 if not, -1 if one of the two solvers fails. */
+/* Makes one sweep. Returns 1 if the gaps have converged, 0 if not, -1 if the solver for pressures
+ * or shear fails. */
 static int sweep(friction_task *k) {
   tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
-  if (k->p->active == 0) return -1; /* shear on steep slopes then carries more than the load */
+  if (k->p->active == 0) return -1; /* on steep slopes the shear carries more than the load */
   set_shear(k);
   w->shear.iterations = 0;
   if (arc_shear_solve(&w->shear) != 1) return -1;
@@ -153,8 +154,8 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* Adds the change of the compliance times the forces to the gaps without shear, as in
- * contact_problem.c. Returns 0 if the compliance has not changed. */
+/* Adds the change of the compliance times the forces to w->gap, the gaps without shear, as
+ * contact_problem.c does without friction. Returns 0 if the compliance has not changed. */
 static int add_compliance_change(friction_task *k) {
   contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;

@@ -24,7 +24,7 @@
  * Arrays have one value for each of the n nodes in contact. */
 typedef struct shear_problem {
   int n;
-  const int *at;   /* [n] numbers of the candidates in contact */
+  const int *at;   /* [n] indices of the candidates in contact */
   const double *a; /* A_tt [ld x ld], by candidate */
   int ld;
   int by_force;
@@ -35,18 +35,18 @@ typedef struct shear_problem {
   int *direction;   /* 0: stick; 1, -1: slip along, against x; warm start and result */
   int *list, *pick; /* [stuck] candidates of the nodes that stick, and their indices in `at` */
   int stuck;
-  int factored; /* 1: factor and ones are valid for list and a */
+  int factored; /* 1: `factor` and `ones` are valid for `list` and `a` */
   double *factor, *ones, *target;
   double *held, *pulled; /* forces of the nodes that slip; product A_tt t by candidate */
   int iterations;
 } shear_problem;
 
-/* Solves the problem. Returns 1 if solved, 0 if it does not converge, -1 if A_tt is not positive
- * definite. */
+/* Solves the shear problem. Returns 1 if solved, 0 if the iteration does not converge, -1 if A_tt
+ * is not positive definite. */
 int arc_shear_solve(shear_problem *s);
-/* Lists the nodes that stick (direction = 0) in `list` and `pick`, and computes the factor of their
- * matrix and the forces `ones` that resist a unit of motion. Returns non-zero if A_tt is not
- * positive definite. */
+/* Lists the nodes that stick (direction = 0) in `list` and `pick`. Computes the Cholesky factor of
+ * A_tt for these nodes, and `ones`, their forces per unit of motion. Returns non-zero if A_tt is
+ * not positive definite. */
 int arc_shear_factorise(shear_problem *s);
 
 /* Tangential part of the contact matrix of a problem. */
@@ -63,22 +63,23 @@ typedef struct tangential_compliance {
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
 void arc_tangential_free(tangential_compliance *g);
 size_t arc_tangential_bytes(const tangential_compliance *g);
-/* Updates the matrices for an updated problem. work is a workspace [2 * (nc + np)]. */
+/* Updates the tangential matrices after an update of the contact problem. `work` [2 * (nc + np)] is
+ * a workspace. */
 void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work);
 
-/* Workspace of an increment. It contains the solution of the last increment, and it can be used for
- * any problem of the model. */
+/* Workspace of an increment. It contains the solution of the last increment. One workspace can be
+ * used for all contact problems of a model. */
 typedef struct friction_workspace {
   int nc, np;
   double *gap;     /* [nc] gaps with the plate at the increment's x, without shear [mm] */
-  double *sheared; /* [nc] gaps A_nt t under the shear [mm], by candidate */
-  double *before;  /* [nc] r before the increment, by candidate */
+  double *sheared; /* [nc] gaps A_nt t caused by shear [mm], by candidate */
+  double *before;  /* [nc] displacement r before the increment [mm], by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
   double
       *slip; /* [nc] solution: ds [mm], by candidate, also without contact; 0 where nodes stick */
   double *reserve; /* [nc] solution: additional shear force at which a node slips in the direction
                       of the plate's motion [N/mm], by candidate; 0 where nodes slip */
-  double *dragged; /* [nc] A_tn f, or r under all forces; by candidate */
+  double *dragged; /* [nc] displacement A_tn f or, under all forces, r [mm], by candidate */
   double *work;    /* [4 * (nc + np)] workspace for displacements */
   shear_problem shear;
   const tangential_compliance
@@ -99,8 +100,8 @@ arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model 
 void arc_friction_workspace_free(friction_workspace *w);
 size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
-/* Error terms of even order [mm] and odd order [N] at one end of the sum over nodes in
- * slip_energy.c. */
+/* Error terms at one end of the sum over nodes in slip_energy.c: even order [mm] and odd order
+ * [N]. */
 typedef struct friction_terms {
   double even, odd;
 } friction_terms;
@@ -117,8 +118,7 @@ typedef struct friction_memory {
   int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if it is unknown or the
                 load changes */
   int fresh; /* 1: the first motion began without shear */
-  int count; /* number of reversals; the force of each lies between the forces of the two before it
-              */
+  int count; /* number of reversals; each force lies between the two forces before it */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] energy dissipated between the nodes in the present motion */
 } friction_memory;
@@ -135,8 +135,8 @@ typedef struct friction_state {
   double between;    /* [N] part of `energy` dissipated between the nodes (slip_energy.c) */
   friction_memory memory;
   double *f, *t;     /* [nc] normal and shear forces by cylinder node [N/mm] */
-  double *slip;      /* [nc] ds of the last increment [mm] */
-  double *slip_path; /* [nc] sum of ds [mm] */
+  double *slip;      /* [nc] slip ds of the last increment [mm] */
+  double *slip_path; /* [nc] sum of ds over all increments [mm] */
   double
       *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, first along x, then along y */
 } friction_state;
@@ -162,21 +162,21 @@ typedef struct friction_step {
 /* Returns the automatic number of increments in which the load is applied: four for each element
  * that the edge of the contact crosses, at least 20 and at most 400. */
 int arc_friction_press_increments(const arc_model *model, double load);
-/* Returns increment i of n in which the load of the step `to` is applied. The width of the contact
- * grows in equal steps. */
+/* Returns step i of the n steps in which the load of `to` is applied. The width of the contact
+ * grows in equal increments. */
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
-/* Solves one increment from the state `s` to `step` and updates the state. The caller updates the
- * problem before, for the plate's position step->x or, if the plate moves little as under a given
- * force, for a position near it; this position determines which points face each other. The
- * solution is written to p->f, p->approach, w->t and w->slip. p->gap then has the gaps including
- * the displacements by shear. On ARC_ARGUMENT (friction does not carry the tangential force),
- * ARC_ZONE and ARC_NUMERIC the state is unchanged. */
+/* Solves one increment from the state `s` to `step` and updates the state. Before the call, the
+ * problem must be updated for the plate's position step->x or, if the plate moves little, as under
+ * a given force, for a position near it. This position determines which points of both surfaces
+ * face each other. The solution is written to p->f, p->approach, w->t and w->slip; p->gap then
+ * includes the displacements caused by shear. On ARC_ARGUMENT (friction does not carry the
+ * tangential force), ARC_ZONE and ARC_NUMERIC the state is unchanged. */
 arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
                               const friction_step *step, friction_state *s, arc_error *error);
 
-/* Warns if friction and the difference of the materials are so large that the solution may not be
- * unique. */
+/* Warns if the coefficient of friction and the elastic mismatch are so large that the solution may
+ * not be unique. */
 void arc_friction_warn(const arc_model *model, double mu, const char *who,
                        const arc_callbacks *callbacks);
 
@@ -199,7 +199,7 @@ typedef struct friction_task {
   int by_force;    /* 1: the tangential force is given; 0: the motion is given */
   double
       dx; /* [mm] displacement of the plate, to which w->shear.shift is added under a given force */
-  double change; /* [-] relative change of the gaps in the last sweep, see friction.c */
+  double change; /* [-] relative change of the gaps in the last sweep */
   double shift,
       held; /* motion [mm] and load carried by shear [N/mm] that the present gaps include */
   int over; /* 1: the last tangential force exceeded the limit of friction */
@@ -208,14 +208,15 @@ typedef struct friction_task {
 /* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
  * sweeps. Returns 1 if solved, 0 if not, -1 if one of the two solvers fails. */
 int arc_friction_sweeps(friction_task *k, int limit);
-/* Solves for the motion that causes a given force (friction_force_control.c). This function is used
- * if the sweeps do not converge. Returns 1 if solved, else 0. */
+/* Solves for the motion of the plate that causes a given tangential force
+ * (friction_force_control.c). It is used if the sweeps do not converge. Returns 1 if solved, else
+ * 0. */
 int arc_friction_bracket(friction_task *k);
 
 /* Records a reversal of the motion. It is called before the forces of the increment are stored. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
-/* Removes the loops that the present motion has closed, and adds the energy between the nodes that
- * is still missing for these loops. */
+/* Removes the loops that the present motion has closed, and adds the part of their energy between
+ * the nodes that has not been added yet. */
 void arc_friction_close_loops(friction_state *s);
 /* Returns the change of the tangential force [N/mm] on surfaces without shear that is equivalent to
  * the present motion up to `force` [N/mm]. */
@@ -225,12 +226,12 @@ double arc_friction_rise(const friction_memory *m, double force);
  * w->reserve. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
-/* Returns the slip ds of a candidate [mm], with w->dragged as r. */
+/* Returns the slip ds of a candidate [mm], computed with r = w->dragged. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
 /* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
  * sweep (friction_newton.c). Returns 1 if solved. Otherwise returns 0 and restores the shear, the
- * slip, the set and the motion of the last sweep. */
+ * slip, the active set and the motion of the last sweep. */
 int arc_friction_newton(friction_task *k);
 
 /* Computes result [count] = A_nt t, the gaps under shear forces, by candidate. */
@@ -241,13 +242,13 @@ void arc_tangential_drag(const tangential_compliance *g, const double *f, int fi
                          double *r);
 void arc_tangential_drag_all(const tangential_compliance *g, const double *f, const double *t,
                              double *r);
-/* Computes r by candidate of a problem from the displacements u of both surfaces. work is a
- * workspace [np]. */
+/* Computes r, the tangential displacement of the cylinder relative to the plate, by candidate, from
+ * the displacements u of both surfaces. `work` [np] is a workspace. */
 void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIES], double *work,
                              double *r);
-/* Computes the displacements u of both surfaces under forces f, t [nc] by cylinder node. If `flat`
- * is true, it omits displacements along y, which are not used. work is a workspace [4 * (nc +
- * np)]. */
+/* Computes the displacements u of both surfaces under normal forces f and shear forces t, both [nc]
+ * by cylinder node. If `flat` is true, displacements along y are not needed and not computed.
+ * `work` [4 * (nc + np)] is a workspace. */
 void arc_tangential_displace(const contact_problem *p, int flat, const double *f, const double *t,
                              double *const u[ARC_BODIES], double *work);
 

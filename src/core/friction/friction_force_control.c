@@ -1,7 +1,7 @@
-/* Computes the motion for a given tangential force. If all nodes slip at constant pressures, a
- * whole range of motions has the same force. On inclined surfaces the pressures change with the
- * motion and make it unique. The force increases with the motion, so the motion can be
- * bracketed. */
+/* Computes the motion of the plate for a given tangential force. If all nodes slip at constant
+ * pressures, a whole range of motions has the same force. On inclined surfaces the pressures change
+ * with the motion, so the motion is unique. The force increases with the motion, so the motion can
+ * be bracketed. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -9,7 +9,7 @@
 
 enum { sweeps = 1000, doublings = 60, halvings = 200 };
 
-/* Tolerance of the force, relative to the load. */
+/* Tolerance of the tangential force, relative to the load. */
 static const double close_enough = 1e-13;
 
 /* Sets the motion to `dx` [mm] and updates the gaps of inclined surfaces. */
@@ -28,8 +28,7 @@ static double excess(friction_task *k, double dx) {
 }
 
 typedef struct range {
-  double x[2],
-      off[2]; /* motions [mm] with smaller and larger forces; excess of these forces [N/mm] */
+  double x[2], off[2]; /* motions [mm] with too small and too large a force; force errors [N/mm] */
 } range;
 
 /* Brackets the motion: doubles the distance from the first motion until the given force lies

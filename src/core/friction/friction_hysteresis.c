@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Forces or loads are equal if they differ by less than this fraction of the load. */
+/* Forces or loads count as equal if they differ by less than this fraction of the load. */
 static const double rounding = 1e-9;
 
 /* Returns the direction of the plate's motion under a constant load: 1 or -1, or 0 if it is unknown
@@ -24,7 +24,7 @@ static int sense_of(const friction_task *k, const friction_state *s) {
   return motion > 0 ? 1 : -1;
 }
 
-/* Returns true if the shear is small compared with the limit of friction. */
+/* Returns true if the remaining shear forces are small compared with the limit of friction. */
 static int is_free(const friction_state *s, double mu) {
   static const double little = 0.1;
   double sum = 0;

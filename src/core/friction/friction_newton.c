@@ -43,8 +43,8 @@ static double slope_at(const newton_system *c, int candidate) {
   return c->k->p->slope[c->k->p->lo + candidate];
 }
 
-/* Returns the shear caused by a unit of normal force at a node: mu or -mu if the node slips, 0 if
- * it sticks. */
+/* Returns the shear force per normal force at a node: mu or -mu if the node slips, 0 if it
+ * sticks. */
 static double pull_at(const newton_system *c, int candidate) {
   return c->direction[candidate] * c->k->step->mu;
 }
@@ -98,8 +98,8 @@ static void share_of(const newton_system *c, int unknown, double *load, double *
   *tangential = shear ? 1 : pull - m;
 }
 
-/* Computes the approach rigid[0] and the motion rigid[1] from the given load and tangential force.
- * Returns 0 if they are undetermined. */
+/* Computes the approach rigid[0] and the motion of the plate rigid[1] from the given load and
+ * tangential force. Returns 0 if the equations do not determine them. */
 static int find_rigid(newton_system *c, double rigid[2]) {
   double sum[right_hand_sides][2] = {{0}};
   for (int u = 0; u < c->n; u++) {
@@ -201,7 +201,8 @@ static int iterate(newton_system *c) {
   return 0;
 }
 
-/* Saves shear, slip and active set, with which the sweeps continue if the iteration fails. */
+/* Saves shear, slip and active set. If the iteration fails, they are restored and the sweeps
+ * continue. */
 static void save(const newton_system *c, double *t, double *slip, int *set) {
   memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
   memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);

@@ -1,5 +1,5 @@
-/* State of a contact with friction: allocation, copies, initial state, increments in which the load
- * is applied. */
+/* Implements the state of a contact with friction: allocation, copies, the unloaded state, and the
+ * increments in which the load is applied. */
 #include "core/friction/friction.h"
 
 #include <math.h>

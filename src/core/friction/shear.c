@@ -19,7 +19,7 @@ static void pull(shear_problem *s, const double *t) {
   arc_dense_add_columns(first, last, s->n, s->at, s->a, s->ld, t, s->pulled);
 }
 
-/* Lists the nodes that stick. Returns 1 if the list is unchanged. */
+/* Lists the nodes that stick in s->list and s->pick. Returns 1 if the list is unchanged. */
 static int list_stuck(shear_problem *s) {
   int n = 0, same = 1;
   for (int i = 0; i < s->n; i++) {
@@ -151,7 +151,8 @@ static int advance(shear_problem *s) {
   return 0;
 }
 
-/* Returns the node with the largest slip against its force, or -1 if there is none. */
+/* Returns the node with the largest slip in the direction opposite to its force, or -1 if there is
+ * none. */
 static int most_wrong(const shear_problem *s) {
   int worst = -1;
   double most = 0;
@@ -177,7 +178,7 @@ static int descend(shear_problem *s) {
   return 0;
 }
 
-/* Solves the problem if all bounds are zero, so that all nodes slip. Returns 0 for other
+/* Solves the shear problem if all bounds are zero, so that all nodes slip. Returns 0 for other
  * problems. */
 static int is_free(shear_problem *s) {
   for (int i = 0; i < s->n; i++)

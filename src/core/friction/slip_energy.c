@@ -21,7 +21,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Lower end (all edges of the contact) or upper end (all edges of stick zones) of the sum. */
+/* One end of the sum over nodes: the lower end consists of all edges of the contact, the upper end
+ * of all edges of stick zones. */
 typedef struct sum_ends {
   friction_task *k;
   double unit; /* force per unit of motion on the nodes that stick [N/mm2] */
@@ -37,8 +38,8 @@ static double slip_rate(const sum_ends *e, int at) {
   return fabs(1 - held) / e->unit;
 }
 
-/* Returns the slip of the neighbour of a node in contact; outside the contact, the gap converted to
- * slip [mm]. */
+/* Returns the slip [mm] of a neighbour of a node in contact. If the neighbour is not in contact,
+ * returns its gap converted to slip. */
 static double slipped(const sum_ends *e, int in, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int next = in + side, out = h->at[in] + side;
@@ -49,8 +50,8 @@ static double slipped(const sum_ends *e, int in, int side) {
   return slip + e->k->step->mu * e->k->p->open[out];
 }
 
-/* Returns the change of the tangential force until the q-th of the nodes that stick slips
- * [N/mm]. */
+/* Returns the change of the tangential force [N/mm] at which the q-th sticking node begins to
+ * slip. */
 static double until_slip(const sum_ends *e, int q) {
   const shear_problem *h = &e->k->w->shear;
   const int in = h->pick[q];
@@ -58,17 +59,17 @@ static double until_slip(const sum_ends *e, int q) {
 }
 
 /* Returns the fraction of the correction that is applied. `step` is the change of force [N/mm]
- * between the slip of the two nodes at the end, and `next` the change between the slip of the inner
- * node and of the node after it. The ratio next / step is 1.2 to 1.9 for smooth contacts of three
- * to forty nodes, at any position of the edges between nodes, and up to 2.7 if the plate's nodes
- * are halfway between the cylinder's. The fraction is 1 for smooth contacts, less at kinks of the
- * surfaces, and 0 at edges of scars. */
+ * between the beginning of slip at the two nodes at the end of the sum, and `next` the change
+ * between the inner node and the node after it. The ratio next / step is 1.2 to 1.9 for smooth
+ * contacts of three to forty nodes, at any position of the edges between nodes, and up to 2.7 if
+ * the plate's nodes are halfway between the cylinder's. The fraction is 1 for smooth contacts, less
+ * at kinks of the surfaces, and 0 at edges of scars. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
 
-/* Adds the error terms of the end of the sum on one side (-1 or 1) of the q-th of the nodes that
- * stick. */
+/* Adds the error terms of the edge of the stick zone on one side (-1 or 1) of the q-th sticking
+ * node. */
 static void add_end(sum_ends *e, int q, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int out = h->list[q] + side, before = q - side;
@@ -119,8 +120,8 @@ static int shear_unsheared(friction_task *k, double force) {
   return 1;
 }
 
-/* Computes the error *energy [N] of the sum up to a change of force `rise` [N/mm], with both ends
- * under the present pressures. Returns 1 on success, else 0. */
+/* Computes *energy [N], the error of the sum for a rise of the tangential force by `rise` [N/mm],
+ * with the error terms of both ends at the present pressures. Returns 1 on success, else 0. */
 static int sum_error(friction_task *k, double rise, double *energy) {
   friction_terms start, end;
   if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
@@ -139,8 +140,8 @@ static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Computes the reserves for an unknown history: the force up to the bound in the direction of the
- * nearest slipping nodes, or up to the nearer bound if no node slips. */
+/* Computes the reserves of the nodes if the history is unknown: the force up to the bound in the
+ * direction of the nearest slipping node, or up to the nearer bound if no node slips. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;
@@ -154,7 +155,7 @@ static void guess_reserve(friction_task *k) {
   }
 }
 
-/* Computes the reserves from the shear problem that was solved last. */
+/* Computes the reserves of the nodes from the shear problem that was solved last. */
 static void take_reserve(friction_task *k) {
   const shear_problem *h = &k->w->shear;
   memset(k->w->reserve, 0, (size_t)k->p->count * sizeof *k->w->reserve);
@@ -162,8 +163,8 @@ static void take_reserve(friction_task *k) {
     if (h->direction[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
 }
 
-/* Adds the error of the sum to the energy. It is computed for a motion on surfaces without shear,
- * and doubled after a reversal. */
+/* Corrects the energy for the error of the sum. The error is computed for a motion on surfaces
+ * without shear, and doubled after a reversal. */
 static void add_sum_error(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;

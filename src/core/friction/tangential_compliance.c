@@ -1,6 +1,6 @@
-/* Computes the tangential part of a problem's contact matrix, and displacements of both surfaces.
- * Tangents are perpendicular to the normals of mortar.c: plate nodes use the tangent of the plate,
- * and cylinder nodes use the plate's tangent at the opposite point. */
+/* Computes the tangential part of the contact matrix, and displacements of both surfaces. Tangents
+ * are perpendicular to the normals of mortar.c: both the plate nodes and the opposite cylinder
+ * nodes use the tangent of the plate. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
@@ -30,8 +30,8 @@ size_t arc_tangential_bytes(const tangential_compliance *g) {
 /* --- matrices --------------------------------------------------------------------------------- */
 
 /* Adds `weight` times the response to a unit of shear at node `at` of a body, without the
- * correction of xx, for the nodes first .. first + count - 1. The response consists of gaps n and
- * tangential displacements t. */
+ * correction of the compliance xx, for the nodes first .. first + count - 1. The response consists
+ * of gaps n and tangential displacements t. */
 ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
                                   int at, double weight, double *restrict n, double *restrict t) {
   const size_t from = dense_at(first, at, c->n);
@@ -45,14 +45,14 @@ ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int
   }
 }
 
-/* Returns the correction of xx: the displacement of node l along the surface under a unit of shear
- * at node `at`, minus the displacement by xx. */
+/* Returns the correction of the compliance xx: the displacement of node l along the surface under a
+ * unit of shear at node `at`, minus the displacement computed with xx. */
 static double beyond_xx(const compliance *c, int l, int at) {
   return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
 }
 
-/* Adds the response like respond_wide, with the correction of xx near the diagonal if `corrected`
- * is true. */
+/* Adds the response as respond_wide does and, if `corrected` is true, the correction of the
+ * compliance xx for nodes near `at`. */
 static void respond(const compliance *c, int corrected, const double *slopes, int first, int count,
                     int at, double weight, double *n, double *t) {
   respond_wide(c, slopes, first, count, at, weight, n, t);
@@ -148,16 +148,16 @@ void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIE
   }
 }
 
-/* Adds the correction of xx to the displacements u of the nodes near k, for a shear force at node
- * k. */
+/* Adds the correction of the compliance xx to the displacements u of the nodes near k, for a shear
+ * force at node k. */
 static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
   for (int l = k - ARC_SHEAR_REACH; l <= k + ARC_SHEAR_REACH && shear != 0; l++)
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
 }
 
 /* Computes the displacements u [2 n] under forces f along the normals and t along the tangents of a
- * surface with slopes. If `flat` is true, it computes only displacements along x, as the others are
- * not used. force [2 n] is workspace. */
+ * surface with slopes. If `flat` is true, only displacements along x are needed and computed.
+ * `force` [2 n] is a workspace. */
 static void displace(const compliance *c, int corrected, const double *slope, int flat,
                      const double *f, const double *t, double *force, double *u) {
   double *fx = force, *fy = force + c->n;

@@ -1,4 +1,4 @@
-/* Dimensions of bodies, computed by the functions of their kinds. Also defines blocks and
+/* Computes dimensions of bodies by the functions of their kinds. Also defines the kind "block", and
  * layers. */
 #include "core/mesh/body_shape.h"
 #include "core/mesh/body_name.h"

@@ -7,7 +7,7 @@
 #include "archard/body.h"
 
 typedef enum body_form {
-  FORM_RECTANGLE, /* rectangle; heights of its surface decay towards its base */
+  FORM_RECTANGLE, /* rectangle; surface heights decay to zero at the base */
   FORM_POINTS,    /* body with heights through given points */
   FORM_WALL,      /* wall of a ring, between two arcs */
   FORM_MAP,       /* half-space with heights at points over x and z */
@@ -17,8 +17,8 @@ typedef enum body_form {
 /* Limits of a kind of body, lengths along the surface [mm]. */
 typedef struct body_limits {
   double zone;           /* largest width of a zone with coarse columns beside it */
-  const char *zone_text; /* formula of this width in the user's fields */
-  double outer;          /* half the length of surface that may have fine elements */
+  const char *zone_text; /* formula of the largest width, for messages */
+  double outer;          /* half the largest length of surface with fine elements */
   double reach;          /* largest half width of a contact on this body */
   double flat;           /* half width of the contact without load; 0 if it is a point */
 } body_limits;
@@ -34,12 +34,12 @@ typedef struct body_shape {
                                               NULL for other forms */
   double (*depth)(const arc_body_def *b); /* returns the depth of the body below its surface [mm] */
   body_limits (*limits)(const arc_body_def *b);
-  double (*crest)(const arc_body_def *b); /* see arc_body_crest; NULL means 0 */
+  double (*crest)(const arc_body_def *b); /* returns arc_body_crest; NULL: 0 */
   double (*inset)(const arc_body_def *b, double crest,
-                  double x); /* see arc_body_inset; NULL means 0 */
+                  double x); /* returns arc_body_inset; NULL: 0 */
   arc_status (*check)(const arc_body_def *b, const char *path,
                       arc_error *error); /* checks the fields of the kind; may be NULL */
-  const struct body_shape *with_hub;     /* shape with hold = "hub"; NULL if it is the same */
+  const struct body_shape *with_hub;     /* shape if hold = "hub"; NULL: this shape */
 } body_shape;
 
 #define ARC_BODY_SHAPE(name, word, shape) extern const body_shape arc_body_shape_##shape;

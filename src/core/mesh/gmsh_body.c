@@ -93,8 +93,7 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* Sets the material of each element. Elements outside of named groups have the material of the
- * body. */
+/* Sets the material of each element. Elements outside named groups have the body's own material. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -185,7 +184,7 @@ static arc_status check_shapes(const msh_body *b) {
 /* --- coincident nodes ------------------------------------------------------------------------- */
 
 typedef struct grid_cell {
-  double x, y; /* integer coordinates of the cell that contains `node` */
+  double x, y; /* integer coordinates of the grid cell that contains `node` */
   int node;
 } grid_cell;
 

@@ -4,14 +4,14 @@
 
 #include "core/mesh/gmsh_file.h"
 
-/* A body under construction. */
+/* A body that is built from the file. */
 typedef struct msh_body {
   const msh_file *file;
   arc_mesh *mesh;
   int *local;  /* [nodes of the file] node number in the mesh, or -1 */
   int *origin; /* [nodes] index of the node in the file */
   int *source; /* [elements] index of the element in the file */
-  int *next;   /* [nodes] next node on the boundary, or -1 */
+  int *next;   /* [nodes] next node on the boundary, or -1 for inner nodes */
   arc_error *error;
 } msh_body;
 

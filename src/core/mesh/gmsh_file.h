@@ -1,5 +1,5 @@
-/* Contents of a Gmsh file: nodes, elements and groups. Arrays grow with the items that are read,
- * because the counts in the file are not trusted. */
+/* Contents of a Gmsh file: nodes, elements and groups. Lists grow as items are read, because the
+ * counts in the file may be wrong. */
 #ifndef MESH_GMSH_FILE_H
 #define MESH_GMSH_FILE_H
 
@@ -23,7 +23,7 @@ typedef struct msh_entity {
   int material[ARC_BODIES]; /* index of the material in the list of each body, -1: none */
 } msh_entity;
 
-/* Membership of an entity in a physical group. */
+/* Membership: the entity `tag` belongs to the physical group `group`. */
 typedef struct msh_member {
   long long tag, group;
   int dim;
@@ -45,13 +45,14 @@ enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3 };
 typedef struct msh_file {
   msh_text text;
   int version;                                /* major version of the format, 2 or 4 */
-  item_list groups, members, nodes, elements; /* lists of the structs above */
+  item_list groups, members, nodes, elements; /* lists of the msh_ structs of these names */
   item_list entities;        /* list of msh_entity, sorted by dimension and number */
   int materials[ARC_BODIES]; /* number of materials of each body */
   char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* names of the materials */
 } msh_file;
 
-/* Parses `file->text`; the other members are written. After an error nothing has to be freed. */
+/* Parses `file->text` and writes the other members of `file`. After an error nothing has to be
+ * freed. */
 arc_status arc_msh_read(msh_file *file, arc_error *error);
 void arc_msh_free(msh_file *file);
 

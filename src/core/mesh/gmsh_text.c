@@ -66,8 +66,8 @@ int arc_msh_line(msh_text *t) {
   return 0;
 }
 
-/* Moves behind the number that ends at `stop`. Returns 0 if white space or the end of the line
- * does not follow. */
+/* Moves to `stop`, the end of a number in the line. Returns 0 unless white space or the end of the
+ * line follows. */
 static int take(msh_text *t, char *stop) {
   if (stop == t->at || (*stop && !is_space(*stop))) return 0;
   t->at = stop;

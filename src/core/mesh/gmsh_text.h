@@ -12,9 +12,10 @@ typedef struct msh_text {
   long line;        /* number of the current line, from 1 */
 } msh_text;
 
-/* Reads the whole file. Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (too large). */
+/* Reads the whole file into memory. Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is too
+ * large). */
 arc_status arc_msh_open(msh_text *text, const char *path, arc_error *error);
-/* Copies a text that is not from a file; `name` is used in messages. Errors: ARC_MEMORY. */
+/* Copies a text from memory; `name` replaces the file name in messages. Errors: ARC_MEMORY. */
 arc_status arc_msh_copy(msh_text *text, const char *name, const char *from, size_t length,
                         arc_error *error);
 void arc_msh_close(msh_text *text);

@@ -16,8 +16,8 @@ static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   return level > 0 ? level : 0;
 }
 
-/* Maps a logical coordinate [mm] to a physical coordinate. Coordinates up to `near` are
- * unchanged; the rest is linear and maps `units` to `target`. */
+/* Maps a logical coordinate [mm] to a physical coordinate. Coordinates up to `near` are unchanged.
+ * Larger coordinates are stretched linearly, so that `units` is mapped to `target`. */
 static double stretch(double at, double near, double units, double target) {
   if (at <= near) return at;
   return near + (at - near) * ((target - near) / (units - near));
@@ -74,7 +74,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
   m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
   m.lines = (int)fmax(1, round(deep / (unit * def->height)));
-  /* Columns beside the contact may be compressed at most to half their width. */
+  /* Stretching may compress columns beside the contact at most to half their width. */
   const double beside = m.half_s - near_s;
   if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
   m.units_s = m.columns * unit * def->size;
@@ -83,8 +83,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   return m;
 }
 
-/* Returns the change of depth [mm] at row j that moves rows onto the interfaces of layers. The
- * change is linear between interfaces, and zero at the surface and the base. */
+/* Returns the change of depth [mm] of row j, chosen so that rows lie on the interfaces of layers.
+ * The change is linear between interfaces, and zero at the surface and the base. */
 static double shift_at(const body_map *m, double j) {
   double above = 0, from = 0;
   for (int l = 0; l < m->layers; l++) {
@@ -114,8 +114,7 @@ static void point_of_block(const body_map *m, double along, double j, double xy[
   xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
 }
 
-/* Computes a point of an arc about (0, R), or about (0, -R) for an arc that curves to the other
- * side. */
+/* Computes a point of an arc about (0, R), or about (0, -R) for the opposite curvature. */
 static void point_of_arc(const body_map *m, double along, double j, double xy[2]) {
   const double r = radius_at(m, depth_at(m, j)), angle = along / m->radius;
   const double side = m->hollow ? -m->up : m->up;

@@ -84,9 +84,8 @@ typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Returns the number of rows of the wear box. It is larger than in the definition if the box
- * would otherwise end within layers much thinner than its rows, because each layer has its own
- * row. */
+/* Returns the number of rows of the wear box. Each layer has its own row, so with very thin layers
+ * the defined number of rows would end within the layers. The number is then increased. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -118,9 +117,9 @@ static int straddles(const body_map *m, const quad_cell *c) {
   return 0;
 }
 
-/* Returns the coarsest level allowed for a cell. It is 0 in the inner partition, at most 2 (four
- * times the finest size) in the outer partition, and limited by the size `far` elsewhere. A cell
- * that an interface between layers cuts must be split. */
+/* Returns the coarsest quadtree level allowed for a cell: 0 in the inner partition, at most 2 (four
+ * times the finest size) in the outer partition, and a level limited by the size `far` elsewhere. A
+ * cell that is cut by an interface between layers must be split. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
@@ -161,8 +160,8 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Largest width and depth of a body in units of the element size. Positions are integers in
- * these units. */
+/* Largest width and depth of a body in units of the element size, because logical positions are
+ * integers in these units. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
@@ -251,8 +250,8 @@ static double twice_area(const double *xy, const int *e) {
   return area;
 }
 
-/* Returns the layer of a cell, which is the layer at its upper end, because cells end at
- * interfaces. */
+/* Returns the layer of a cell: the layer at its side nearest to the surface, as no interface passes
+ * through a cell. */
 static int layer_of(const body_map *map, const mesh_key *corner) {
   int top = corner[0].j, layer = 0;
   for (int c = 1; c < 4; c++) top = corner[c].j < top ? corner[c].j : top;
@@ -288,7 +287,7 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
   }
 }
 
-/* Writes all elements in order. The wear box of the whole body is first, column by column from
+/* Writes all elements to the mesh. The elements of the wear box are first, column by column from
  * left to right. */
 static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key *keys, int half) {
   const int box = half * mesh->rows;
@@ -306,8 +305,8 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
-/* Returns true for a fixed node: on the flat of a half cylinder, at the hub of a disc, at the
- * base or rim of other bodies. */
+/* Returns true if a node is fixed: on the flat side of a half cylinder, at the hub of a disc, at
+ * the base or rim of other bodies. */
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);

@@ -4,8 +4,9 @@
 
 #include "archard/mesh.h"
 
-/* Chains the edges that belong to only one element into the boundary polygon. A ring has two
- * such polygons; the polygon with the surface is used. Errors: ARC_MEMORY, ARC_GEOMETRY. */
+/* Computes the boundary polygon as the chain of all edges that belong to only one element. A ring
+ * has two such polygons; the polygon with the contact surface is used. Errors: ARC_MEMORY,
+ * ARC_GEOMETRY. */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

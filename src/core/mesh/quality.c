@@ -1,4 +1,4 @@
-/* Quality of elements: angles, aspect ratio and Jacobians. */
+/* Computes the quality of elements: angles, aspect ratio and Jacobians. */
 #include "archard/mesh.h"
 
 #include <math.h>

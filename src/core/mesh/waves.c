@@ -52,8 +52,8 @@ static double length_of_waves(const arc_series *y, const form *f, double height)
   static const double least = 0.1;
   enum { fewest = 4 };
   int turns = 0, sense = 0;
-  /* from, to: positions of the first and the last extremum. at: position of the extreme point
-   * since the last extremum. */
+  /* from, to: positions of the first and the last extremum. at: position of the highest or lowest
+   * point since then. */
   double from = 0, to = 0, at = 0;
   double last = 0;
   for (int i = 0; i < y->count; i++) {

@@ -8,11 +8,11 @@
 
 enum { most_sets = 30 /* number of sets before the safeguard against cycling starts */ };
 
-/* The set is revised after conjugate gradients have reduced the residual by this factor. */
+/* The active set is revised when conjugate gradients have reduced the residual by this factor. */
 static const double fall = 0.3;
 
-/* Revises the set: cells with p < 0 leave it, and cells that overlap by more than the limit enter
- * it. */
+/* Revises the active set: cells with p < 0 leave it, and cells whose surfaces overlap by more than
+ * the limit enter it. */
 static void change_set(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
@@ -51,16 +51,17 @@ static void finish(const pass *s, double *delta) {
   memcpy(delta, w->delta, (size_t)(s->problem->blocks * s->problem->modes) * sizeof *delta);
 }
 
-/* Revises the set until it does not change and the residual is small; *done is then true. If sets
- * repeat, or after most_sets sets, returns with *done false, and the safeguard must start. */
+/* Revises the active set until it does not change and the residual is small, and then sets *done to
+ * true. If sets repeat, or after most_sets sets, *done remains false, and the safeguard must be
+ * started. */
 static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error *error) {
   unsigned long long seen[2] = {0, 0};
   double product = 0, share = fall;
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);
   if (status == ARC_OK) status = arc_active_begin(s, error);
-  /* On periodic surfaces, initial pressures may cause no displacement, so that the limit would
-   * be 0. */
+  /* On periodic surfaces, initial pressures may cause no displacement. The limit, which is relative
+   * to the displacement, would then be 0. */
   if (status == ARC_OK) s->limit = fmax(s->limit, s->problem->tolerance * arc_active_rms(s));
   for (int sets = 0; sets < most_sets && status == ARC_OK;) {
     const double wanted = fmax(s->limit / 2, share * arc_active_rms(s));

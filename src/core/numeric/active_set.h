@@ -15,8 +15,8 @@
 
 enum { ARC_MOST_MODES = 3 };
 
-/* Computes to = A from for all blocks, both [blocks * cells]. Returns ARC_OK, or an error that ends
- * the solution. */
+/* Computes `to` = A `from` for all blocks, both [blocks * cells]. Returns ARC_OK, or an error that
+ * ends the solution. */
 typedef arc_status (*operator_fn)(void *context, const double *from, double *to);
 
 typedef struct active_problem {
@@ -34,7 +34,7 @@ typedef struct active_problem {
   work_team *team;  /* threads for the blocks; NULL: only the calling thread */
 } active_problem;
 
-/* Work done for a solution. */
+/* Numbers of iterations and operations of a solution. */
 typedef struct active_count {
   int iterations;   /* number of steps of conjugate gradients */
   int applications; /* number of applications of A */
@@ -44,14 +44,14 @@ typedef struct active_count {
 
 typedef struct active_work active_work;
 
-/* Creates a workspace for problems up to this size. Returns NULL if out of memory. */
+/* Creates a workspace for problems up to the given size. Returns NULL if out of memory. */
 active_work *arc_active_work_create(int blocks, int cells, int modes, int preconditioned);
 void arc_active_work_destroy(active_work **work);
 
 /* Solves a problem. The initial p [blocks][cells] must be positive in some cell of every block and
  * determines the first active set. p and delta [blocks][modes] are the solution; the gaps are in
  * the workspace. On ARC_NOT_CONVERGED, ARC_NUMERIC, or an error of `apply`, p is undefined. Adds
- * the work of this solution to *count. */
+ * the numbers of this solution to *count. */
 arc_status arc_active_set_solve(const active_problem *problem, active_work *work, double *p,
                                 double *delta, active_count *count, arc_error *error);
 

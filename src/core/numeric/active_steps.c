@@ -194,8 +194,9 @@ static double rounding_of(const pass *s, size_t o) {
   return 16 * DBL_EPSILON * largest;
 }
 
-/* Adds `gap` to g, which contains A p before the call. Stores the largest displacement |A p|, but
- * at least the displacement at which the tolerance of gaps equals the rounding error. */
+/* Adds `gap` to g, which contains A p before the call. Stores the largest displacement |A p| in
+ * w->largest, but at least the displacement at which the tolerance of gaps equals the rounding
+ * error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
   const size_t o = active_at(s, block);

@@ -10,12 +10,12 @@
 
 struct active_work {
   int blocks, cells, modes; /* size of the largest problem */
-  double *g;                /* A p + gap; at the end of a solution the gaps */
-  double *r;                /* residual on the set */
-  double *d;                /* direction */
+  double *g;                /* A p + gap; after a solution, the gaps g */
+  double *r;                /* residual on the active set */
+  double *d;                /* search direction */
   double *q;                /* A d */
-  double *area;             /* areas of cells in the set, 0 elsewhere */
-  double *z;                /* preconditioned residual, or r without a preconditioner */
+  double *area;             /* areas of cells in the active set, 0 elsewhere */
+  double *z;                /* preconditioned residual; without a preconditioner, r */
   double *y; /* [blocks][modes][cells] preconditioned modes; NULL without a preconditioner */
   double *mode, *whole;     /* default values of N, and default areas */
   double *gram, *oblique;   /* [blocks][modes][modes] inverses of N' N and N' y on the set */
@@ -67,10 +67,10 @@ void arc_active_project(const pass *s, int block, double *x);
 /* Returns ARC_NUMERIC if the set of a block does not determine the rigid unknowns. */
 arc_status arc_active_check(const pass *s, arc_error *error);
 arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count);
-/* Restores the loads and computes g = A p + gap. *limit is the tolerance of gaps. */
+/* Restores the loads, computes g = A p + gap and sets *limit to the tolerance of gaps. */
 arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error);
-/* Prepares a changed set: computes its preconditioned modes and Gram matrices, and the residual.
- * Errors: ARC_NUMERIC, errors of the preconditioner. */
+/* Prepares the iteration on a changed active set: computes its preconditioned modes, its Gram
+ * matrices and the residual. Errors: ARC_NUMERIC, errors of the preconditioner. */
 arc_status arc_active_begin(const pass *s, arc_error *error);
 /* Returns the root mean square of the residual whose squares are in w->sum. */
 double arc_active_rms(const pass *s);
@@ -80,7 +80,7 @@ double arc_active_rms(const pass *s);
 arc_status arc_active_relax(pass *s, double wanted, double *product, active_count *count,
                             arc_error *error);
 
-/* Computes the solution by steps of Polonsky and Keer's method, which start at p. Errors:
+/* Computes the solution by steps of Polonsky and Keer's method, starting from p. Errors:
  * ARC_NOT_CONVERGED, ARC_NUMERIC, errors of `apply`. */
 arc_status arc_active_guard(pass *s, active_count *count, arc_error *error);
 

@@ -88,8 +88,8 @@ ARC_WIDE static double residual(int n, const double *area, const double *g, doub
   return total(s);
 }
 
-/* Functions compiled for several processors are not visible in other files and therefore need these
- * wrappers. */
+/* Wrappers: functions that are compiled for several processors cannot be called from other
+ * files. */
 double arc_cells_sum(int n, const double *a) {
   return add_up(n, a);
 }

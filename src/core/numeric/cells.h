@@ -3,8 +3,7 @@
 #ifndef NUMERIC_CELLS_H
 #define NUMERIC_CELLS_H
 
-/* These functions return the sums of a, of the products a b c, and of the products a b c d over n
- * cells. */
+/* Return the sums over n cells of a, of a b c, and of a b c d. */
 double arc_cells_sum(int n, const double *a);
 double arc_cells_dot3(int n, const double *a, const double *b, const double *c);
 double arc_cells_dot4(int n, const double *a, const double *b, const double *c, const double *d);

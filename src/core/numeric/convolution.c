@@ -1,7 +1,7 @@
 /* Computes convolutions by FFTW. First the rows of the window are transformed. Then blocks of
- * columns are transformed, multiplied by the kernel and transformed back, so that the padded box is
- * never stored as a whole. Plans are estimated and not measured, so that they depend only on the
- * sizes and the processor. */
+ * columns are transformed, multiplied by the symbol of the kernel and transformed back, so that the
+ * padded box is never stored as a whole. Plans are estimated and not measured, so that they depend
+ * only on the sizes and the processor. */
 #include "core/numeric/convolution.h"
 
 #include "core/base/wide.h"
@@ -15,7 +15,7 @@ enum { block = 8 }; /* number of columns that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
-  int half;       /* number of complex columns: box_columns / 2 + 1 */
+  int half;       /* number of columns of the spectrum: box_columns / 2 + 1 */
   int stride;     /* distance between two rows of the spectrum, counted in complex numbers */
   int padded;     /* distance between two rows of the values, counted in real numbers */
   double *symbol; /* scaled symbol, stored by blocks of columns: [box_rows][columns of the block]
@@ -408,7 +408,7 @@ arc_status arc_transform_back(int rows, int columns, double *spectrum, double *v
 /* --- transforms of rows only --------------------------------------------------------------- */
 
 struct row_transform {
-  size_t values, pairs; /* number of real values, and number of complex pairs, in all rows */
+  size_t values, pairs; /* number of real values and of complex numbers in all rows */
   double *from;
   fftw_complex *to;
   fftw_plan forward, back;

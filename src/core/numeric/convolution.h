@@ -41,8 +41,8 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
 void arc_convolution_destroy(convolution **c);
 size_t arc_convolution_bytes(const convolution *c);
 
-/* Creates a workspace for `largest` and every convolution that is not larger. Returns NULL if
- * out of memory. */
+/* Creates a workspace for the convolution `largest` and all convolutions that are not larger.
+ * Returns NULL if out of memory. */
 convolution_work *arc_convolution_work(const convolution *largest);
 void arc_convolution_work_free(convolution_work **work);
 
@@ -52,16 +52,16 @@ void arc_convolution_apply(const convolution *c, convolution_work *work, const d
                            double *u);
 
 /* Computes two convolutions with a symmetric matrix of three kernels: u[0] = k[0] * p[0] + k[1] *
- * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two transforms forward and two back are needed.
- * The kernels must have the same window, and no kernel may be odd in only one direction. u may be
- * the same as p. In p and u the distance between two rows is `stride`. */
+ * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two forward and two backward transforms are
+ * needed. The kernels must have the same window, and no kernel may be odd in only one direction. u
+ * may be the same as p. In p and u the distance between two rows is `stride`. */
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
                                 int stride, const double *const p[2], double *const u[2]);
 
-/* These functions transform a whole box forward and back. `values` has the shape
- * [box_rows][box_columns], `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real,
- * imaginary). The transform back multiplies by 1 / (box_rows box_columns) and destroys the
- * spectrum. Error: ARC_MEMORY. */
+/* Forward and backward transform of a whole box. `values` has the shape [box_rows][box_columns],
+ * `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real, imaginary). The backward
+ * transform multiplies by 1 / (box_rows box_columns) and destroys the spectrum. Error:
+ * ARC_MEMORY. */
 arc_status arc_transform_forward(int box_rows, int box_columns, const double *values,
                                  double *spectrum, arc_error *error);
 arc_status arc_transform_back(int box_rows, int box_columns, double *spectrum, double *values,
@@ -75,7 +75,7 @@ typedef struct row_transform row_transform;
 row_transform *arc_rows_create(int rows, int box);
 void arc_rows_destroy(row_transform **t);
 void arc_rows_forward(row_transform *t, const double *values, double *spectrum);
-/* Computes the inverse transform without the factor 1 / box. */
+/* Computes the backward transform, without the factor 1 / box. */
 void arc_rows_back(row_transform *t, const double *spectrum, double *values);
 
 #endif

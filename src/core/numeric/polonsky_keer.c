@@ -23,7 +23,7 @@ static void turn(void *context, int block, int worker) {
 }
 
 /* Changes p by the step and sets negative pressures to 0. Cells without pressure whose gap is
- * negative receive a pressure. Stores their number in w->changes. */
+ * negative receive a pressure; their number is stored in w->changes. */
 static void clip(void *context, int block, int worker) {
   const pass *s = context;
   int entered = 0;

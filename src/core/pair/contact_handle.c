@@ -1,4 +1,5 @@
-/* Implements the functions of arc_contact. Each calls the function of the kind of pair. */
+/* Implements the functions of arc_contact. Each function calls its counterpart in the table of the
+ * kind of pair. */
 #include "core/pair/surfaces.h"
 #include "core/pair/units.h"
 

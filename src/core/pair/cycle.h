@@ -7,15 +7,16 @@
 
 #include "archard/wear.h"
 
-/* Properties of a run that follow from its definition. */
+/* Properties of a run that the kind of pair derives from its definition. */
 typedef struct wear_manner {
-  arc_procedure procedure; /* SP or NSP */
-  double strokes;   /* number of strokes per cycle (r of Eq. 21): 2, or 1 for a single pass */
+  arc_procedure procedure; /* SP: sliding plate; NSP: one contact per update */
+  double strokes;   /* number of strokes per cycle, r in the reference paper: 2, or 1 for a single
+                       pass */
   double stroke;    /* [mm] stroke */
   double modulus;   /* [MPa] If the sliding distance is unknown, it is estimated as the tangential
                        force per thickness divided by `modulus`. */
-  double radius;    /* [mm] radius at which the sliding of a rotation is measured */
-  double thickness; /* [mm] thickness by which the loads of a block are divided */
+  double radius;    /* [mm] radius at which a rotation is converted to sliding distance */
+  double thickness; /* [mm] thickness that converts loads [N] to loads per thickness [N/mm] */
   int rests;        /* true if the contact stays at one position */
   int even; /* true if the lower body wears uniformly or along a track, so that its sites do not
                move; see wear_rate.even */
@@ -44,7 +45,7 @@ typedef struct wear_block {
                           strokes but a cycle is one stroke, else 1 */
   double sliding;      /* sliding distance of a cycle [mm] */
   double cycles;       /* number of cycles, which may be INFINITY in the last block */
-  double start_distance, start_cycle; /* [mm], [cycles] when the run begins the block */
+  double start_distance, start_cycle; /* distance [mm] and cycle number at the block's start */
 } wear_block;
 
 /* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes
@@ -69,7 +70,7 @@ typedef struct wear_depths {
   double pressed; /* integral of the normal force over the sliding distance of the update [N] */
 } wear_depths;
 
-/* Tangent -d rate / d depth of a window, in a form that the kind defines. */
+/* Tangent -d rate / d depth of a window. Its format depends on the kind of pair. */
 typedef struct wear_tangent wear_tangent;
 
 /* A part of a block, with the increments first .. last. */
@@ -77,11 +78,11 @@ typedef struct wear_window {
   const wear_block *block;
   const arc_shape *shape; /* shape on which the contact is solved */
   int first, last;
-  int chained; /* true if the solution of point `first` on an earlier shape may be reused (Eq. 4) */
+  int chained; /* true if point `first` may use the solution on an earlier shape (simple rule) */
   const arc_wear_record *state; /* argument of the local factors; NULL: no local factors */
   double mu;                    /* coefficient of friction, for runs with friction */
   const double *depth;          /* [n] depths in addition to those of the shape; NULL: none */
-  wear_tangent *tangent;        /* tangent to be written, unless NULL */
+  wear_tangent *tangent;        /* output: the tangent; NULL: it is not computed */
 } wear_window;
 
 /* Callbacks of a computation, and the number of contact problems solved so far. */
@@ -99,7 +100,7 @@ typedef struct wear_stage {
   double *z;       /* [mm] depths z if every layer had the largest wear coefficient of its body */
   double *known;   /* constant part of z [mm] */
   double *worn;    /* depths z with the wear coefficients of the layers [mm] */
-  wear_rate last;  /* last rate; its member `node` is not set */
+  wear_rate last;  /* rate of the last solution; its member `node` is not set */
   void *own;       /* data of the kind */
   arc_error error; /* error of the last failure */
 } wear_stage;

@@ -6,12 +6,12 @@
 
 #include "core/pair/cycle.h"
 
-/* Functions for runs whose contact becomes larger than the surface covered by their sites. Optional
+/* Functions for runs whose contact outgrows the part of the surface that has sites. Optional
  * functions may be NULL. */
 typedef struct arc_growth {
   /* Returns true if a run must grow before the next step, and sets *why to the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
-  /* Returns true if a step failed because the run has outgrown its sites, and not because the
+  /* Returns true if a step failed because the contact has outgrown the sites, and not because the
    * step was too long. */
   int (*has_outgrown)(const arc_wear *w, arc_status why);
   /* Returns true if the bodies are large enough for the sites that the definition needs. */
@@ -59,7 +59,7 @@ typedef struct arc_kind {
   /* Optional: sets defaults of a run. NULL: the defaults of the settings apply. */
   void (*usual)(arc_wear_def *def);
 
-  /* Checks combinations of settings. Errors: ARC_ARGUMENT. */
+  /* Checks combinations of settings of a run. Errors: ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
   wear_manner (*manner)(const arc_wear_def *def, const arc_model_def *model);
   /* Optional: returns the number of increments in a full cycle of a run without a loading. NULL:
@@ -75,17 +75,18 @@ typedef struct arc_kind {
 
   /* --- runs ----------------------------------------------------------------------------------- */
 
-  /* Sets the sites and `own` of a run whose definition, surfaces and blocks are complete. On
-   * ARC_MEMORY `end` must be called. */
+  /* Sets the number of sites of a run and its member `own`, the data of the kind, when its
+   * definition, surfaces and blocks are complete. On ARC_MEMORY `end` must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
   size_t (*bytes)(const arc_wear *w); /* Optional: memory with surfaces and tangents [bytes] */
   /* Optional: checks that the zones contain the contact over the whole motion. Errors: ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* Optional: gives warnings about the definition. If `unworn` is true, also about sites that are
+  /* Optional: gives warnings about the definition and, if `unworn` is true, about sites that are
    * too coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* Optional: if the sites were too coarse for the last update, gives a warning and returns 1. */
+  /* Optional: if the sites were too coarse for the last update, gives a warning and returns 1;
+   * otherwise returns 0. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
@@ -103,7 +104,7 @@ typedef struct arc_kind {
   double (*area)(const arc_shape *shape, arc_body body, int i);
   /* Returns the profile along x through the middle. */
   arc_profile (*profile)(const arc_shape *shape, arc_body body);
-  double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] largest depth */
+  double (*deepest)(const arc_shape *shape, arc_body body); /* returns the largest depth [mm] */
   /* Optional: converts depths [n], computed with the largest wear coefficient, to depths with the
    * coefficients of the layers. */
   void (*through_layers)(const arc_shape *shape, double *depth);
@@ -119,14 +120,14 @@ typedef struct arc_kind {
    * On failure the shape must be destroyed. */
   arc_status (*wear)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                      arc_wear_record *record, arc_error *error);
-  /* Solves the reference configuration (x = 0, nominal load) of a shape and writes its columns of
-   * the record. */
+  /* Solves the contact of a shape in the reference configuration (x = 0, nominal load) and writes
+   * its results to the record. */
   arc_status (*measure)(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                         arc_error *error);
 
   /* --- the cycle ------------------------------------------------------------------------------ */
 
-  /* Computes the wear of a window. */
+  /* Computes the wear rates of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
   /* Optional: returns the amplitude of the sawtooth of pressures at neighbouring sites, divided by
@@ -135,7 +136,7 @@ typedef struct arc_kind {
   /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      arc_loop **loop, arc_error *error);
-  wear_tangent *(*tangent)(const arc_wear *w); /* NULL: out of memory */
+  wear_tangent *(*tangent)(const arc_wear *w); /* creates a tangent; NULL: out of memory */
   void (*end_tangent)(wear_tangent **tangent);
   /* Returns the largest eigenvalue [1/cycle] of k times a tangent. */
   double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
@@ -161,8 +162,8 @@ typedef struct arc_kind {
   double (*natural_depth)(const arc_wear *w);
   /* Optional: return limits of the integral of k over the distance [mm3/N] in one update. The first
    * limit removes `depth` [mm] from a uniformly worn lower body. At the second limit the wear of
-   * layers has changed the contact as much as one update may change it. The second limit includes
-   * uniformly worn layers and, if `scars` is true, layers under scars. NULL: no such limit. */
+   * layers changes the contact as much as allowed in one update; it includes uniformly worn layers
+   * and, if `scars` is true, layers under scars. NULL: no such limit. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
   /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,

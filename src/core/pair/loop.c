@@ -1,4 +1,4 @@
-/* Fretting loops: allocation. */
+/* Allocates fretting loops. */
 #include "core/pair/cycle.h"
 
 #include <stdlib.h>

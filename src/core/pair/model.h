@@ -1,4 +1,5 @@
-/* Declares the members that models of all kinds have in common, and those of surfaces. */
+/* Declares the members that the models of all kinds have in common, and those that their surfaces
+ * have in common. */
 #ifndef PAIR_MODEL_H
 #define PAIR_MODEL_H
 

@@ -4,9 +4,9 @@
 
 #include "core/pair/model.h"
 
-/* The object behind an arc_contact, the same for all kinds of pairs. */
+/* First member of every arc_contact, for all kinds of pairs. */
 typedef struct contact_handle {
-  arc_shape *shape; /* own copy of the solved surfaces */
+  arc_shape *shape; /* copy of the solved surfaces, owned by the contact */
   arc_contact_def def;
   arc_contact_result result;
 } contact_handle;

@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-static const double softest = 500, stiffest = 2e6; /* moduli of usual materials [MPa] */
+static const double softest = 500,
+                    stiffest = 2e6; /* lowest and highest modulus of usual materials [MPa] */
 
 static void warn_modulus(const char *name, double E, const arc_callbacks *callbacks) {
   if (E < softest)
@@ -36,9 +37,7 @@ void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_cal
 
 void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks) {
-  static const double largest = 1e-6,
-                      short_of =
-                          0.05; /* limit of k [mm2/N]; limit of the ratio of stroke to half width */
+  static const double largest = 1e-6, short_of = 0.05; /* limits: k [mm2/N]; stroke / half width */
   if (k > largest)
     arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g mm3/(N m) meant (k = %g)?", k,
              1e3 * k, k, 1e-3 * k);

@@ -21,7 +21,7 @@ typedef struct springs {
   arc_model handle;
   int row, count;     /* number of sites in a row along x, and number of all sites */
   double area, K;     /* area of a site [mm2]; stiffness [MPa/mm] */
-  double *x, *recess; /* [count] in contiguous rows; the middle row is at z = 0 */
+  double *x, *recess; /* [count] x and recess of the sites, row by row; middle row: z = 0 */
 } springs;
 
 typedef struct spring_surfaces {
@@ -101,8 +101,8 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 /* --- one contact ------------------------------------------------------------------------------ */
 
 /* Computes the pressures p [count] under a load [N] with the compliance `a` [mm/MPa]. At each site
- * a p = approach - gap if this difference is positive, otherwise p = 0. Newton's method approaches
- * the solution from above. On input p contains the gaps of the unloaded surfaces. */
+ * a p = approach - gap if this difference is positive, otherwise p = 0. Newton's method finds the
+ * approach, whose iterates decrease. On input p contains the gaps of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;
@@ -269,7 +269,8 @@ static arc_status check(const arc_wear_def *d, const arc_model_def *model, arc_e
   if (d->slip != ARC_SLIP_RIGID) return refuse("slip", "\"rigid\"", error);
   if (d->track > 0 || d->spin > 0) return refuse("track and spin", "none", error);
   if (d->procedure == ARC_NSP) return refuse("procedure", "\"SP\"", error);
-  if (d->blocks == 0 && d->stroke >= model->radius) return refuse("stroke", "a short one", error);
+  if (d->blocks == 0 && d->stroke >= model->radius)
+    return refuse("stroke", "less than the radius", error);
   if (d->scheme != ARC_IMPLICIT) return ARC_OK;
   if (d->local_factor) return refuse("local_factor", "none with scheme = \"implicit\"", error);
   if (!(arc_law_properties[d->law] & ARC_LAW_LINEAR))
@@ -294,7 +295,7 @@ static wear_manner manner(const arc_wear_def *def, const arc_model_def *model) {
 
 static arc_status begin(arc_wear *w) {
   w->nc = w->np = model_of(w->model)->count;
-  w->own = calloc(2 * (size_t)w->nc, sizeof(double)); /* pressures, local factors */
+  w->own = calloc(2 * (size_t)w->nc, sizeof(double)); /* pressures, then local factors */
   return w->own ? ARC_OK : ARC_MEMORY;
 }
 
@@ -318,7 +319,7 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* The tangent consists of the largest entry of -d rate / d depth. At a constant approach all
+/* The tangent is stored as the largest entry of -d rate / d depth, as at a constant approach all
  * entries outside the diagonal are zero. */
 typedef struct spring_tangent {
   double value;
