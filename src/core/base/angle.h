@@ -1,4 +1,4 @@
-/* Conversion of angles. */
+/* Converts angles from degrees to radians. */
 #ifndef BASE_ANGLE_H
 #define BASE_ANGLE_H
 

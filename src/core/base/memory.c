@@ -1,4 +1,4 @@
-/* Available memory on Linux. */
+/* Computes the available memory on Linux. */
 #include "core/base/memory.h"
 
 #include <math.h>

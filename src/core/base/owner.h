@@ -2,7 +2,7 @@
 #ifndef CORE_OWNER_H
 #define CORE_OWNER_H
 
-/* Size [bytes] of a program's name, with the final zero. */
+/* Size [bytes] of a program's name, including the terminating zero. */
 enum { ARC_OWNER = 40 };
 
 /* Writes the name of this program, "SYSTEM-PID". SYSTEM changes when the computer restarts. */

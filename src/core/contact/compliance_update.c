@@ -19,8 +19,8 @@ static double thinned(const shape_side *side, int i) {
   return (now - then) / (bottom - then);
 }
 
-/* Returns the weight of column i: for bodies of revolution the circumference of its ring, as in the
- * elements; 1 in the plane. */
+/* Returns the weight of column i: for bodies of revolution the circumference of its ring, to which
+ * the element stiffness refers; 1 in the plane. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   if (!side->body->chart.revolved.on) return 1;

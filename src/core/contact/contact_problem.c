@@ -1,4 +1,4 @@
-/* Contact problem at one position of the plate: memory, solution, results. */
+/* Implements the contact problem at one position of the plate: allocation, solution and results. */
 #include "core/contact/contact_problem.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"

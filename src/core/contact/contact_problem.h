@@ -44,12 +44,12 @@ typedef struct contact_problem {
   double *ones;    /* [nc] A^-1 `down` on the set `made` */
   int factored;    /* 1: `factor` and `ones` are valid for A */
   /* workspaces, each used by one function and its callees */
-  double *column;   /* [np] for the assembly of A */
-  double *weighted; /* [nc] for transfers to the plate */
-  double *nodal;    /* [2 nc] for forces on a body */
-  double *on_body;  /* [2 (nc + np)] for displacements along x */
-  double *drift;    /* [3 nc + 2 np] for the change of compliance */
-  double *step;     /* [2 nc] for the complementarity problem (lcp.c) */
+  double *column;   /* [np] workspace for the assembly of A */
+  double *weighted; /* [nc] workspace for transfers to the plate */
+  double *nodal;    /* [2 nc] workspace for forces on a body */
+  double *on_body;  /* [2 (nc + np)] workspace for displacements along x */
+  double *drift;    /* [3 nc + 2 np] workspace for the change of compliance */
+  double *step;     /* [2 nc] workspace for the complementarity problem (lcp.c) */
 } contact_problem;
 
 /* Allocates a problem for a model. On ARC_MEMORY the problem is empty. */

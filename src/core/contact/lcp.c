@@ -54,8 +54,8 @@ static void restore_load(contact_problem *p, double line, double total, double *
   for (int k = 0; k < p->active; k++) fs[k] += missing / total * p->ones[k];
 }
 
-/* Solves for the approach, and for the forces fs [active] that close the gaps of the set under the
- * load `line`. Returns non-zero if A is not positive definite. */
+/* Solves for the approach, and for the forces fs [active] that close the gaps of the active set
+ * under the load `line`. Returns non-zero if A is not positive definite. */
 static int solve_on_set(contact_problem *p, double line, double *fs) {
   if (arc_lcp_factorise(p)) return 1;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
@@ -67,7 +67,8 @@ static int solve_on_set(contact_problem *p, double line, double *fs) {
   return 0;
 }
 
-/* Writes the forces fs of the set to f by candidate, and computes the gaps outside the set. */
+/* Writes the forces fs of the active set to f by candidate, and computes the gaps outside this
+ * set. */
 static void spread(contact_problem *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;
@@ -85,8 +86,8 @@ static void spread(contact_problem *p, const double *fs) {
   }
 }
 
-/* Computes the new set: active nodes with f > 0 and inactive nodes that penetrate. Returns 1 if the
- * set changed. */
+/* Computes the new active set: active nodes with f > 0, and inactive nodes that penetrate. Returns
+ * 1 if the set has changed. */
 static int update_set(contact_problem *p) {
   int n = 0, same = 1;
   for (int k = 0, s = 0; k < p->count; k++) {

@@ -60,7 +60,7 @@ static arc_status check_nodes(const shape_side *side, const surface_state *state
     const double reach = 2 * (state->h[i] - *state->even) + side->body->mesh->def.size;
     const double distance = hypot(at[0] - top[0], at[1] - top[1]);
     if (!(distance <= reach))
-      return refuse(side, i, "a displacement that its wear allows", distance, error);
+      return refuse(side, i, "a displacement consistent with its wear depth", distance, error);
     if (i > 0 && !(at[0] > at[-2]))
       return refuse(side, i, "x larger than at the previous node", at[0], error);
   }

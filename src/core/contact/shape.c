@@ -57,8 +57,8 @@ static arc_status check_geometry(const arc_model *model, arc_geometry geometry, 
   if (geometry == ARC_FROZEN || !arc_model_is_given(model)) return ARC_OK;
   return arc_fail(
       error, ARC_ARGUMENT,
-      "field 'geometry': expected \"frozen\" on an imported mesh, got \"%s\": it has no wear box "
-      "whose nodes could move with the surface",
+      "field 'geometry': expected \"frozen\" on an imported mesh, got \"%s\": such a mesh has no "
+      "wear box whose nodes could move with the surface",
       arc_geometry_names[geometry]);
 }
 

@@ -28,7 +28,7 @@ typedef struct elastic_body {
   arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
-  int *node_box;  /* [nodes] index in the wear box (in the order of box_node), or -1 */
+  int *node_box;  /* [nodes] index of the node in box_node; -1 outside the wear box */
   int *far_at;    /* [2 nodes] number of the far unknown of each nodal displacement x, y, or -1 */
   int far_count;  /* number of far unknowns */
   int box_count;  /* number of nodes in the wear box */

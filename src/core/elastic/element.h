@@ -31,7 +31,7 @@ elasticity arc_elasticity_deviatoric(elasticity d);
 /* An element with 3 or 4 corners. */
 typedef struct element {
   int corners;
-  arc_element kind; /* formulation of a quadrilateral */
+  arc_element kind; /* formulation, if it is a quadrilateral */
   double xy[4][2];
   revolution revolved;
 } element;

@@ -102,7 +102,7 @@ static void triangle_point(const element *e, int c, double own, double area, poi
   fill_strains(e, n, ux, uy, area, p);
 }
 
-/* Writes the integration points and returns their number. */
+/* Computes the integration points of an element and returns their number. */
 static int all_points(const element *e, point *p) {
   static const double at = 0.57735026918962576451;
   if (e->corners == 3) {

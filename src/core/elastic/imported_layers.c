@@ -15,7 +15,7 @@ typedef struct piece {
 
 typedef struct search {
   const elastic_body *body;
-  double *sz; /* [2 * nodes] nodes in the chart */
+  double *sz; /* [2 * nodes] positions of the nodes in the chart */
   double tiny;
   item_list pieces;
 } search;

@@ -7,8 +7,8 @@
 /* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns if the model has fewer than four elements in a contact of this half width [mm], or in a
- * sharp edge of the unworn contact under a load [N] (0: the contact is worn). Also warns if the
+/* Warns if the model has fewer than four elements in a contact of the given half width [mm], or in
+ * a sharp edge of the unworn contact under a load [N] (0: the contact is worn). Also warns if the
  * elements of a body lock. */
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);

@@ -1,4 +1,4 @@
-/* Relations of two bodies. */
+/* Checks and constants of pairs of bodies. */
 #ifndef ELASTIC_PAIR_H
 #define ELASTIC_PAIR_H
 

@@ -25,7 +25,7 @@
 typedef struct shear_problem {
   int n;
   const int *at;   /* [n] indices of the candidates in contact */
-  const double *a; /* A_tt [ld x ld], by candidate */
+  const double *a; /* matrix A_tt [ld x ld], by candidate */
   int ld;
   int by_force;
   double total; /* [N/mm] tangential force */
@@ -57,7 +57,7 @@ typedef struct tangential_compliance {
   int flat;   /* 1: all slopes of the surfaces are zero */
   double *nt; /* [count x count] A_nt, gaps under shear forces */
   double *tn; /* [count x count] A_tn, the transpose of A_nt */
-  double *tt; /* [count x count] A_tt */
+  double *tt; /* [count x count] A_tt, tangential displacements under shear forces */
 } tangential_compliance;
 
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
@@ -75,8 +75,7 @@ typedef struct friction_workspace {
   double *sheared; /* [nc] gaps A_nt t caused by shear [mm], by candidate */
   double *before;  /* [nc] displacement r before the increment [mm], by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
-  double
-      *slip; /* [nc] solution: ds [mm], by candidate, also without contact; 0 where nodes stick */
+  double *slip;    /* [nc] solution: slip ds [mm] of all candidates; 0 where nodes stick */
   double *reserve; /* [nc] solution: additional shear force at which a node slips in the direction
                       of the plate's motion [N/mm], by candidate; 0 where nodes slip */
   double *dragged; /* [nc] displacement A_tn f or, under all forces, r [mm], by candidate */
@@ -88,8 +87,8 @@ typedef struct friction_workspace {
   double x;
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
-  int sweeps_before_newton; /* number of sweeps before friction_newton.c: 4, more in tests */
-  int by_force;             /* number of sweeps before friction_force_control.c: 50, 0 in tests */
+  int sweeps_before_newton; /* sweeps before friction_newton.c is tried: 4, more in tests */
+  int by_force;             /* sweeps before friction_force_control.c is used: 50, 0 in tests */
   int sweeps;               /* number of sweeps of the last increment */
   int iterations;           /* number of active sets in all sweeps */
   int newton;               /* 1: friction_newton.c solved the increment */

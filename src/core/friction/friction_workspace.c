@@ -1,4 +1,4 @@
-/* Workspace for increments with friction. */
+/* Allocates workspaces for increments with friction. */
 #include "core/base/carve.h"
 #include "core/friction/friction.h"
 

@@ -27,7 +27,7 @@ typedef struct body_limits {
 typedef struct body_shape {
   const char *const *fields; /* names of the settings that this kind uses, ended by NULL */
   body_form form;
-  double turn; /* angle of half the surface of an arc [rad]; 0 for other forms */
+  double turn; /* half the angle of an arc [rad]; 0 for other forms */
   void (*resolve)(arc_body_def *b, double radius); /* computes fields that depend on other fields
                                                       and on the model's radius [mm]; may be NULL */
   double (*radius)(const arc_body_def *b); /* returns the radius of an arc [mm], negative if hollow;

@@ -26,7 +26,7 @@ typedef struct body_map {
   double crest;       /* height of the highest point of a profile [mm], see arc_body_crest */
   int layers;
   double line[ARC_MOST_LAYERS];  /* row at the lower end of each layer */
-  double shift[ARC_MOST_LAYERS]; /* change of depth at these rows [mm] */
+  double shift[ARC_MOST_LAYERS]; /* change of depth of the row at the end of each layer [mm] */
 } body_map;
 
 /* Chooses root cells and stretching for a body whose contact region is near_s x near_d [mm]. */

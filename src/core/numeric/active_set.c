@@ -17,7 +17,7 @@ static void change_set(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
   const size_t o = active_at(s, block);
-  unsigned long long hash = 14695981039346656037ull; /* FNV-1a hash of the set */
+  unsigned long long hash = 14695981039346656037ull; /* FNV-1a hash of the active set */
   int changes = 0;
   (void)worker;
   for (int k = 0; k < s->problem->cells; k++) {
@@ -75,7 +75,7 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
     }
     const unsigned long long now = hash_of(s);
     if (now == seen[0] && share == 0) return ARC_OK;
-    if (now == seen[0]) share = 0; /* set repeats: revise only at a small residual */
+    if (now == seen[0]) share = 0; /* the set repeats: it is now revised only at a small residual */
     seen[0] = seen[1];
     seen[1] = now;
     sets++;

@@ -22,9 +22,9 @@ struct active_work {
   double *delta;            /* [blocks][modes] rigid unknowns */
   double *sum;              /* [blocks] partial sums of a pass over the blocks */
   double *largest;          /* [blocks] largest displacement or overlap */
-  int *changes;             /* [blocks] number of cells that enter or leave the set */
+  int *changes;             /* [blocks] number of cells that enter or leave the active set */
   int *singular;            /* [blocks] true if the set does not determine the rigid unknowns */
-  unsigned long long *hash; /* [blocks] hash of the set */
+  unsigned long long *hash; /* [blocks] hash of the active set */
 };
 
 /* Arguments of a task on one block. */

@@ -51,7 +51,7 @@ typedef struct wear_block {
 /* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes
  * of the cycle [MPa mm]. */
 typedef struct wear_rate {
-  double *node[ARC_BODIES]; /* [sites of the body] rates, in one block */
+  double *node[ARC_BODIES]; /* [sites of the body] rate at each site; one block for both bodies */
   double even;         /* rate of a uniformly worn lower body (Eq. 27), or of a track 1 mm wide */
   double peak;         /* largest pressure at a site in the window [MPa] */
   double energy;       /* energy dissipated per thickness [N] */
@@ -62,7 +62,7 @@ typedef struct wear_rate {
 
 /* Wear depths of an update of the geometry. */
 typedef struct wear_depths {
-  double *node[ARC_BODIES]; /* [sites of the body] depths [mm], in one block */
+  double *node[ARC_BODIES]; /* [sites of the body] depth at each site [mm], in one block */
   double even;    /* depth of uniform wear of the lower body, or of a track 1 mm wide [mm] */
   double error;   /* estimated error of an implicit update divided by the tolerance; otherwise 0 */
   double peak;    /* largest pressure [MPa] of the cycle that caused the depths */

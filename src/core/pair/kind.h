@@ -113,7 +113,7 @@ typedef struct arc_kind {
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
   /* Optional: predicts data of a shape that depend on its wear, such as the compliance, for the
-   * middle of an update. `depth` contains the depths there. */
+   * middle of an update. `depth` contains the depths at the middle. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
   /* Removes the depths from a shape and adds their volumes to the record. Layers limit the depths.
@@ -174,7 +174,7 @@ typedef struct arc_kind {
 
   /* --- one contact ---------------------------------------------------------------------------- */
 
-  /* Optional, all or none of these four: see arc_contact_solve, arc_contact_move,
+  /* Optional, all functions of this section or none: see arc_contact_solve, arc_contact_move,
    * arc_contact_surfaces. */
   arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
                       const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
