@@ -19,8 +19,8 @@ local field_of = { upper = "cylinder", lower = "plate" } -- model{} fields of th
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- Returns the setting (type, unit and range of a field) at a path inside a body or one of its materials, or
--- nil. A table over positions, such as the heights of a profile, is not a number and gives nil.
+-- Returns the setting (type, unit and range) of the field at a path inside a body or one of its materials. Returns
+-- nil for an unknown field, and for a table over positions such as the heights of a profile.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -44,7 +44,7 @@ function number.setting(path)
   return named(known.model, inside)
 end
 
--- Raises an error if `setting` is nil or its type is not a number.
+-- Raises an error if `setting` is nil or not of a numeric type.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
     check.fail(where, ("field '%s': expected the name of a field of wear{} or model{} that is a number, "
@@ -91,7 +91,7 @@ local function is_joint(flat)
   return false
 end
 
--- Returns the path of a joint's number, given by a name such as "clearance" or "cup.layer1.E".
+-- Returns the path of a numeric field of a joint, given by a name such as "clearance" or "cup.layer1.E".
 local function joint_path(flat, inside)
   local body, rest = inside:match("^(%l+)%.(.+)$")
   if not rest then return owners[inside] and ("model.%s.%s"):format(owners[inside], inside) or "model." .. inside end
@@ -99,7 +99,7 @@ local function joint_path(flat, inside)
   return prefix .. in_material(flat, prefix, (rest:gsub("^layer(%d+)%.", "layers.%1.")))
 end
 
--- Returns the path of a body's number, given by a name such as "cylinder.E", or nil if the first word is
+-- Returns the path of a numeric field of a body, given by a name such as "cylinder.E", or nil if the first word is
 -- not a body.
 local function body_path(flat, word, rest)
   local which = role(flat, word)
@@ -119,8 +119,8 @@ function number.of_run(name)
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- Returns a list of the paths of a number: one path, or two if the name stands for both bodies. flat: the
--- flat settings of the number's model. An unknown name is returned unchanged.
+-- Returns a list of the paths of a numeric field: one path, or two if the name stands for both bodies. flat: the flat
+-- settings of the model with this field. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
@@ -132,7 +132,7 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- Returns the path of a number that has only one path; field: name of the user's field in messages. Errors:
+-- Returns the path of a numeric field with only one path. field: name of the user's field for error messages. Error:
 -- ARGUMENT if the name is ambiguous.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)

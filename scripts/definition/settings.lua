@@ -27,7 +27,7 @@ end
 -- Settings that are not stored, since another setting determines them: mesh.size determines mesh.fineness.
 local implied = { ["mesh.fineness"] = true }
 
--- Returns the flat settings from which a material or a model can be made again.
+-- Returns the flat settings from which an equal material or model can be created.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
   if class ~= "material" and class ~= "model" then
@@ -37,7 +37,7 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- the body includes its material
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- a table of the body and its material
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
@@ -52,8 +52,8 @@ local function check_path(where, name)
   check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
--- Returns the fields to store for a value. An object made in Lua can have other fields than the fields from
--- which it is made.
+-- Returns the fields of a value to store. For an object of a Lua class with __settings, these are the fields from
+-- which it can be created; else the value itself is returned.
 local function own_fields(value)
   local class = getmetatable(value)
   local of = type(class) == "table" and rawget(class, "__settings")
@@ -120,9 +120,9 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases, most_values = 1000000, 4000000 -- limits of a study
+local most_cases, most_values = 1000000, 4000000 -- largest numbers of cases and varied values in a study
 
--- Raises an error if a study has too many cases. how: explanation of the number in the message.
+-- Raises an error if a study has too many cases. how: explanation of `count` in the message.
 function settings.check_count(where, name, count, how)
   if count <= most_cases then return end
   check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))

@@ -1,4 +1,4 @@
--- Formats values as JSON text. Tables with [1] become arrays, other tables become objects with sorted keys,
+-- Formats values as JSON text. Tables with an item [1] become arrays, other tables become objects with sorted keys,
 -- and NaN and infinity become null.
 
 local files = require "archard.files"
@@ -9,7 +9,7 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Returns a JSON string. If the text is not valid UTF-8, each byte above 127 is read as the Unicode
+-- Returns a text as a quoted JSON string. If the text is not valid UTF-8, each byte above 127 is read as the Unicode
 -- character with this number (Latin-1).
 local function quoted(text)
   if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end

@@ -158,7 +158,7 @@ end
 
 function runs:one(values) return self:many{ values }[1] end
 
--- Returns the run for a set of values as a wear object, run to the last distance.
+-- Returns the run for a set of values as a wear object at the last distance.
 function runs:wear(values)
   local _, run = observe.run(self:given(values), self.what)
   return run

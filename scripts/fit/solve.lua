@@ -99,8 +99,8 @@ local function keep_best(problem, values, residuals)
   problem.runs.counter:better(solve.shown(problem, values), "fit.best")
 end
 
--- Searches for the best parameters from each parameter's `start`. Returns their values and the number of
--- iterations. Without `central`, one-sided derivatives are used, which need half as many runs.
+-- Searches for the best parameters, beginning at the `start` of each parameter. Returns their values and the number
+-- of iterations. Without `central`, one-sided derivatives are used, which need half as many runs.
 local function search(problem, central)
   local parameters, first, far = problem.parameters, {}, nil
   for i = 1, #parameters do first[i] = 1 end

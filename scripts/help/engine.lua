@@ -27,7 +27,7 @@ return {
     text = "Pressure at the centre: p_H = 2 L_N / (pi a t) for a cylinder, p_H = 3 L_N / (2 pi a^2) for a ball, "
       .. "with the load L_N, half width a and thickness t." },
   { "hertz.E_star", kind = "field", unit = "MPa",
-    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the cylinder (c) and the plate (p). Of each body E*_b = E / "
+    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the cylinder (c) and the plate (p). For each body, E*_b = E / "
       .. "(1 - nu^2), or E in plane stress." },
   { "hertz.approach", kind = "field", unit = "mm",
     text = "Distance by which a ball and its plate approach each other: a^2 / R, with the half width a and the "
@@ -56,8 +56,8 @@ return {
   { "body{layers}", type = "list of tables { thickness=, material= }",
     text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. If its "
       .. "material has k, a layer wears with this coefficient. A plate with a coating of 5 um: w = wear{ model={ "
-      .. "lower=body.block{ k=1e-8, layers={{ thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} "
-      .. "} } }. w:run{ depth={ plate=0.005 } } stops when it is worn through." },
+      .. "lower=body.block{ k=1e-8, layers={{ thickness=0.005, material=material{ E=300e3, nu=0.2, k=1e-10 } }} } "
+      .. "} }. w:run{ depth={ plate=0.005 } } stops when the coating is worn through." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = 'A half cylinder, fixed at its flat side. For a pin in a bush, hold = "free" lets this side move '
       .. 'sideways, and hold = "hub" makes the body a whole disc around a rigid hub. Fields: radius, hold' .. of_all },
@@ -79,9 +79,9 @@ return {
   { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
     text = 'A measured or computed rough surface for model{ geometry="3-D" }, as upper or lower body. The heights, '
       .. "positive out of the body, are on a grid with constant steps; give a map or the fields of map{ x=, z=, y= "
-      .. "}. If radius (and radius_z) are given, the heights are added to a ball. Between the points they are "
-      .. "interpolated by cubics. The contact must stay within the map, which is centred at x = z = 0. Fields: x, "
-      .. "z, y, radius, radius_z" .. of_all },
+      .. "}. If radius (and radius_z) are given, the heights are added to a ball. Between the points the heights "
+      .. "are interpolated by cubics. The contact must stay within the map, which is centred at x = z = 0. Fields: "
+      .. "x, z, y, radius, radius_z" .. of_all },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A full disc, fixed at a hub in its centre; the radius of the hub is 0.15 times the radius of the disc. "
       .. "Fields: radius" .. of_all },
@@ -122,8 +122,8 @@ return {
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
     text = "Quality of the worst elements, a table with smallest_angle, largest_angle (degrees), aspect (longest "
       .. "edge over shortest), jacobian_ratio (smallest Jacobian over the largest, at the corners of a "
-      .. "quadrilateral), smallest_jacobian (mm2, positive). Its field box is the same table for the wear box "
-      .. "alone." },
+      .. "quadrilateral), smallest_jacobian (mm2, positive). Its field box is a table of these values for the wear "
+      .. "box alone." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
     text = "Writes the mesh to a file. The ending chooses the format: .vtk, .vtu, .inp (Abaqus, CalculiX), .msh "
       .. "(Gmsh) or .csv (nodes)." },
@@ -186,14 +186,14 @@ return {
       .. "axis." },
   { "contact.move", kind = "method", class = "contact",
     use = "c:move{ x= | tangential=, z= | tangential_z=, load=, increments= }",
-    text = "Returns the contact after a motion. The plate's base moves to x, or a tangential force moves it; the "
-      .. "load changes at the same time, and all of them change linearly. c itself is not changed. Coulomb "
-      .. "friction depends on the history, so the motion starts from the slip of each node in c. If neither x nor "
-      .. "tangential is given, the base keeps its position. x may exceed the contact width; the bodies then slide. "
-      .. "In 3-D z and tangential_z are available too, and the increments are chosen automatically: c.energy_error "
-      .. "estimates their error. If you set the number of increments in 3-D, the error is of first order in their "
-      .. "length where the direction of slip rotates: if a force rotates once in 64 increments, its work is 8 % "
-      .. "too small." },
+    text = "Returns the contact after a motion. The plate's base moves to x, or a tangential force moves it, and "
+      .. "the load may change; position, force and load change linearly and simultaneously. c itself is not "
+      .. "changed. Coulomb friction depends on the history, so the motion starts from the slip of each node in c. "
+      .. "If neither x nor tangential is given, the base keeps its position. x may exceed the contact width; the "
+      .. "bodies then slide. In 3-D z and tangential_z are available too, and the increments are chosen "
+      .. "automatically: c.energy_error estimates their error. If you set the number of increments in 3-D, the "
+      .. "error is of first order in their length where the direction of slip rotates: if a force rotates once in "
+      .. "64 increments, its work is 8 % too small." },
   { "contact.z", kind = "field", unit = "mm",
     text = "Position of the lower body along z, in 3-D with friction; 0 in 2-D." },
   { "contact.tangential_z", kind = "field", unit = "N",
@@ -211,10 +211,10 @@ return {
       .. "for beta up to 0.1. Larger beta, changing loads or edges of scars: 45 % with one element, 15 % with one "
       .. "and a half, 6 % with two. For the energy of wear runs see wear.energy and wear.cycle_energy." },
   { "contact.energy_error", kind = "field", unit = "N mm",
-    text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the "
-      .. "difference from the energy with half as many increments, which is close to the true error where "
-      .. "the direction of slip rotates, and three times the true error elsewhere. Motions whose number of "
-      .. "increments you set are not included." },
+    text = "In 3-D: estimated error of contact.energy caused by the length of the increments. It is the difference "
+      .. "from the energy with half as many increments. This difference is close to the true error where the "
+      .. "direction of slip rotates, and three times the true error elsewhere. Motions whose number of increments "
+      .. "you set are not included." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "Stick zones at the end of the motion, a list of { left=, right= } in mm; empty in gross slip. The "
       .. "position of an edge has an error of 0.15 element widths, or 0.3 if fewer than six elements stick. In "
@@ -464,8 +464,8 @@ return {
   { "wear.update_at", kind = "field", text = 'When the geometry is updated, "cycle" or "increment": see '
     .. "wear{update}." },
   { "wear.loading", kind = "field",
-    text = "The blocks of loading as sampled, each { x=, load=, cycles=, periodic= }; false for a constant stroke "
-      .. "without loading." },
+    text = "The sampled blocks of loading, each a table { x=, load=, cycles=, periodic= }; false for a constant "
+      .. "stroke without loading." },
   { "wear.local_factor", kind = "field", text = "The function local_factor of the definition, or false." },
   { "wear.functions", kind = "field",
     text = 'Names of the fields that are functions, such as "k" or "local_factor". Functions are not stored '

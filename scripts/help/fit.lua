@@ -3,15 +3,15 @@
 return {
   { "fit", kind = "function", class = "fitted",
     use = 'fit{ unknown={ k=1e-8 }, data={{ of="depth_plate", cycle={}, value={} }} }',
-    text = "Identifies parameters of wear{} and model{} from measured depths, volumes, profiles or loops, with standard "
-      .. "errors: print(f), f.value.k, f.low.k and f.high.k (95 % interval). k and alpha together need data of both "
-      .. "bodies. calibrate{} is simpler for volumes of repeated tests. The method is weighted nonlinear least "
-      .. "squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are finite differences between "
-      .. "runs, with steps chosen from the noise of the runs. Data of several kinds need standard errors; with one "
-      .. "kind they can be omitted and are then estimated from the residuals. Standard errors, correlations and "
-      .. "bands are linearised at the result. Refused: too few data, implausible units, an unknown without effect. "
-      .. "A fit that does not converge raises an error with the last values; better start values, bounds (low, "
-      .. "high) or fewer unknowns can help." },
+    text = "Identifies parameters of wear{} and model{} from measured depths, volumes, profiles or loops, with "
+      .. "standard errors: print(f), f.value.k, f.low.k and f.high.k (95 % interval). k and alpha together need "
+      .. "data of both bodies. calibrate{} is simpler for volumes of repeated tests. The method is weighted "
+      .. "nonlinear least squares (Levenberg and Marquardt) of (model - data) / error. Derivatives are finite "
+      .. "differences between runs, with steps chosen from the noise of the runs. Data of several kinds need "
+      .. "standard errors; with one kind they can be omitted and are then estimated from the residuals. Standard "
+      .. "errors, correlations and bands are linearised at the result. fit{} refuses too few data, implausible "
+      .. "units and an unknown without effect. A fit that does not converge raises an error with the last values; "
+      .. "better start values, bounds (low, high) or fewer unknowns can help." },
   { "fit.best", type = "table { value=, chi2=, runs= }",
     text = "After Ctrl-C: the best values of the interrupted fit, by name." },
   { "fit{unknown}", type = "table of tables",
@@ -92,13 +92,13 @@ return {
     text = "Standard errors by name; infinite for a parameter at a bound, or one that the data do not determine." },
   { "fitted.low", kind = "field", text = "Lower ends of the confidence intervals." },
   { "fitted.high", kind = "field", text = "Upper ends of the confidence intervals." },
-  { "fitted.names", kind = "field", text = "Names of the parameters, in the order of values." },
-  { "fitted.values", kind = "field", text = "Values of the parameters in a list." },
-  { "fitted.errors", kind = "field", text = "Standard errors in a list." },
+  { "fitted.names", kind = "field", text = "Names of the parameters, in the order of f.values." },
+  { "fitted.values", kind = "field", text = "Values of the parameters as a list, in the order of f.names." },
+  { "fitted.errors", kind = "field", text = "Standard errors as a list, in the order of f.names." },
   { "fitted.correlation", kind = "field",
     text = "Correlations f.correlation[i][j] of the parameters; the offsets of profiles follow the unknowns." },
   { "fitted.covariance", kind = "field", text = "Covariances of the parameters for the given errors, in the order "
-    .. "of correlation." },
+    .. "of f.correlation." },
   { "fitted.confidence", kind = "field", text = "Confidence level of intervals and bands." },
   { "fitted.times", kind = "field", text = "Student's factor, about 2: half width of a confidence interval divided by the standard error." },
   { "fitted.chi2", kind = "field", text = "Sum of the squares of residual / error." },
@@ -115,7 +115,7 @@ return {
     text = "Unknowns with knots, as tables { distance=, value= } that wear{ k= } and wear{ alpha= } accept." },
   { "fitted.band", kind = "field", text = "Unknowns with knots, as tables with the ends low and high of "
     .. "their confidence intervals." },
-  { "fitted.notes", kind = "field", text = "Remarks on the result, a list of texts." },
+  { "fitted.notes", kind = "field", text = "Remarks on the result, as a list of texts." },
   { "fitted.iterations", kind = "field", text = "Number of iterations." },
   { "fitted.runs", kind = "field", text = "Number of runs made; runs read from a file are not counted." },
   { "fitted.noise", kind = "field",

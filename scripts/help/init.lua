@@ -223,8 +223,8 @@ local function is_called(entry, name)
   return place == name or entry.owner .. "." .. place == name
 end
 
--- Returns all entries that a name can mean. If an entry has this address, it is the only one; else all
--- topics and entries with this name are returned, with options of methods at the end.
+-- Returns all entries that a name can mean. If the name is the address of an entry, only this entry is returned; else
+-- all topics and entries with this name, with options of methods at the end.
 function help.find(name)
   if type(name) ~= "string" then return {} end
   load_entries()
@@ -255,8 +255,8 @@ local function everything()
   return table.move(examples, 1, #examples, #list + 1, list)
 end
 
--- Returns the topics, entries and examples that contain all words of a text or belong to it as a synonym,
--- the best first, and the number of good answers among them.
+-- Returns the topics, entries and examples that contain all words of a text or are listed for it as a synonym, the
+-- best first, and the number of good answers among them.
 function help.matches(text)
   if type(text) ~= "string" then return {}, 0 end
   return search.find(everything(), text)
@@ -290,8 +290,8 @@ local function answer(question)
   return others[1] and text .. "\n\n" .. show.others(others, 5) or text
 end
 
--- Returns the help text of a name. If no entry has the name, returns the answer to a question of several words, the
--- entries that contain the one word, or a similar name.
+-- Returns the help text of a name. If no entry has the name, it is read as a question or as a word to search for, and
+-- a similar name is suggested if the search finds nothing.
 local function explain_name(name)
   local found = help.find(name)
   if #found == 0 then found = help.find(name:lower()) end

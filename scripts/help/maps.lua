@@ -47,7 +47,8 @@ return {
   { "map.missing", kind = "field", type = "number", text = "Number of missing points that were filled." },
   { "map.outliers", kind = "field", type = "number", text = "Number of outliers that were replaced." },
   { "map.path", kind = "field", type = "string", text = "File of the map." },
-  { "map.at", kind = "method", use = "t:at(x, z)", text = "Value at a point, bilinear between the four around it." },
+  { "map.at", kind = "method", use = "t:at(x, z)", text = "Value at a point, by bilinear interpolation between the "
+    .. "four points around it." },
   { "map.profile", kind = "method", use = "t:profile{ z=0 }  t:profile{ x=0 }",
     text = "Section along x at one z, or along z at one x: { x=, y= }, where x is the position along the section. "
       .. "plot{ line } draws it, profile(line) converts it to a profile." },

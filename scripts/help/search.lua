@@ -1,4 +1,4 @@
--- Searches the help entries, topics and examples for texts that contain all words of a phrase, and for those that
+-- Searches the help entries, topics and examples for texts that contain all words of a phrase, and for texts that
 -- answer a question.
 
 local search = {}

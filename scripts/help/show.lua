@@ -36,7 +36,8 @@ local function fill(text, width, margin)
   return (table.concat(lines, "\n"):gsub("\n+$", ""))
 end
 
--- Returns the type or values, the unit and the default of an entry as text. Unknown facts are omitted.
+-- Returns the type or values, the unit and the default of an entry as text. Items that the entry does not have are
+-- omitted.
 function show.facts(entry)
   local facts = {}
   if entry.type then
@@ -82,7 +83,8 @@ local function best_sentence(text, words, most)
   return sentence and shortened(sentence:match("^(.-)%s*$"), most) or show.first_sentence(text, most)
 end
 
--- Returns a titled list of entries as text, with the name, the facts and the first sentence of each entry.
+-- Returns a titled list of entries as text, with the name, the type, unit and default, and the first sentence of each
+-- entry.
 local function listing(title, entries, width)
   if #entries == 0 then return nil end
   width = width or page_width()

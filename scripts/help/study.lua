@@ -66,13 +66,12 @@ return {
     text = "Fraction of the contact width that slips, at both edges together, at the transition to partial slip." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
-    text = "Mesh and step convergence study: searches for the element size, the jump and the increments at "
-      .. "which results no longer change. Element size: the unworn pressure agrees with Hertz' at that size "
-      .. "and at half of it, with at least eight elements across the contact. Jump: the largest one below "
-      .. "the stability limit for which the surfaces stay smooth and symmetric. Increments: the fewest that "
-      .. "give the same profiles. Accepts the fields of study{} and those below, or a study and a table of "
-      .. "them; cases are distributed to workers. For study.paper() it prints the paper's Table 1 next to "
-      .. "the computed values." },
+    text = "Mesh and step convergence study: searches for the element size, the jump and the increments at which "
+      .. "results no longer change. Element size: the unworn pressure agrees with Hertz' at that size and at half "
+      .. "of it, with at least eight elements across the contact. Jump: the largest one below the stability limit "
+      .. "for which the surfaces stay smooth and symmetric. Increments: the fewest that give the same profiles. "
+      .. "Accepts the fields of study{} and the fields below, or a study and a table of the fields below; cases "
+      .. "are distributed to workers. For study.paper() it prints the paper's Table 1 next to the computed values." },
   { "study.converge{base}", type = "table", text = "Fields of wear{} that all cases have in common, see "
     .. "study{base}." },
   { "study.converge{vary}", type = "table of lists", text = "Varied fields with their values, see study{vary}." },
@@ -84,13 +83,13 @@ return {
     text = "For the mesh: accepted relative error of the largest unworn pressure against Hertz." },
   { "study.converge{smooth}", type = "number", default = 0.005,
     text = "For the jump: accepted sawtooth of the pressure in the middle of the contact, root mean square "
-      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth, so that of a "
-      .. "reference run in small steps is subtracted. At least a quarter of the sawtooth of the reference run is "
-      .. "accepted; the result then has a note." },
+      .. "relative to the pressure at the centre. Kinks and coarse meshes also cause a sawtooth, so the sawtooth "
+      .. "of a reference run in small steps is subtracted. At least a quarter of the sawtooth of the reference run "
+      .. "is accepted; the result then has a note." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Accepted difference between a profile and its mirror image, relative to its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
-    text = "For the increments: accepted difference of a profile from that with 400 increments, relative to "
+    text = "For the increments: accepted difference of a profile from the profile with 400 increments, relative to "
       .. "its depth." },
   { "study.converge{updates}", type = "whole number from 4 to 1000", default = 100,
     text = "Largest number of updates of a trial run." },
@@ -145,8 +144,8 @@ return {
   { "study.submit{wait}", type = "boolean", default = true,
     text = "false: returns as soon as the job has started." },
   { "study.submit{progress}", type = 'function, false or "lines"',
-    text = 'A function called with { done=, total= } after each case; "lines": a line instead. Default: a display on '
-      .. "a terminal." },
+    text = 'A function called with { done=, total= } after each case; "lines": prints a line after each case; '
+      .. "false: no output. Default: a display on a terminal." },
   { "study.cases", kind = "method", class = "case", use = "s:cases()",
     text = "List of all cases, with the results of finished ones." },
   { "study.table", kind = "method", use = 's:table{ format="markdown" }',
@@ -190,11 +189,11 @@ return {
     text = "The search for the element size: { size=, steps= }, the size [mm] and a list of the trials." },
   { "convergence.cases", kind = "field",
     text = "A list of { label=, status=, settings=, found= }. Fields of found: jump, the largest good jump; limit, "
-      .. "the stability limit of the jump; judged, the number of updates in a trial; roughness and asymmetry at this "
-      .. "jump; smooth, the accepted roughness if it was increased; increments, the number in a cycle; change, the "
-      .. "difference of the profiles from those with the most increments; first_depth [mm]; jumps and roughnesses, "
-      .. "lists of all trials. capped is true if no larger jump was tried. bound then names the limit: "
-      .. '"stability", or "cycles" (a tenth of all cycles).' },
+      .. "the stability limit of the jump; judged, the number of updates in a trial; roughness and asymmetry at "
+      .. "this jump; smooth, the accepted roughness if it was increased; increments, the number in a cycle; "
+      .. "change, the difference of the profiles from the profiles with the most increments; first_depth [mm]; "
+      .. "jumps and roughnesses, lists of all trials. capped is true if no larger jump was tried. bound then names "
+      .. 'the limit: "stability", or "cycles" (a tenth of all cycles).' },
   { "convergence.notes", kind = "method", use = "c:notes()",
     text = "A list of texts about the cases whose search ended at a limit." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
@@ -251,8 +250,8 @@ return {
   { "calibration.runs", kind = "field", text = "Number of simulations." },
   { "calibration.measurements", kind = "field", text = "Number of repeated tests." },
   { "calibration.spread", kind = "field",
-    text = "Standard deviations of the coefficients over the tests (that of alpha to first order); nil for "
-      .. "a single test." },
+    text = "Standard deviations of the coefficients over the tests (to first order for alpha); nil for a single "
+      .. "test." },
 
   -- --- case -----------------------------------------------------------------------------------
   { "case", kind = "object", use = "s:cases()[1]",
@@ -263,7 +262,7 @@ return {
   { "case.status", kind = "field", values = { "waiting", "running", "done", "failed" },
     text = 'State of the case. A case that was interrupted is "waiting" again in the next run.' },
   { "case.message", kind = "field", text = "The error message of a failed case." },
-  { "case.warning", kind = "field", text = "The warning of the run; nil: none." },
+  { "case.warning", kind = "field", text = "The warning of the run; nil if there was none." },
   { "case.seconds", kind = "field", unit = "s", text = "Computing time of the case." },
   { "case.settings", kind = "field", text = "The fields of wear{} that the study sets for the case." },
   { "case.definition", kind = "field",

@@ -28,9 +28,9 @@ return {
       .. '{ plate = p }, for comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods '
       .. "return new profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
-  { "profile{z}", type = "list", unit = "mm", text = "Heights, instead of h." },
+  { "profile{z}", type = "list", unit = "mm", text = "Heights; give either z or h." },
   { "profile{y}", type = "list", unit = "mm", text = "Heights. Sections of maps have this field too." },
-  { "profile{h}", type = "list", unit = "mm", text = "Depths, instead of z." },
+  { "profile{h}", type = "list", unit = "mm", text = "Depths; give either h or z." },
   { "profile{level}", values = { "line", "circle" },
     text = "Subtracts the best line or circle, by least squares of heights; see p:level." },
   { "profile{scar}", type = "table { from, to } in mm", values = { "auto" },
@@ -49,9 +49,8 @@ return {
   { "profile.read{unit}", type = 'string or table { x="mm", z="um" }', default = '"mm"',
     text = "Unit of columns without a unit in their names: mm, um, nm, cm, m or in." },
   { "profile.mean", kind = "function", class = "profile", use = "profile.mean{ p1, p2, ... }",
-    text = "Mean of several traces over their common range, at the positions of the first, weighted by "
-      .. "their noise. Its error is the larger of two estimates, from the noise and from the scatter of the "
-      .. "traces." },
+    text = "Mean of several traces over their common range, at the positions of the first trace, weighted by their "
+      .. "noise. Its error is the larger of two estimates, from the noise and from the scatter of the traces." },
   { "profile.x", kind = "field", type = "list", unit = "mm", text = "Positions." },
   { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil in a profile of depths." },
   { "profile.h", kind = "field", type = "list", unit = "mm",
@@ -108,11 +107,11 @@ return {
   { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
     text = "Length of the scar across the trace; for a wear track of radius r on a disc, 2 pi r." },
   { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
-    text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope "
-      .. "Rdq over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean "
-      .. "width of elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is "
-      .. "that of the Gaussian filter; half a cut-off at both ends is excluded. The field noise equals "
-      .. "p.error; Rq^2 includes noise^2." },
+    text = "Profile parameters by ISO 21920-2 (names of ISO 4287), in mm: Ra, Rq, Rsk, Rku, Rt and the slope Rdq "
+      .. "over the evaluation length; Rp, Rv, Rz as means over sections of one cut-off; RSm, the mean width of "
+      .. "elements higher and deeper than a tenth of Rz (NaN for fewer than two). The mean line is computed by the "
+      .. "Gaussian filter; half a cut-off at both ends is excluded. The field noise equals p.error; Rq^2 includes "
+      .. "noise^2." },
   { "profile.roughness{cutoff}", type = "number > 0, or false", unit = "mm", default = 0.8,
     text = "Cut-off of long waves. false: no cut-off; the results are then Pa, Pq, ... about a straight line." },
   { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Cut-off of short waves; default: none." },
@@ -209,7 +208,7 @@ return {
     text = '"grey" or false: draws in greys, with dashes and marks to distinguish the lines.' },
   { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },
   { "plot.style{lines}", type = "number in [0.1, 10]",
-    text = "Width of lines and size of marks, relative to the screen's." },
+    text = "Width of lines and size of marks, relative to the style screen." },
   { "plot.style{dpi}", type = "number in [30, 2400]", text = "Resolution of png and gif in pixels per inch." },
   { "plot.points", kind = "function", takes = "plot",
     use = "plot.points{ x=..., y=..., error=..., title=... }",
@@ -311,11 +310,11 @@ return {
     .. "and across it instead of x and y." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "Draws a stress in colours with contours, for a contact, a worn run, or a field f = c:stress(): "
-      .. "inside both bodies, in 3-D on a section of one body (body=; default: the lower one). If the largest "
-      .. "mises or shear in one body is more than three times that in the other, the colour scale covers the "
-      .. "body with less stress, and its label has the maximum of the other body; vrange= sets another range. "
-      .. "Accepts the options of plot{}." },
+    text = "Draws a stress in colours with contours, for a contact, a worn run, or a field f = c:stress(): inside "
+      .. "both bodies, in 3-D on a section of one body (body=; default: the lower one). If the largest value of "
+      .. "mises or shear in one body is more than three times that in the other, the colour scale covers the body "
+      .. "with less stress, and its label has the maximum of the other body; vrange= sets another range. Accepts "
+      .. "the options of plot{}." },
   { "plot.stress{section}", type = "table { z= }, { x= } or { y= }", default = "{ z = 0 }",
     text = "In 3-D: a section along (z=) or across (x=) the motion, or the plane at y <= 0 below the surface." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,

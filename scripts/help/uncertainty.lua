@@ -134,12 +134,12 @@ return {
 
   -- --- pictures ---------------------------------------------------------------------------------
   { "plot.bands", kind = "function", takes = "plot", use = 'plot.bands(s, { of="depth_cylinder" })',
-    text = "Quantiles of a sampled study, or of its uncertainty, as bands over the distance, with the median as a "
-      .. "line. Accepts the options of plot{}." },
+    text = "Quantiles of a sampled study, or of the result of s:uncertainty{}, as bands over the distance, with "
+      .. "the median as a line. Accepts the options of plot{}." },
   { "plot.bands{of}", type = "name or list of names", values = columns,
     text = "Columns of the history, a panel each." },
   { "plot.tornado", kind = "function", takes = "plot", use = 'plot.tornado(u, { of="depth_cylinder" })',
-    text = "Importance of the numbers as bars: Sobol's indices of a sampled study or its uncertainty, rank "
+    text = "Importance of the numbers as bars: Sobol's indices of a sampled study or of s:uncertainty{}, rank "
       .. "correlations if there are no indices, elasticities of a sensitivity. Accepts the options of plot{}." },
   { "plot.tornado{of}", type = "string", values = columns, text = "The result; default: the first one." },
   { "plot.tornado{at}", type = "number > 0", unit = "mm",

@@ -39,7 +39,7 @@ return function(joint, given)
   local where = "joint:contact"
   given = check.definition(where, given or {}, { load = check.positive, direction = direction_kind })
   local load, n = given.load or 3000, given.direction or { 0, 0, 1 }
-  local scale = math.max(math.abs(n[1]), math.abs(n[2]), math.abs(n[3])) -- avoids overflow of the squares
+  local scale = math.max(math.abs(n[1]), math.abs(n[2]), math.abs(n[3])) -- avoids overflow in n^2
   local length = scale * math.sqrt((n[1] / scale) ^ 2 + (n[2] / scale) ^ 2 + (n[3] / scale) ^ 2)
   local result = check.as(where, sphere.press, joint.engine, load * (n[1] / length), load * (n[2] / length), load * (n[3] / length))
   result.model, result.load, result.direction = joint, load, { n[1], n[2], n[3] }

@@ -25,8 +25,8 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
-check.plain = names.plain -- removes terminal control codes from text of a file
-check.shown = names.shown -- formats a value for a message: "dumb", 3, a wear object, a table
+check.plain = names.plain -- plain(text) removes terminal control codes from a text, such as a name from a file
+check.shown = names.shown -- shown(value) formats a value for a message: "dumb", 3, a wear object, a table
 
 -- --- kinds of values: a test and a text of the expected value ----------------------------------
 

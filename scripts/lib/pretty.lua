@@ -13,11 +13,11 @@ local pretty = {}
 
 -- Limits of the output. "..." replaces omitted items.
 local limits = {
-  depth = 5,        -- levels of nested tables
-  list = 40,        -- items of the outermost list
-  inner_head = 4,   -- first items shown of a long list inside a table
-  keys = 200,       -- fields of one table
-  total = 2000,     -- items of the whole output
+  depth = 5,        -- number of levels of nested tables that are shown
+  list = 40,        -- number of items shown of the outermost list
+  inner_head = 4,   -- number of items shown at the start of a long list inside a table
+  keys = 200,       -- number of fields shown of one table
+  total = 2000,     -- number of items in the whole output
 }
 
 local colours = { number = "36", string = "32", boolean = "35", ["nil"] = "35", dim = "2" }
