@@ -57,8 +57,8 @@ function problem:smoothed_residuals(values)
   return list
 end
 
--- Returns the root mean square of the residuals per degree of freedom. It is 1 if the errors of the data
--- are right.
+-- Returns the root mean square of the residuals per degree of freedom. It is about 1 if the given errors of the data
+-- are correct.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
   for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end

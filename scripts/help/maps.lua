@@ -42,7 +42,7 @@ return {
   { "map.size", kind = "field", type = "table { nx, nz }", text = "Number of points along x and z." },
   { "map.unit", kind = "field", type = "string", text = "Unit of y." },
   { "map.name", kind = "field", type = "string", text = "Name of y." },
-  { "map.form", kind = "field", values = { "plane", "sphere" }, text = "Form subtracted by t:level; nil: none." },
+  { "map.form", kind = "field", values = { "plane", "sphere" }, text = "Form subtracted by t:level; nil if none was." },
   { "map.radius", kind = "field", type = "number", unit = "mm", text = "Radius of the subtracted sphere." },
   { "map.missing", kind = "field", type = "number", text = "Number of missing points that were filled." },
   { "map.outliers", kind = "field", type = "number", text = "Number of outliers that were replaced." },

@@ -29,7 +29,7 @@ return {
       .. "return new profiles. Points without a value (NaN) are removed; decreasing positions are reversed." },
   { "profile{x}", type = "list", unit = "mm", text = "Positions, increasing or decreasing." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights; give either z or h." },
-  { "profile{y}", type = "list", unit = "mm", text = "Heights. Sections of maps have this field too." },
+  { "profile{y}", type = "list", unit = "mm", text = "Heights, under the name used in sections of maps." },
   { "profile{h}", type = "list", unit = "mm", text = "Depths; give either h or z." },
   { "profile{level}", values = { "line", "circle" },
     text = "Subtracts the best line or circle, by least squares of heights; see p:level." },
@@ -63,15 +63,17 @@ return {
       .. "sampling step); filter, average and mean reduce it." },
   { "profile.correlation", kind = "field", type = "number", unit = "mm",
     text = "Correlation length of the noise: the step of a raw trace, larger after filtering." },
-  { "profile.form", kind = "field", values = { "line", "circle" }, text = "Form that was subtracted; nil: none." },
+  { "profile.form", kind = "field", values = { "line", "circle" }, text = "Form that was subtracted; nil if none "
+    .. "was." },
   { "profile.radius", kind = "field", type = "number", unit = "mm", text = "Radius of the subtracted circle." },
   { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "Range of the worn "
     .. "part, if it is known." },
   { "profile.scatter", kind = "field", type = "table { deviation=, length= }", unit = "mm",
     text = "Deviation of the unworn part from the line or circle: standard deviation (roughness and noise) and "
       .. "correlation length." },
-  { "profile.cutoff", kind = "field", type = "number", unit = "mm", text = "Cut-off of the filter; nil: none." },
-  { "profile.missing", kind = "field", type = "number", text = "Number of points removed." },
+  { "profile.cutoff", kind = "field", type = "number", unit = "mm", text = "Cut-off of the filter; nil without a "
+    .. "filter." },
+  { "profile.missing", kind = "field", type = "number", text = "Number of points without a value that were removed." },
   { "profile.path", kind = "field", type = "string", text = "File from which the profile was read." },
   { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
     text = "Subtracts a line or circle, by least squares of heights, instead of the one subtracted before. With a "

@@ -178,8 +178,8 @@ the middle of the contact sticks and only its edges slip and wear: partial slip.
 slip, w.gross is 1. study.fretting_map{} finds both for many loads and motions.
 
 contact{ friction=, load= }:move{ x=, tangential= } computes single motions: c.stick, c:shear(), c:slip(), plot.shear, plot.slip.
-law = "energy" wears by the energy of friction. Balls on flats: geometry = "3-D" in the model. See examples "fretting_loop",
-"fretting_ball", "fretting_map", "mccoll".]] },
+law = "energy" computes the wear from the friction energy. Balls on flats: geometry = "3-D" in the model. See examples
+"fretting_loop", "fretting_ball", "fretting_map", "mccoll".]] },
 
   { "limits", [[
 Bodies are linear elastic with small strains; each body and layer has E and nu. Materials are defined by their numbers, such as

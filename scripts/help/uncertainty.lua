@@ -95,8 +95,8 @@ return {
       .. "n of samples) and, with indices, first and total: by field { value=, error= }, the share of the variance "
       .. "caused by the field alone, and with its interactions. print shows it." },
   { "uncertainty.distance", kind = "field", unit = "mm", text = "Sliding distances at which the statistics are given." },
-  { "uncertainty.of", kind = "field", text = "The results, by name." },
-  { "uncertainty.fields", kind = "field", text = "The uncertain fields, by name." },
+  { "uncertainty.of", kind = "field", text = "Names of the results, which are columns of the history." },
+  { "uncertainty.fields", kind = "field", text = "Names of the uncertain fields." },
   { "uncertainty.n", kind = "field", text = "Number of samples." },
   { "uncertainty.failed", kind = "field", text = "Number of failed cases, which are excluded." },
   { "uncertainty.confidence", kind = "field", text = "Confidence level of the intervals." },
@@ -109,12 +109,12 @@ return {
     use = 'w:sensitivity{ of="depth_cylinder", to={"k", "alpha", "E"} }',
     text = "Derivatives and elasticities (percent per percent) of results with respect to numbers of the "
       .. "definition, over the whole history, each with its error. The run is repeated 16 times per number, with "
-      .. "relative changes from 3 % to 4e-7, and the difference quotient that agrees best with those of the next "
-      .. "changes is used. For results that jump from node to node, such as half widths and pressures, the slope "
-      .. 'of a least-squares line through 17 runs over a wider range is used. Automatic steps (jump = "auto", '
-      .. "tolerance) are frozen, then divided into 4 and 8 parts: the results are from 8 parts; the errors include "
-      .. "the difference between 4 and 8 parts. With a given jump, the results apply to these steps, and the "
-      .. "errors are those of the difference quotient alone." },
+      .. "relative changes from 3 % to 4e-7, and the difference quotient that agrees best with the quotients of "
+      .. "the neighbouring changes is used. For results that jump from node to node, such as half widths and "
+      .. "pressures, the slope of a least-squares line through 17 runs over a wider range is used. Automatic steps "
+      .. '(jump = "auto", tolerance) are frozen, then divided into 4 and 8 parts: the results are from 8 parts; '
+      .. "the errors include the difference between 4 and 8 parts. With a given jump, the results apply to these "
+      .. "steps, and the errors are those of the difference quotient alone." },
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',
@@ -128,8 +128,8 @@ return {
       .. "elasticity, elasticity_error, and over (half the range of a slope as a fraction of the number; 0: a "
       .. "local derivative), each a list over s.distance. print shows the values at the end." },
   { "sensitivity.distance", kind = "field", unit = "mm", text = "Distances at the ends of the steps." },
-  { "sensitivity.of", kind = "field", text = "The results, by name." },
-  { "sensitivity.to", kind = "field", text = "The numbers, by name." },
+  { "sensitivity.of", kind = "field", text = "Names of the results, which are columns of the history." },
+  { "sensitivity.to", kind = "field", text = "Names of the varied numbers of wear{} or model{}." },
   { "sensitivity.runs", kind = "field", text = "Number of runs." },
 
   -- --- pictures ---------------------------------------------------------------------------------

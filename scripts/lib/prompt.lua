@@ -1,7 +1,7 @@
 -- The interactive prompt: compiles the lines of the user, checks whether they are complete, and shows their
 -- values.
 
--- Local copies, as the user may overwrite any global.
+-- Local copies of globals, because the user may overwrite any global.
 local error, load, print, rawget, rawset, select, type = error, load, print, rawget, rawset, select, type
 local table, string, io, os = table, string, io, os
 local globals = _G
@@ -51,7 +51,7 @@ end
 -- Returns code that runs `head` and returns the values of `expression`. The code avoids the tail call
 -- `return f()`, which would remove the frame of the chunk and thus the line number of errors in f.
 local function handed_on(head, expression)
-  -- Adds a line break only after a comment, since a line break shifts the line numbers of errors.
+  -- Adds a line break only if the text may end with a comment, since a line break shifts the line numbers of errors.
   local ended = expression:find("--", 1, true) and "\n)" or ")"
   return head .. "return (function(...) return ... end)(" .. expression .. ended
 end

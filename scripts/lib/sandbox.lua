@@ -26,8 +26,8 @@ os.rename = nil
 -- Prevents loading Lua files from the program's folder, since a script of the user could have written them.
 function _ENV.loadfile() return nil, "the sandbox reads no examples" end
 
-function io.popen() error("the sandbox starts no other programs", 0) end
-function os.execute() return nil, "the sandbox starts no other programs" end
+function io.popen() error("other programs cannot be started in the sandbox", 0) end
+function os.execute() return nil, "other programs cannot be started in the sandbox" end
 
 -- Temporary files are created in the working folder.
 local count = 0
@@ -38,7 +38,7 @@ end
 
 -- --- functions for the user's scripts ------------------------------------------------------------
 
--- Loads a Lua file that may be read. Errors have the position of the caller.
+-- Loads a Lua file that the sandbox allows to be read. Errors contain the position of the caller.
 local function read_chunk(path, ...)
   if type(path) ~= "string" then error("expected a file name, got " .. type(path), 3) end
   local found, why = files.find(path, "read")

@@ -7,8 +7,8 @@ local solve = require "archard.lib.linear"
 local form = { kinds = { "plane", "sphere" } }
 local models = {}
 
--- Returns the height of a plane at (u, v) and its derivatives with respect to p. Lengths are in units of
--- half the map's length; u and v are measured from the middle of the map.
+-- Returns the height of a plane with the parameters p at (u, v), and its derivatives with respect to p. Lengths are
+-- in units of half the map's length; u and v are measured from the middle of the map.
 function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
 
 -- Returns the height of a sphere at (u, v) and its derivatives with respect to p, or nil outside the
@@ -56,8 +56,8 @@ local function normal(self, points, p)
   return a, b, rr / #y
 end
 
--- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual
--- does not increase. Returns the new means of `normal` and the size of the step, or nil.
+-- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual does not
+-- increase. Returns the new means, in the form of normal(), and the size of the step, or nil on failure.
 local function advance(self, points, a, b, rr)
   local right = {}
   for i = 1, #b do right[i] = { b[i] } end

@@ -105,7 +105,7 @@ end
 -- in the file are ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
-  if nx * nz > (left + 1) // 2 then -- at least a digit and a blank for each value
+  if nx * nz > (left + 1) // 2 then -- a value needs at least a digit and a blank
     self:refuse("expected %d x %d values, got only %d bytes of text", nx, nz, left)
   end
   local next_word, y = self.text:gmatch("%S+", self.at), {}

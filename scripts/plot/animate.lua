@@ -148,7 +148,7 @@ local function each_frame(w, every, frames, visit)
   end
 end
 
--- plot.animate(w, { frames=30, every=, what="profile", delay=0.1, file="run.gif", ... })
+-- plot.animate(w, { frames=30, every=, what="profile", delay=0.1, file="run.gif", ... }) draws the animation.
 return function(w, given)
   local where = "plot.animate"
   if not (curves.get(w, "step") and curves.get(w, "profile")) then

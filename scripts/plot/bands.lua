@@ -27,7 +27,7 @@ local function panel_of(uncertainty, name)
   return panel
 end
 
--- plot.bands(study or uncertainty, { of=, ... })
+-- plot.bands(study or uncertainty, { of=, ... }) draws one panel for each result in `of`.
 return function(object, options)
   options = draw.options(where, options, { of = check.any "a name or a list of names" })
   local uncertainty = object

@@ -99,7 +99,7 @@ local function over_contact(x, p)
   return table.move(x, first, last, 1, {}), table.move(p, first, last, 1, {})
 end
 
--- plot.pressure(w1, w2, ..., { scaled=, body=, ... })
+-- plot.pressure(w1, w2, ..., { scaled=, body=, ... }) draws the contact pressures of runs and contacts.
 function curves.pressure(...)
   local where = "plot.pressure"
   local objects, words, options = split(where, "pressure", { scaled = check.flag, body = body_kind,
@@ -313,7 +313,7 @@ local function history_name(object, columns)
   return #columns == 1 and body and "history of the " .. body or "history"
 end
 
--- plot.history(w1, ..., "p_center", ..., { against="cycle", ... })
+-- plot.history(w1, ..., "p_center", ..., { against="cycle", ... }) draws columns of the histories of runs.
 function curves.history(...)
   local where = "plot.history"
   local objects, columns, options = split(where, "history", { titles = check.table,

@@ -175,7 +175,7 @@ end
 
 local own = { curves = check.flag }
 
--- plot.fit(f, { curves=true }), plot.fit(d)
+-- plot.fit(f, { curves=true }) draws the result f of fit{}, plot.fit(d) the result d of fit.design{}.
 return function(given, options)
   local class = type(given) == "table" and (getmetatable(given) or {}).__name
   if class ~= "fitted" and class ~= "design" then

@@ -70,7 +70,7 @@ local function add_borders(given, map, partial, gross)
   given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "all slips" }
 end
 
--- plot.fretting_map(map, { ... })
+-- plot.fretting_map(map, { ... }) draws a result of study.fretting_map{}.
 return function(map, options)
   if not naming.get(map, "gross_from") then
     check.fail(where, "expected a result of study.fretting_map{}, got " .. check.shown(map))
@@ -84,7 +84,7 @@ return function(map, options)
   add_grounds(given, map, partial, gross, least, most)
   add_borders(given, map, partial, gross)
   add_conditions(given, map)
-  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- margin to the frame
+  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- with a margin to the frame
   given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
   given.title = ("running condition fretting map: μ = %g"):format(map.friction)
   draw.draw(where, draw.over(given, options))

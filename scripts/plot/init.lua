@@ -6,7 +6,7 @@ local draw = require "archard.plot.draw"
 local lazy = require "archard.lib.lazy"
 
 local plot = {
-  default = draw.default, -- default term, size, colour and key
+  default = draw.default, -- defaults of term, size, colour and key
   pressure = lazy("archard.plot.curves", "pressure"),
   profile = lazy("archard.plot.curves", "profile"),
   history = lazy("archard.plot.curves", "history"),

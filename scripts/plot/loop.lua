@@ -51,7 +51,7 @@ local function unit_of(loops)
   return "mm", 1
 end
 
--- plot.loop(w1, w2 or w2:loop(), ..., { titles=, ... })
+-- plot.loop(w1, w2 or w2:loop(), ..., { titles=, ... }) draws the fretting loops of runs.
 function loop.loop(...)
   local where = "plot.loop"
   local things, options = split(...)

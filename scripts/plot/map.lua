@@ -144,7 +144,7 @@ local function ranges_of(t)
   return within(x, t.x), within(z, t.z)
 end
 
--- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height", { ... })
+-- plot.map(t, { levels=, vrange=, ... }) draws a map, plot.map(w, "height", { ... }) a map of a run.
 function pictures.map(object, options, more)
   local where = "plot.map"
   if type(options) == "string" then
@@ -243,7 +243,7 @@ end
 
 local surface_options = { exaggeration = check.positive }
 
--- plot.surface(t, { exaggeration=, ... })
+-- plot.surface(t, { exaggeration=, ... }) draws an oblique view of a map.
 function pictures.surface(t, options)
   local where = "plot.surface"
   check_map(where, t)

@@ -5,7 +5,7 @@ local check = require "archard.lib.check"
 
 local measured = {}
 
-local most, with_bars = 160, 60 -- largest number of points drawn, without and with error bars
+local most, with_bars = 160, 60 -- largest numbers of points drawn without and with error bars
 
 local function is_profile(value) return require "archard.profile.class".is(value) end
 

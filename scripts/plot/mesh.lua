@@ -143,7 +143,7 @@ end
 local mesh_options = { body = check.text, unrolled = check.flag, zoom = check.one_of({ "wear box", "all" },
   check.box) }
 
--- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
+-- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... }) draws the elements.
 function mesh.mesh(model, options)
   local where = "plot.mesh"
   local meshes = naming.part(model, "mesh")
@@ -291,7 +291,8 @@ local function scale_of(bodies, names, component, box, label)
   return ("%s (%s: up to %.3g)"):format(label, names[first > second and 1 or 2], high), { 0, low }
 end
 
--- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
+-- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... }) draws a stress
+-- component in both bodies or in one.
 function mesh.stress(object, options)
   local where = "plot.stress"
   local spatial = in_space(object)

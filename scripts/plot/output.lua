@@ -8,7 +8,7 @@ local style = require "archard.plot.style"
 
 local output = {}
 
-output.default = {} -- default term, size, colour and key
+output.default = {} -- the user's defaults of term, size, colour and key
 
 local windows = { window = true, qt = true, wxt = true, x11 = true }
 local file_kinds = {}
@@ -145,7 +145,7 @@ local function chosen(where, figure, given, moving)
   end
   local to = to_screen(where, figure, given, kind, moving)
   local size = given.size or output.default.size
-  -- in characters if the output on a terminal was chosen automatically, otherwise in the unit of the output
+  -- The size is in characters if the output on a terminal was chosen automatically, else in the unit of the output.
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- convert from characters to pixels

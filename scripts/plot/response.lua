@@ -178,7 +178,8 @@ end
 local own = { x = check.text, y = check.text, by = check.text, where = check.table,
   map = check.flag }
 
--- plot.response(study, { x="alpha", y="depth_cylinder", by="stroke", map=true, where={ k=1e-8 } })
+-- plot.response(study, { x="alpha", y="depth_cylinder", by="stroke", map=true, where={ k=1e-8 } }) draws the result y
+-- of the finished cases.
 return function(study, options)
   local cases = naming.get(study, "cases")
   if not cases or not naming.get(study, "varied") then

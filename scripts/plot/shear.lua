@@ -50,7 +50,8 @@ local function draw_map(where, contact, method, options)
   draw.draw(where, draw.over(given, options))
 end
 
--- plot.shear(c, { body=, ... }); in 3-D plot.shear(c, { axis=, ... })
+-- plot.shear(c, { body=, ... }) draws the shear tractions of a contact, in 3-D
+-- plot.shear(c, { axis=, ... }) a map of them.
 function shear.shear(contact, options)
   local where = "plot.shear"
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
@@ -89,7 +90,8 @@ local function slip_within(contact)
   return { x = x, y = s }
 end
 
--- plot.slip(c1, c2, ..., { titles=, ... }); in 3-D plot.slip(c, { axis=, ... })
+-- plot.slip(c1, c2, ..., { titles=, ... }) draws the slip of contacts, in 3-D
+-- plot.slip(c, { axis=, ... }) a map of the slip.
 function shear.slip(...)
   local where = "plot.slip"
   local first, second = ...

@@ -39,7 +39,7 @@ local fields = {
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
-local as_column = { single = "column", double = "page" } -- the names that journals use for these widths
+local as_column = { single = "column", double = "page" } -- names of these widths in journals
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 
@@ -82,7 +82,7 @@ local function width_of(columns)
   return current[width] or width
 end
 
-local highest_panel, highest = 60, 240 -- [mm] largest height of a panel; height of a journal page
+local highest_panel, highest = 60, 240 -- largest height of a panel, height of a journal page [mm]
 
 -- Returns the height [mm] of a figure. With one panel it follows from the style's shape; panels in a grid are
 -- slightly lower than wide.

@@ -88,7 +88,7 @@ local function name_in(object, of)
   check.fail(where, ("field 'of': no quantity '%s'%s"):format(of, check.hint(of, object.of)))
 end
 
--- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... })
+-- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... }) draws the bars of a result at a distance.
 return function(object, options)
   options = draw.options(where, options, { of = check.text, at = check.positive })
   if naming.get(object, "uncertainty") then

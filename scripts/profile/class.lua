@@ -145,7 +145,7 @@ function profile.level(where, p, kind, worn)
     length = length }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
-  result.removed = found -- for repeated levelling and for the uncertainty of areas
+  result.removed = found -- the form, for repeated levelling and the uncertainty of areas
   return result
 end
 

@@ -47,8 +47,8 @@ local function normal(self, x, z, is_used)
   return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
 end
 
--- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual
--- does not increase. Returns the new sums of `normal` and the size of the step, or nil.
+-- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual does not
+-- increase. Returns the new sums, in the form of normal(), and the size of the step, or nil on failure.
 local function advance(self, x, z, is_used, a, b, rr)
   local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end

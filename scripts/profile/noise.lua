@@ -35,9 +35,9 @@ local function covariance(list, lag, mean)
   return sum / (#list - lag)
 end
 
--- Returns the integral of the autocorrelation in points, which is 1 for independent points. The sum ends
--- where the correlation is no longer significant. Each lag is larger than the previous one by a quarter,
--- which limits the cost for long traces.
+-- Returns the integral of the autocorrelation as a number of points, which is 1 for independent points. The sum ends
+-- where the correlation is no longer significant. Each lag is larger than the previous one by a quarter, which limits
+-- the cost for long traces.
 function noise.length(list)
   local mean = 0
   for i = 1, #list do mean = mean + list[i] / #list end

@@ -9,7 +9,7 @@ local statistics = require "archard.lib.statistics"
 local depths = {}
 
 local where = "calibrate"
-local first_k = 1e-8        -- [mm2/N], initial value of the search
+local first_k = 1e-8        -- initial value of k in the search [mm2/N]
 -- Limit of k [mm2/N], larger than for any sliding pair. A larger k means that the depths have another unit.
 local largest_k = 1e-5
 local most_runs, farthest = 40, 5 -- largest number of runs in one search; largest step of ln k

@@ -35,7 +35,7 @@ local function grow()
   grown.model.cylinder, grown.model.plate = grown.material, grown.material
   local body = grow_body(grown.body, grown.material)
   grown.model.upper, grown.model.lower = body, body
-  grown.model.head, grown.model.cup, grown.model.foundation, grown.model.order = {}, {}, {}, {} -- checked by joint{}
+  grown.model.head, grown.model.cup, grown.model.foundation, grown.model.order = {}, {}, {}, {} -- joint{} checks these
   for name in pairs(require "archard.joint.run".fields) do grown.wear[name] = grown.wear[name] or {} end
   for name in pairs(require "archard.joint.given_gait".fields) do grown.wear.loading[name] = {} end
   grown.wear.model = grown.model

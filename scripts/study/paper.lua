@@ -50,7 +50,7 @@ function paper.mesh_cases()
   for _, size in ipairs(paper.sizes) do
     for _, case in ipairs(paper.cases(size)) do
       if case.stroke == paper.strokes[1] and case.alpha > 0 then
-        case.geometry = "frozen" -- changes depths and pressures by less than 1e-4
+        case.geometry = "frozen" -- instead of "moving": depths and pressures change by less than 1e-4
         case.model = { mesh = { size = size, height = 1.25 * size } }
         cases[#cases + 1] = case
       end

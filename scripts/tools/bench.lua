@@ -249,7 +249,7 @@ local function general_paths()
     end
   end
   best(function(path)
-    path.model = nil -- the cached model would be returned otherwise
+    path.model = nil -- releases the cached model, so that it is built again
     collectgarbage()
     local seconds, m = timed(path.make)
     path.model, path.building = m, math.min(path.building or math.huge, seconds)

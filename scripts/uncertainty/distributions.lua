@@ -7,8 +7,8 @@ local strict = require "archard.strict"
 
 local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
 
--- Returns the text of a distribution, such as "normal{ mean=100, deviation=5 }". A distribution can be made
--- again from this text.
+-- Returns the text of a distribution, such as "normal{ mean=100, deviation=5 }". The text is the Lua code that
+-- creates an equal distribution.
 function class.__tostring(self)
   local parts = {}
   for _, name in ipairs{ "mean", "deviation", "low", "high" } do

@@ -199,7 +199,7 @@ local function uneven(sample)
     math.tointeger(power), math.tointeger(2 * power))
 end
 
--- s:uncertainty{ of=, at=, quantiles=, confidence= }
+-- s:uncertainty{ of=, at=, quantiles=, confidence= } returns the statistics of the results `of`.
 return function(study, given)
   given = check.definition(where, given or {}, fields)
   local first = outcomes.first(study, where)

@@ -95,15 +95,15 @@ local function differences_for(self, value, set, changed)
   end
 end
 
--- Returns the central differences for a change h, with every step of the run divided into `parts`.
+-- Returns the central differences for a change h, with every step of the run divided into `parts` equal steps.
 local function with_parts(self, value, set, h, parts)
   return differences_for(self, value, set, function(definition)
     return repeated.in_parts(definition, parts)
   end)(h)
 end
 
--- Numbers of parts for refined runs. Automatic steps cause an error of the derivative. Runs with divided
--- steps correct this error. The remaining error is bounded by twice the change of the last halving plus a
+-- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the derivative, which
+-- runs with divided steps correct. The remaining error is bounded by twice the change of the last halving plus a
 -- quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 

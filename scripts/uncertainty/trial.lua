@@ -34,7 +34,7 @@ local setting_columns = { load = true, k = true, alpha = true, jump = true }
 local function equal(x, y)
   if #x ~= #y then return false end
   for i = 1, #x do
-    if x[i] ~= y[i] and (x[i] == x[i] or y[i] == y[i]) then return false end -- two NaN are equal
+    if x[i] ~= y[i] and (x[i] == x[i] or y[i] == y[i]) then return false end -- two NaN count as equal
   end
   return true
 end
@@ -46,7 +46,8 @@ local function same(a, b)
   return true
 end
 
--- Raises an error for a field without any effect. Its index would be 0 although the field may matter.
+-- Raises an error for a field without any effect, which another field may replace. An index of 0 for this field would
+-- be misleading.
 return function(study)
   for _, field in ipairs(study.sample.fields) do
     local low, high = ends_of(study.flat, field.name)
