@@ -194,8 +194,8 @@ local function sorted_names(given)
   return names
 end
 
--- Merges `over` into `base` field by field. Lists and values of `over` replace those of `base`; a
--- name with points sets an inner field.
+-- Merges `over` into `base` field by field. Lists and values of `over` replace the lists and values of `base`; a name
+-- with points sets an inner field.
 local function lay_over(where, base, over)
   for _, name in ipairs(sorted_names(over)) do
     local at, last = settings.place(base, tostring(name))

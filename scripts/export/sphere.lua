@@ -22,7 +22,7 @@ local function turned(R, n)
   return list
 end
 
--- Returns the corners of the lattice, [rows + 1][2 rows], as texts of their coordinates [mm]. The last
+-- Returns an array [rows + 1][2 rows] with the coordinates [mm] of the corners of the lattice as texts. The last
 -- argument is a function that rotates a direction into the frame of the cup.
 local function corners(rows, radius, place)
   local lines, d = {}, math.pi / rows

@@ -105,7 +105,7 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Fields that are allowed only for one kind of data.
+-- Fields that are allowed only for one kind of data: profiles or loops.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 local of_joints = { head = true, cup = true }
@@ -176,7 +176,7 @@ local function read_profile(where, prefix, given)
     check.fail(where, ("field '%s': expected profile=, or x= and h= [mm], or of=, distance= and "
       .. "value=, or loop=, got none of these"):format(prefix))
   end
-  refuse_others(where, prefix, given, of_loops, "loops, and this is a profile")
+  refuse_others(where, prefix, given, of_loops, "loops, but this measurement is a profile")
   if given.body == nil or of_joints[given.body] then
     check.refuse(where, prefix .. ".body", '"cylinder" or "plate"; head and cup have maps: map = w:map "cup"', given.body)
   end
@@ -197,7 +197,7 @@ end
 
 local function read_map(where, prefix, given)
   refuse_others(where, prefix, given, { "profile", "x", "h", "section", "shift", "tilt", "level", "of", "value", "loop", "compliance" },
-    "other data, and this is a map")
+    "other data, but this measurement is a map")
   if not of_joints[given.body] then check.refuse(where, prefix .. ".body", '"head" or "cup"', given.body) end
   need_distance(where, prefix, given, "map")
   return maps.item(given, errors_of(where, prefix, given, nil, given.map.values))
@@ -205,7 +205,7 @@ end
 
 local function read_loop(where, prefix, given, by_force)
   refuse_others(where, prefix, given, { "profile", "x", "h", "body", "section", "tilt", "of", "value" },
-    "other data, and this is a loop { x=, tangential= }")
+    "other data, but this measurement is a loop { x=, tangential= }")
   need_distance(where, prefix, given, "loop")
   local values = by_force and given.loop.x or given.loop.tangential
   return loops.item(given, errors_of(where, prefix, given, nil, values), by_force)
@@ -215,7 +215,7 @@ local function read_series(where, prefix, given)
   for _, name in ipairs{ "distance", "value" } do
     if given[name] == nil then check.refuse(where, prefix .. "." .. name, fields[name].expected, nil) end
   end
-  local this = (", and this one has of=\"%s\""):format(given.of)
+  local this = (", but this measurement has of=\"%s\""):format(given.of)
   refuse_others(where, prefix, given, of_profiles, "profiles" .. this)
   refuse_others(where, prefix, given, of_loops, "loops" .. this)
   local x, value = as_list(given.distance), as_list(given.value)

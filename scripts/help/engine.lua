@@ -35,12 +35,12 @@ return {
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
-    text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, "
-      .. "fixed at its flat top, on a plate of width 2 radius and height radius, in plane strain. A model "
-      .. 'does not change; several contacts and runs can share one. Other geometries: help "axisymmetric". '
-      .. 'mesh = "pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials and wear coefficients: '
-      .. "model{ cylinder={ E=200e3, nu=0.3, k=1e-9 }, plate={ E=114e3, nu=0.34, k=1e-8 } }. In runs and contacts with friction the "
-      .. "coupling of pressure and shear between different materials (Dundurs' beta) is included." },
+    text = "The two elastic bodies, meshed and condensed to their surfaces. The default is a half cylinder, fixed "
+      .. "at its flat top, on a plate of width 2 radius and height radius, in plane strain. A model does not "
+      .. 'change; several contacts and runs can share a model. Other geometries: help "axisymmetric". mesh = '
+      .. '"pair.msh" reads both bodies from a Gmsh file: help "gmsh". Different materials and wear coefficients: '
+      .. "model{ cylinder={ E=200e3, nu=0.3, k=1e-9 }, plate={ E=114e3, nu=0.34, k=1e-8 } }. In runs and contacts "
+      .. "with friction the coupling of pressure and shear between different materials (Dundurs' beta) is included." },
   { "model.upper", kind = "field", text = "Definition of the upper body; nil for the default cylinder." },
   { "model.lower", kind = "field", text = "Definition of the lower body; nil for the default block." },
   { "model.bodies", kind = "field",
@@ -50,9 +50,9 @@ return {
       .. 'plot.history(w, "depth_pin").' },
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
     text = "Bodies with layers (coatings) for model{ upper=, lower= }. The upper body carries the load, the lower "
-      .. "one moves. Each accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from the "
-      .. "surface inwards; each layer wears with its own k. On a mesh from Gmsh use materials = { NAME = } instead "
-      .. "of layers." },
+      .. "body moves. Each body accepts E, nu, k or material=, and layers = {{ thickness=, material= }, ...} from "
+      .. "the surface inwards; each layer wears with its own k. On a mesh from Gmsh use materials = { NAME = } "
+      .. "instead of layers." },
   { "body{layers}", type = "list of tables { thickness=, material= }",
     text = "Layers such as coatings, at most four, from the surface inwards; the body lies below them. If its "
       .. "material has k, a layer wears with this coefficient. A plate with a coating of 5 um: w = wear{ model={ "
@@ -285,9 +285,9 @@ return {
     text = "Makes n geometry updates (default 1) of `jump` cycles each; the last one is shorter if the run reaches "
       .. "its distance. Returns the record of the last update. If a step fails, the run is unchanged." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",
-    text = "Runs to a distance (default: that of the definition), or stops exactly at a depth, volume, pressure or "
-      .. "width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the current step; another "
-      .. "w:run() continues with the same results." },
+    text = "Runs to a distance (default: the distance of the definition), or stops exactly at a depth, volume, "
+      .. "pressure or width: w:run{ depth={ plate=20e-3 } } stops at 20 um. Ctrl-C stops after the current step; "
+      .. "another w:run() continues with the same results." },
   { "wear.run{distance}", type = "number > 0", unit = "mm",
     text = "Travelled distance, counted from the start of the run, at which the run stops; default: the "
       .. "distance of the definition." },
@@ -343,8 +343,9 @@ return {
       .. "function(w) if w.update % 10 == 0 then w:save(path) end end } saves it at every tenth update." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = 'Reads a run written by w:save("run.archard"), or a case of a study by its number; w:run() then '
-      .. "continues it with the same results, w:run{ cycles=20000 } continues a finished one. Functions of the definition are not stored and must be given again: "
-      .. "wear.open(path, { k = f }). If the program was killed, the run continues from its last w:save." },
+      .. "continues it with the same results, w:run{ cycles=20000 } continues a finished run. Functions of the "
+      .. "definition are not stored and must be given again: wear.open(path, { k = f }). If the program was "
+      .. "killed, the run continues from its last w:save." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body, { x=, h=, y=, worn_x=, way= } in mm: unworn position x and wear depth h (summed "

@@ -63,9 +63,9 @@ return {
       .. 'as returned by w:map "cup".' },
   { "fit{data.loop}", type = "table of lists", unit = "mm and N",
     text = "Motion x and tangential force of one cycle in order of time, as returned by w:loop(); for runs with "
-      .. "friction. It identifies the coefficient of friction. Each half cycle is compared with that of the run: "
-      .. "forces at the measured positions or, if a force drives the run (tangential=), positions at the measured "
-      .. "forces. error is in N for forces, in mm for positions." },
+      .. "friction. It identifies the coefficient of friction. Each half cycle is compared with the same half "
+      .. "cycle of the run: forces at the measured positions or, if a force drives the run (tangential=), "
+      .. "positions at the measured forces. error is in N for forces, in mm for positions." },
   { "fit{data.compliance}", type = "number", unit = "mm/N", default = 0,
     text = "For a loop: compliance of the test rig, displacement per force, which the measured motion includes." },
   { "fit{data.of}", type = "string",
@@ -89,7 +89,7 @@ return {
   { "fitted.value", kind = "field",
     text = "Identified values by name, such as f.value.k; for a curve, the list of its values at the knots." },
   { "fitted.error", kind = "field",
-    text = "Standard errors by name; infinite for a parameter at a bound, or one that the data do not determine." },
+    text = "Standard errors by name; infinite for a parameter that is at a bound or not determined by the data." },
   { "fitted.low", kind = "field", text = "Lower ends of the confidence intervals." },
   { "fitted.high", kind = "field", text = "Upper ends of the confidence intervals." },
   { "fitted.names", kind = "field", text = "Names of the parameters, in the order of f.values." },

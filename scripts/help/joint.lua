@@ -21,8 +21,8 @@ return {
       .. "pressure; the error is 4 % for polyethylene with nu up to 0.4; do not use them for metal on metal. "
       .. '"column": springs with the stiffness of a confined column.' },
   { "joint{order}", type = "number", values = { 1, 2 }, default = "1",
-    text = "Order of the gap in the ratio of the head's displacement to its radius. 2 adds 0.6 % to the pressure "
-      .. "of a polyethylene liner with a clearance of 0.1 mm." },
+    text = "Order of the gap in the ratio of the head's displacement to its radius. The value 2 adds 0.6 % to the "
+      .. "pressure of a polyethylene liner with a clearance of 0.1 mm." },
   { "joint{mesh}", type = "table { size= }", unit = "degree", default = "{ size=2 }",
     text = "Size of the cells in longitude and latitude: 2 degrees for metal, 4 degrees for polyethylene." },
   { "joint.contact", kind = "method", use = "j:contact{ load=3000, direction={ 0, 0, 1 } }", result = "contact of a joint",
@@ -52,11 +52,11 @@ return {
     text = "Creep depth of the cup in mm, which removes no volume: a function of { thickness=, p_mean=, "
       .. "cycle= }, where p_mean is the mean pressure since the start. Default: no creep." },
   { "joint.wear{tolerance}", type = "number in (0, 1)", default = "0.02",
-    text = "Accepted difference between the results of one step and of two half steps, relative to the "
-      .. "present depth. Errors of depths are a tenth of it or less." },
+    text = "Accepted difference between the results of one step and of two half steps, relative to the present "
+      .. "depth. Errors of depths are at most a tenth of this difference." },
   { "joint.wear{updates}", type = "whole number",
-    text = "Number of updates n, instead of the tolerance. Their lengths increase: update i ends at cycles * "
-      .. "(i/n)^1.5." },
+    text = "Number of updates n, instead of the tolerance. The length of the updates increases: update i ends at "
+      .. "cycles * (i/n)^1.5." },
   { "joint.wear{jump}", type = "number > 0, or function", unit = "cycles",
     text = "Number of cycles of an update, or a function of { cycle=, distance=, update= } that computes "
       .. "it; instead of tolerance and updates." },
@@ -68,7 +68,7 @@ return {
   { "joint.wear{worn}", type = "table { head=, cup= }", unit = "mm",
     text = "Initial wear depths, a function of theta and phi in degrees or a w:map of a run." },
   { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
-    text = "Reads a joint run written by w:save(path) and continues it with the same results. The functions "
+    text = "Reads the run of a joint written by w:save(path) and continues it with the same results. The functions "
       .. "k, alpha and creep must be given again." },
   { "gait", kind = "function", values = { "iso", "prosim" }, use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = 'Rotations and load of a joint over one cycle. Use it in a joint: joint{}:wear{ loading=gait "iso", '

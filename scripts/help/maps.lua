@@ -65,8 +65,8 @@ return {
     text = "The map shifted so that its centre is at x = z = 0, where bodies touch: body.map{ "
       .. "y=map.read(path):center() }." },
   { "map.resample", kind = "method", class = "map", use = "t:resample(0.01)",
-    text = "A map with another step [mm] and the same centre. For a smaller step values are interpolated "
-      .. "linearly; for a larger one they are means over cells." },
+    text = "A map with another step [mm] and the same centre. For a smaller step values are interpolated linearly; "
+      .. "for a larger step they are means over cells." },
   { "map.volume", kind = "method", use = "t:volume()  t:volume(-1e-4)",
     text = "Returns { above=, below=, net=, area= }: the volumes above and below a level (default 0) and their "
       .. "difference, in mm3 (in N for a map of pressures), and the area above the level in mm2. Each point "

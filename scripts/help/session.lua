@@ -9,15 +9,15 @@ return {
     text = "Saves and restores all objects that have a global name: runs, models, contacts, studies, fits "
       .. "and other results, profiles, maps, materials, numbers, texts and tables of these." },
   { "session.save", kind = "function", use = "session.save(path)",
-    text = "Writes all objects into one run file. A saved session is replaced; other files are refused. Without a "
-      .. "path: the file of the last save or open. Not saved: functions, stresses, and contacts on surfaces that no "
-      .. "longer exist; a study with results remains in its own file. Returns a text that lists what was saved and "
-      .. "what was not." },
+    text = "Writes all objects into one run file. A saved session is replaced; other files are refused. Default of "
+      .. "the path: the file of the last save or open. Not saved: functions, stresses, and contacts on surfaces "
+      .. "that no longer exist; a study with results remains in its own file. Returns a text that lists what was "
+      .. "saved and what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
     text = "Restores all objects of the file as globals; runs continue with the same results. Functions are not "
-      .. "stored: give those of a run again under its name, as for k of the run w above. If an object cannot be "
-      .. "restored, nothing changes. An unsaved run with the name of a stored object is not overwritten. Returns a "
-      .. "text that lists the objects." },
+      .. "stored: give the functions of a run again under the name of the run, as k of the run w above. If an "
+      .. "object cannot be restored, nothing changes. An unsaved run with the name of a stored object is not "
+      .. "overwritten. Returns a text that lists the objects." },
   { "wear.saved", kind = "field",
     text = "True if a file contains the present state of the run, written by w:save or session.save or read by "
       .. "wear.open." },

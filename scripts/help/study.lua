@@ -22,8 +22,8 @@ return {
   { "study{name}", type = "string", default = '"study"',
     text = "Name of the study in titles and in the run file." },
   { "study{snapshots}", type = "whole number >= 0", default = 6,
-    text = "Number of intermediate surfaces stored for each case, at equal distances, including the unworn ones. The "
-      .. "final surfaces are always stored." },
+    text = "Number of intermediate surfaces stored for each case, at equal distances, including the unworn "
+      .. "surfaces. The final surfaces are always stored." },
   { "study{task}", values = { "wear", "converge" }, default = '"wear"',
     text = '"wear" runs each case; "converge" searches for the mesh size, jump and increments that each '
       .. "case needs, as study.converge does." },
@@ -125,9 +125,9 @@ return {
     text = "Computes the cases as a job array and returns the study. The cases are divided into shares, each "
       .. "computed by a process with its own run file. At the end the files are merged, and interrupted cases are "
       .. "started again. Ctrl-C and the end of this program do not stop the job: submit the study again to follow "
-      .. "or merge it. The folder FILE.shares beside the run file must be visible to all machines, and so must "
-      .. "this program, under the same names. A share should take minutes, as Slurm starts about one per second. "
-      .. "Failed cases are in s.failed; the next submit tries them again." },
+      .. "or merge it. The folder FILE.shares beside the run file and this program must have the same paths on all "
+      .. "machines. A share should take minutes, as Slurm starts about one per second. Failed cases are in "
+      .. "s.failed; the next submit tries them again." },
   { "study.submit{engine}", values = { "slurm", "parallel", "local" }, default = '"local"',
     text = "slurm: a job array of Slurm. parallel: processes of GNU parallel on this machine or, with --sshlogin, "
       .. "on others. local: s:run on this machine, with `shares` workers." },
@@ -147,7 +147,7 @@ return {
     text = 'A function called with { done=, total= } after each case; "lines": prints a line after each case; '
       .. "false: no output. Default: a display on a terminal." },
   { "study.cases", kind = "method", class = "case", use = "s:cases()",
-    text = "List of all cases, with the results of finished ones." },
+    text = "List of all cases, with the results of finished cases." },
   { "study.table", kind = "method", use = 's:table{ format="markdown" }',
     text = "Final depths, pressures and alpha-tilde of every case as text, a line per case. Narrow terminals show "
       .. "fewer columns." },
@@ -291,7 +291,7 @@ return {
   { "case.solutions", kind = "field", text = "Number of contact problems solved." },
   { "case.profile", kind = "method", use = 'case:profile("cylinder" | "plate", distance)',
     text = "Wear profile { x=, h=, y= } in mm of the last surface stored up to this distance [mm]; default: the "
-      .. "final one." },
+      .. "final surface." },
   { "case.pressure", kind = "method", use = 'case:pressure("cylinder" | "plate", distance)',
     text = "Pressure { x=, p= } in mm and MPa of the last surface stored up to this distance [mm], with the plate "
       .. "at x = 0." },

@@ -21,8 +21,8 @@ return {
 
   -- --- profile --------------------------------------------------------------------------------
   { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
-    text = "A measured trace across a surface, such as that of a stylus (w:profile is the computed profile). Read "
-      .. 'it by p = profile.read(path, { level="line" }), then use p:depth(), p:volume() with its error, '
+    text = "A measured trace across a surface, such as the trace of a stylus (w:profile is the computed profile). "
+      .. 'Read it by p = profile.read(path, { level="line" }), then use p:depth(), p:volume() with its error, '
       .. 'plot.profile(w, "plate", { measured=p }). A profile has positions x and heights z (positive out of the '
       .. "body) or depths h, in mm, and the standard deviation of its noise. Use it as the initial surface, worn = "
       .. '{ plate = p }, for comparison, plot.profile(w, "plate", { measured = p }), and for evaluation. Methods '
@@ -76,7 +76,7 @@ return {
   { "profile.missing", kind = "field", type = "number", text = "Number of points without a value that were removed." },
   { "profile.path", kind = "field", type = "string", text = "File from which the profile was read." },
   { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
-    text = "Subtracts a line or circle, by least squares of heights, instead of the one subtracted before. With a "
+    text = "Subtracts a line or circle, by least squares of heights, instead of the form subtracted before. With a "
       .. 'scar { from, to } or "auto", only points farther from the scar than 20 % of its width are used, so that '
       .. 'pile-up is excluded. "auto" searches the scar from the deepest point outwards, with a form fitted to the '
       .. "outer 15 % at both ends." },
@@ -141,7 +141,7 @@ return {
     text = "Output device. Default: pictures if the terminal supports kitty's graphics or sixel; else "
       .. "Braille dots if it has colours and UTF-8 (not in xterm, whose fonts lack them); else characters. "
       .. '"dots" selects Braille dots and "dumb" characters; "window" is the first of qt, wxt and x11 that '
-      .. "gnuplot has." },
+      .. "gnuplot supports." },
   { "plot{file}", type = "string",
     text = "File to draw to, by its ending: png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands. An "
       .. "existing file is replaced only when the new one is complete." },
@@ -163,8 +163,8 @@ return {
     text = "Position of the key (legend); false: no key. By default panels have one common key below them." },
   { "plot{style}", values = require "archard.gnuplot".styles,
     default = '"lines"',
-    text = "Style of the curves, or of one curve. Default: lines, with marks in windows and files if they have 4 to "
-      .. "30 points." },
+    text = "Style of the curves, or of one curve. Default: lines, with marks at the points in windows and files if "
+      .. "a curve has 4 to 30 points." },
   { "plot{colour}", type = "string or boolean",
     text = 'For the whole plot: "grey" or false draws greys in files and no colours in the terminal. For a '
       .. 'curve: "#rrggbb" or the name of a colour.' },
@@ -182,8 +182,8 @@ return {
     text = "Size of the picture: characters in the terminal, pixels in a file. If plot.style sets a width in mm, "
       .. "the pixels cover this width, and letters and lines are scaled in proportion." },
   { "plot{panels}", type = "list of tables",
-    text = "Several plots in one picture, a list of tables with the fields of plot{}; omitted options are "
-      .. "those of the whole picture." },
+    text = "Several plots in one picture, a list of tables with the fields of plot{}; an omitted option has the "
+      .. "value for the whole picture." },
   { "plot{layout}", type = "table { rows, columns }", text = "Number of rows and columns of the panels." },
   { "plot{letters}", type = "boolean", default = true,
     text = "Writes (a), (b), ... before the titles of panels." },
@@ -196,10 +196,9 @@ return {
   { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
     text = 'Style of figures for papers and slides, also in greyscale: plot.style{ "paper", colour="grey" }. '
-      .. "paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; "
-      .. "journal: the same without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in pixels, "
-      .. "the default. The ending of plot{ file= } chooses the format: .pdf, .eps, .svg, .png. Returns the "
-      .. "present style." },
+      .. "paper: 85 mm wide (170 mm if panels are side by side), letters of 8 points, png of 600 dpi; journal: as "
+      .. "paper, but without automatic titles; slides: 254 mm, 20 points, 150 dpi; screen: in pixels, the default. "
+      .. "The ending of plot{ file= } chooses the format: .pdf, .eps, .svg, .png. Returns the present style." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
     text = 'Width of the figure: a column ("single"), the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
@@ -273,9 +272,9 @@ return {
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Body whose profiles are drawn." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.profile{measured}", type = "profile, or table { x=, h= }",
-    text = "A measured trace to draw as points over the curves of one body. Long traces are reduced to 160 "
-      .. "means of neighbouring points; heights are converted to depths. A trace whose scar is not at x = 0 "
-      .. "is shifted there, and the key states the shift." },
+    text = "A measured trace to draw as points over the curves of one body. Long traces are reduced to 160 means "
+      .. "of neighbouring points; heights are converted to depths. A trace whose scar is not at x = 0 is shifted "
+      .. "to x = 0, and the key states the shift." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = columns,
     text = "Draws columns of w.history against the travelled distance, with a panel for each quantity. "
@@ -304,8 +303,8 @@ return {
   { "plot.surface{exaggeration}", type = "number > 0",
     text = "Factor on the heights. By default the heights are drawn as about a fifth of the longer side." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
-    text = "Draws the elements of a model, or the worn elements of a run, all of them or those near the "
-      .. "contact. Accepts the options of plot{}." },
+    text = "Draws the elements of a model, or the worn elements of a run, either all elements or only the elements "
+      .. "near the contact. Accepts the options of plot{}." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "Part of the mesh to draw." },
   { "plot.mesh{unrolled}", type = "boolean", text = "true: for a hole, draws positions along its surface "
@@ -314,9 +313,9 @@ return {
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
     text = "Draws a stress in colours with contours, for a contact, a worn run, or a field f = c:stress(): inside "
       .. "both bodies, in 3-D on a section of one body (body=; default: the lower one). If the largest value of "
-      .. "mises or shear in one body is more than three times that in the other, the colour scale covers the body "
-      .. "with less stress, and its label has the maximum of the other body; vrange= sets another range. Accepts "
-      .. "the options of plot{}." },
+      .. "mises or shear in one body is more than three times the value in the other body, the colour scale covers "
+      .. "the body with less stress, and its label has the maximum of the other body; vrange= sets another range. "
+      .. "Accepts the options of plot{}." },
   { "plot.stress{section}", type = "table { z= }, { x= } or { y= }", default = "{ z = 0 }",
     text = "In 3-D: a section along (z=) or across (x=) the motion, or the plane at y <= 0 below the surface." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
@@ -361,7 +360,7 @@ return {
   { "export.vti", kind = "function", use = 'export.vti(t, "t.vti")  export.vti({ depth, pressure }, "t.vti")',
     text = "Writes maps on the same points for ParaView, as ImageData in the plane y = 0, with an array for each "
       .. "map under its name. A 3-D run is written to a file for each body, path-ball.vti and path-block.vti, with "
-      .. "depth, height and pressure; of a contact the pressure is written. Returns the names of the files. In "
+      .. "depth, height and pressure; for a contact the pressure is written. Returns the names of the files. In "
       .. "ParaView, Warp By Scalar along y shows them as surfaces." },
   { "export.gsf", kind = "function", use = 'export.gsf(t, "t.gsf")',
     text = "Writes a map as Gwyddion Simple Field for topography programs: lengths in m, pressures in Pa, single "
@@ -374,8 +373,8 @@ return {
       .. "wear depth, pressure and cross-shear." },
   { "export.pvd", kind = "function", use = 'w:run{ progress = export.pvd(w, "w.pvd", { every=10 }) }',
     text = "Writes a series of states of a run for ParaView: a .vtu (for maps a .vti) for each body and state, and "
-      .. "w.pvd, which lists them by distance. Writes the present state and returns a function for the next ones: "
-      .. "w:run{ progress= } calls it after each `every` updates and at the end; it can be called without "
+      .. "w.pvd, which lists them by distance. Writes the present state and returns a function for the further "
+      .. "states: w:run{ progress= } calls it after each `every` updates and at the end; it can be called without "
       .. "arguments too." },
   { "export.pvd{every}", type = "number", default = "1", text = "Number of updates from one written state to the next; 1: every update is written." },
   { "export.inp", kind = "function", use = "export.inp(obj, path)",
@@ -383,8 +382,8 @@ return {
       .. "Abaqus and CalculiX: both bodies, supports, contact pair, load and output requests. CalculiX runs it "
       .. "with ccx path (without ending). The bodies are one element thick, held along z: C3D8, C3D8I for CPE4I, "
       .. "C3D6 for triangles, which are stiffer than in the model as nu approaches 1/2. Only plane strain is "
-      .. "possible. Of other models single meshes can be written: CPS4, or CAX4 for one half of the section, with "
-      .. "the radius as x." },
+      .. "possible. For other models, single meshes can be written: CPS4, or CAX4 for one half of the section, "
+      .. "with the radius as x." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "Writes a model or mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
       .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates are "

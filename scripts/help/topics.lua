@@ -174,8 +174,8 @@ oscillating force of 30 N moves, under a load of 100 N:
   plot.loop(w)                       -- tangential force over displacement
 
 Give tangential = the amplitude of the force, below friction times load, or stroke = the full motion in mm. If the force is small
-the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load everything slips: gross
-slip, w.gross is 1. study.fretting_map{} finds both for many loads and motions.
+the middle of the contact sticks and only its edges slip and wear: partial slip. Beyond friction times load the whole contact
+slips: gross slip, w.gross is 1. study.fretting_map{} computes both regimes for many loads and motions.
 
 contact{ friction=, load= }:move{ x=, tangential= } computes single motions: c.stick, c:shear(), c:slip(), plot.shear, plot.slip.
 law = "energy" computes the wear from the friction energy. Balls on flats: geometry = "3-D" in the model. See examples
@@ -193,8 +193,9 @@ predicted. In 3-D, each layer wears with its own k; the compliance is that of th
 
 Bodies in 3-D are half-spaces: the contact must be small compared with the radii (a warning is given from a fifth on). For
 conforming bodies use joint{} (a ball in a socket) or a pin in a bush in 2-D: examples "pin_in_bush". Bodies do not tilt under
-load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. Of surfaces Ra, Rq and other
-parameters of profiles are computed (profile.roughness), no areal ones such as Sq. There is no generator of random rough surfaces; a function y(x, z) in map{} can add waves, as in examples "rough_ball".
+load; a misaligned flat or roller is a sloping profile, body.profile{ y=function(x) return 1e-3 * x end }. Ra, Rq and other
+parameters of profiles are computed (profile.roughness), but no areal parameters such as Sq. There is no generator
+of random rough surfaces; a function y(x, z) in map{} can add waves, as in examples "rough_ball".
 
 Wear is a volume in mm3. Mass loss is the volume times the density: 1 mg of 1 g/cm3 is 1 mm3. If you measured a mass,
 convert it to a volume for calibrate{}.]] },

@@ -124,9 +124,9 @@ return {
     text = "For results that jump: half the range of the slope as a fraction of the number (smaller near the "
       .. "limits of the number). 0: local derivatives, also for results that jump." },
   { "sensitivity", kind = "object", use = "s = w:sensitivity{...}",
-    text = "s.depth_cylinder.k has derivative and error (in the unit of the result over that of the number), "
-      .. "elasticity, elasticity_error, and over (half the range of a slope as a fraction of the number; 0: a "
-      .. "local derivative), each a list over s.distance. print shows the values at the end." },
+    text = "s.depth_cylinder.k has derivative and error (in the unit of the result divided by the unit of the "
+      .. "number), elasticity, elasticity_error, and over (half the range of a slope as a fraction of the number; "
+      .. "0: a local derivative), each a list over s.distance. print shows the values at the end." },
   { "sensitivity.distance", kind = "field", unit = "mm", text = "Distances at the ends of the steps." },
   { "sensitivity.of", kind = "field", text = "Names of the results, which are columns of the history." },
   { "sensitivity.to", kind = "field", text = "Names of the varied numbers of wear{} or model{}." },
@@ -143,6 +143,6 @@ return {
       .. "correlations if there are no indices, elasticities of a sensitivity. Accepts the options of plot{}." },
   { "plot.tornado{of}", type = "string", values = columns, text = "The result; default: the first one." },
   { "plot.tornado{at}", type = "number > 0", unit = "mm",
-    text = "Distance, rounded to the nearest available one; default: the last. Rank correlations are those at the "
-      .. "last distance." },
+    text = "Distance of the results; the nearest available distance is used. Default: the last distance. Rank "
+      .. "correlations are those at the last distance." },
 }

@@ -370,7 +370,7 @@ end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }
 
--- w:flat "cup" returns the same results as w:map, as a flat map over positions in mm (azimuthal equal-area
+-- w:flat "cup" returns the values of w:map as a flat map over positions in mm (azimuthal equal-area
 -- projection about the load).
 function methods:flat(what)
   local map = self:map(what)
@@ -380,7 +380,7 @@ end
 -- w:penetration() returns the displacement of the head into the cup under the largest load [mm].
 function methods:penetration() return self.record.penetration end
 
--- w:save(path) saves the run. It can later be continued with the same results as without a pause.
+-- w:save(path) saves the run. It can later be continued, with the same results as an uninterrupted run.
 function methods:save(path) return require "archard.joint.file".write(self, path) end
 
 local function step_words(run)

@@ -20,7 +20,7 @@ function progress.new(definition)
     unit = definition.unit or "",
     shown = term.movable("stderr"),
     started = term.clock(),
-    first = definition.done or 0, -- amount done before the start; excluded from the rate
+    first = definition.done or 0, -- amount done before the start, excluded from the rate
     last = -math.huge,
   }
   return setmetatable(self, progress)

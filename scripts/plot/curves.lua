@@ -211,7 +211,7 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Quantities of the history; columns of the same quantity are drawn over one axis. Fields: pattern of the
+-- Quantities of the history; columns of the same quantity are drawn in one panel. Fields: pattern of the
 -- column names, axis label, factor from the unit of the column to the unit of the label.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },

@@ -167,8 +167,8 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
--- Settings that are omitted if they are 0. A run is driven by its stroke or by its tangential force, and the
--- other one is 0; the tolerance is 0 without error control.
+-- Settings that are omitted if they are 0. A run is driven either by its stroke or by its tangential force, and the
+-- other setting is 0; the tolerance is 0 without error control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
 -- Returns the text of a setting, with its range during the run or, without a history column, with its present
@@ -240,8 +240,8 @@ end
 
 local most_in_key = 8
 
--- Returns label and values for a colour scale, or nil. A scale is used for more than eight objects that
--- differ in one numeric setting only.
+-- Returns label and values for a colour scale, or nil. A scale is used for more than eight objects that differ only
+-- in one numeric setting.
 local function scale_of(objects, used)
   if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
   local values = {}

@@ -126,7 +126,7 @@ local function open_frame(tokens)
   return frames[#frames]
 end
 
--- --- values, without running anything ----------------------------------------------------------
+-- --- values, looked up without running code ----------------------------------------------------
 
 local function class_of(value)
   local metatable = debug.getmetatable(value)

@@ -1,4 +1,4 @@
--- session.save and session.open: write all values of the session to one run file, and read them again. The
+-- session.save and session.open write all values of the session to one run file and read them again. The
 -- values are complete states of runs, models, studies, and plain values. session/own.lua determines which
 -- values belong to the session. Every value is a case of the file. The settings of the case contain the kind
 -- of the value, its path (key.1, key.2, ... for a value such as runs[1].first) and the data to create the

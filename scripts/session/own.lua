@@ -50,8 +50,8 @@ local function is_plain(value)
   return type(value) == "table" and (metatable == nil or (type(metatable) == "table" and metatable.__plain))
 end
 
--- Returns true for a list of numbers that are exact as doubles. Such a list is saved as one value, whatever
--- its length.
+-- Returns true for a list of numbers that doubles represent exactly. Such a list is saved as one value, whatever its
+-- length.
 local function is_list(value)
   local count = #value
   for i = 1, count do

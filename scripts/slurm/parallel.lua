@@ -26,8 +26,8 @@ function parallel.start(job)
   return said
 end
 
--- Returns "running" or nil. The command line of the process is checked, because another process may have got
--- its number. The command line is empty for a moment while one program replaces another, and after the end of
+-- Returns "running" or nil. The command line of the process is checked, because its process id may have been reused
+-- by another process. The command line is empty for a moment while one program replaces another, and after the end of
 -- the process.
 function parallel.state(job)
   local status = text_file.read(("/proc/%s/status"):format(job.name))

@@ -249,8 +249,8 @@ local function find(given)
   return type(given.distance) == "table" and from_courses(given) or from_volumes(given)
 end
 
--- calibrate{ volume={cylinder=,plate=}, load=, distance= } returns k, k_cylinder, k_plate, alpha.
--- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } returns the same as tables.
+-- calibrate{ volume={cylinder=,plate=}, load=, distance= } returns k, k_cylinder, k_plate, alpha. calibrate{
+-- distance={...}, volume={cylinder={...},plate={...}}, load= } returns these quantities as tables over the distance.
 -- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } returns k and alpha.
 return function(given)
   check.definition(where, given, fields)

@@ -14,7 +14,7 @@ local limits = {
   -- of p_center, minus the oscillation in a run with a small jump
   smooth = 0.005,
   symmetric = 1e-3,    -- largest difference between a profile and its mirror image, as a fraction of the depth
-  -- largest difference from profiles with many increments per cycle, as a fraction of the depth
+  -- largest difference of a profile from the profile with many increments per cycle, as a fraction of the depth
   profile = 0.005,
   updates = 100,       -- largest number of updates of a trial
   first_depth = 1e-4,  -- depth of the first update for the initial guess of the jump, Eq. (28) [mm]

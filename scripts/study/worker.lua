@@ -64,7 +64,7 @@ function tasks.fit(store, id, on_progress)
   return function() store:set_values(id, "results", settings.flatten("fit", { looks = readings })) end
 end
 
--- --- one case after the other ------------------------------------------------------------------
+-- --- computation of single cases ------------------------------------------------------------------
 
 -- Returns the progress callback of a case. Only cases that run longer than `pause` are marked as running.
 local function progress_of(store, id)

@@ -1,7 +1,7 @@
--- Writes a ball on a flat as an input deck for CalculiX: a quarter of both bodies (x, z >= 0), meshed with
--- bricks of 20 nodes that are fine at the contact. Both bodies are blocks, and the lower side of the upper
--- block has the heights of the ball. The bodies therefore differ from half-spaces only by their finite size.
--- Lengths in mm, forces in N, stresses in MPa; y is up.
+-- Writes a ball on a flat as an input deck for CalculiX: a quarter of both bodies (x, z >= 0), meshed with bricks of
+-- 20 nodes that are small at the contact. Both bodies are blocks, and the lower side of the upper block has the
+-- heights of the ball. The bodies therefore differ from half-spaces only by their finite size. Lengths in mm, forces
+-- in N, stresses in MPa; y is up.
 
 local deck = {}
 

@@ -72,7 +72,8 @@ local function show(cases)
   end
   io.write("| CPU seconds per increment (+) |")
   for _, c in ipairs(cases) do io.write((" %.1g / %.1f |"):format(c.ours.seconds, c.theirs.seconds)) end
-  io.write("\n\n(*) CalculiX extrapolates pressures from points within the elements to the nodes: too high at the edge of a scar.\n",
+  io.write("\n\n(*) CalculiX extrapolates pressures from points within the elements to the nodes; "
+    .. "its values are too high at the edge of a scar.\n",
     "(+) archard: mean of a whole run, including wear and geometry updates; CalculiX: mean of two increments, including reading and writing of files.\n")
 end
 

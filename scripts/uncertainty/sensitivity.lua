@@ -68,7 +68,7 @@ end
 
 -- --- one number ----------------------------------------------------------------------------------
 
--- First and smallest relative change of the number for differences.
+-- First relative change of the number for differences, and its smallest value near the end of the valid range.
 local first_step, smallest_step = 0.03, 0.0004
 
 local counting -- counter of the runs in the current call
