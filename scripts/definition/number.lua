@@ -33,7 +33,7 @@ local angle = { type = "a number in [0, 180]", unit = "degree", low = 0, high = 
 local of_joints = { clearance = { type = "a number > 0", unit = "mm", low = 0 }, inclination = angle, cover = angle }
 local owners = { clearance = "cup", inclination = "cup", cover = "cup", radius = "head" }
 
--- Returns the setting at a path such as "model.radius", or nil.
+-- Returns the setting at a path such as "model.radius", or nil if there is none.
 function number.setting(path)
   local inside = path:match("^model%.(.+)$")
   if not inside then return named(known.wear, path) end

@@ -205,7 +205,7 @@ local function row_of(self, first, one)
   return row
 end
 
--- Returns the titles of the columns: the arguments, then one title for each unknown.
+-- Returns the titles of the table's columns: the arguments, then one title for each unknown.
 local function heads(self, ...)
   local row = { ... }
   for i, name in ipairs(self.names) do

@@ -68,7 +68,7 @@ local function motion_of(name, given, unknowns)
   return { path = path, by_force = is_by_force(base) }
 end
 
--- Returns the user's model: the field `model` or base.model, or nil.
+-- Returns the user's model: the field `model` or base.model, or nil if neither is given.
 local function model_of(given)
   if given.model ~= nil then return given.model end
   return type(given.base) == "table" and given.base.model or nil

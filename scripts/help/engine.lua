@@ -270,8 +270,8 @@ return {
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
     text = "Number of repetitions of the cycle. Omit it in the last block, which continues to the end of the run." },
   { "wear{loading.periodic}", type = "boolean", default = true,
-    text = "true: the cycle repeats. false: a single history that does not repeat, with a geometry update "
-      .. "at every increment (Eqs. 4-8)." },
+    text = "If true, the cycle repeats. If false, it is a single history that does not repeat, with a geometry "
+      .. "update at every increment (Eqs. 4-8)." },
   { "wear{local_factor.vector}", type = "function(body, xs, ps, state, zs)",
     text = "Function that computes the factors of all nodes in contact in one call, for factors that depend "
       .. "on neighbours. xs and ps are lists (in 3-D zs too); the result is the list of factors and may be "

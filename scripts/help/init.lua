@@ -63,9 +63,9 @@ end
 
 -- --- functions for completion and the manual --------------------------------------------------
 
--- Returns the entry at an address, or nil. Fields of an entry: address, name, owner, kind, type, unit,
--- default, values, text; class: class of its value or result; takes: name of an object, such as "plot",
--- whose options the table of this function or field also accepts; use: an example.
+-- Returns the entry at an address, or nil if there is none. Fields of an entry: address, name, owner, kind, type,
+-- unit, default, values, text; class: class of its value or result; takes: name of an object, such as "plot", whose
+-- options the table of this function or field also accepts; use: an example.
 function help.entry(address)
   load_entries()
   return entries[address]

@@ -152,11 +152,11 @@ return {
     text = "Range of the x axis. { high, low } reverses the axis; an omitted end is automatic." },
   { "plot{yrange}", type = "table { low, high }", text = "Range of the y axis." },
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colour scale of a field." },
-  { "plot{logx}", type = "boolean", default = false, text = "true: logarithmic x axis." },
-  { "plot{logy}", type = "boolean", default = false, text = "true: logarithmic y axis." },
-  { "plot{xdown}", type = "boolean", default = false, text = "true: x increases to the left, for any order "
-    .. "of xrange." },
-  { "plot{ydown}", type = "boolean", default = false, text = "true: y increases downwards, for any order of "
+  { "plot{logx}", type = "boolean", default = false, text = "If true, the x axis is logarithmic." },
+  { "plot{logy}", type = "boolean", default = false, text = "If true, the y axis is logarithmic." },
+  { "plot{xdown}", type = "boolean", default = false, text = "If true, x increases to the left, for any order of "
+    .. "xrange." },
+  { "plot{ydown}", type = "boolean", default = false, text = "If true, y increases downwards, for any order of "
     .. "yrange." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
@@ -176,7 +176,7 @@ return {
   { "plot{on}", values = { "pixels", "characters" },
     text = "For a curve: draws it only in pictures of pixels, or only in pictures of characters; default: in "
       .. "both." },
-  { "plot{equal}", type = "boolean", default = false, text = "true: the same scale on both axes." },
+  { "plot{equal}", type = "boolean", default = false, text = "If true, both axes have the same scale." },
   { "plot{levels}", type = "whole number >= 1", text = "Number of contour lines of a field." },
   { "plot{size}", type = "table { width, height }",
     text = "Size of the picture: characters in the terminal, pixels in a file. If plot.style sets a width in mm, "
@@ -203,8 +203,8 @@ return {
     text = 'Width of the figure: a column ("single"), the page ("double"), or a number.' },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
   { "plot.style{font}", type = "string", text = 'Font: "serif", "sans", or a name such as Helvetica.' },
-  { "plot.style{title}", type = "boolean", text = "false: no automatic titles. A title= in a call is always "
-    .. "shown." },
+  { "plot.style{title}", type = "boolean", text = "If false, pictures have no automatic titles. A title= in a call "
+    .. "is always shown." },
   { "plot.style{colour}", type = "string or boolean",
     text = '"grey" or false: draws in greys, with dashes and marks to distinguish the lines.' },
   { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },
@@ -222,7 +222,7 @@ return {
     text = "Draws a fit: data with error bars, the model with its confidence band, and residuals below. For a "
       .. "result of fit.design it draws the expected errors. Accepts the options of plot{}." },
   { "plot.fit{curves}", type = "boolean", default = false,
-    text = "true: draws the identified curves over the distance instead, with their confidence bands." },
+    text = "If true, draws the identified curves over the distance instead of the data, with their confidence bands." },
   { "plot.response", kind = "function", takes = "plot",
     use = 'plot.response(s, { x="alpha", y="depth_cylinder", by="stroke" })',
     text = "Draws final results of a study against a varied field. Accepts the options of plot{}." },
@@ -231,14 +231,14 @@ return {
     text = "Result on the ordinate: a column of the history, at the end of each case." },
   { "plot.response{by}", type = "string", text = "Another varied field; each of its values has a curve." },
   { "plot.response{map}", type = "boolean", default = false,
-    text = "true: draws a map over x and by, with a coloured field for each case." },
+    text = "If true, draws a map over x and by, with a coloured field for each case." },
   { "plot.response{where}", type = "table",
     text = "Values of other varied fields that select the cases to draw, such as { k=1e-8 }." },
   { "plot.pressure", kind = "function", takes = "plot", use = "plot.pressure(w1, w2, ..., { scaled=true })",
     text = "Draws the contact pressure of runs and contacts against x. The key lists the fields in which "
       .. "they differ. Accepts the options of plot{}." },
   { "plot.pressure{scaled}", type = "boolean", default = false,
-    text = "true: draws p / p_H against x / a, with Hertz' pressure and half width." },
+    text = "If true, draws p / p_H against x / a, with Hertz' pressure p_H and half width a." },
   { "plot.pressure{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
     text = "Body at whose nodes the pressure is drawn." },
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
@@ -307,8 +307,8 @@ return {
       .. "near the contact. Accepts the options of plot{}." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "Part of the mesh to draw." },
-  { "plot.mesh{unrolled}", type = "boolean", text = "true: for a hole, draws positions along its surface "
-    .. "and across it instead of x and y." },
+  { "plot.mesh{unrolled}", type = "boolean", text = "If true, positions in a hole are drawn along "
+    .. "its surface and across it instead of x and y." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
     text = "Draws a stress in colours with contours, for a contact, a worn run, or a field f = c:stress(): inside "
@@ -322,8 +322,8 @@ return {
     default = '"mises"', text = "Stress component; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
     text = "Part of the bodies to draw; default: three half widths of the contact." },
-  { "plot.stress{unrolled}", type = "boolean", text = "true: for a hole, draws positions along its surface "
-    .. "and across it instead of x and y." },
+  { "plot.stress{unrolled}", type = "boolean", text = "If true, positions in a hole are drawn along "
+    .. "its surface and across it instead of x and y." },
   { "plot.stress{body}", values = { "cylinder", "plate" }, text = "The only body to draw; default: both bodies." },
   { "plot.stress{deformed}", type = "number",
     text = "Factor on the displacements of the drawn nodes. By default it is 1, and the upper body is "

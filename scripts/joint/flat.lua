@@ -65,7 +65,7 @@ function flat.cover(cup)
 end
 
 -- Returns the flat map of the values of a lattice. rows: rows of the lattice; values: the list from
--- sphere.map; radius: of the sphere [mm].
+-- sphere.map; radius: radius of the sphere [mm].
 function flat.map(rows, values, radius, name, unit)
   local reach, x, y = math.sqrt(2) * radius, {}, {}
   for i = 1, points do x[i] = reach * (2 * (i - 1) / (points - 1) - 1) end

@@ -294,8 +294,8 @@ function runs.restore(run, record, history)
   run.loading = block_at(run).gait
 end
 
--- Returns the function that is called after each step, and the progress bar or nil. The function is the
--- user's own or updates the bar.
+-- Returns the function that is called after each step (the user's own function, or a function that updates the
+-- progress bar), and the bar or nil if none is shown.
 local function watcher(run, given, goal)
   if given == false then return function() end, nil end
   if type(given) == "function" then return given, nil end

@@ -52,8 +52,8 @@ local function separator_of(header)
   return best
 end
 
--- Returns the number in a cell, or nil. If cells are separated by semicolons, a decimal comma is
--- accepted.
+-- Returns the number in a cell, or nil if the cell contains no number. If cells are separated by semicolons, a
+-- decimal comma is accepted.
 local function number_in(cell, separator)
   if separator == ";" then cell = cell:gsub(",", ".") end
   if cell:lower():find("^[+-]?nan$") then return 0 / 0 end

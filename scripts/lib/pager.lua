@@ -10,8 +10,8 @@ local function count_lines(text)
   return breaks + 1
 end
 
--- Returns the pager command, or nil. With these options, less shows colours, and its text remains on the
--- screen.
+-- Returns the pager command, or nil if there is no pager. With these options, less shows colours, and its text
+-- remains on the screen.
 local function command()
   local wished = os.getenv "PAGER"
   if wished and wished ~= "" then return wished end

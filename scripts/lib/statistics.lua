@@ -28,7 +28,7 @@ end
 
 statistics.known = 10000 -- degrees of freedom for a known standard deviation (normal distribution)
 
--- Returns the two-sided quantile of Student's distribution. confidence: in (0, 1); freedom: degrees of
+-- Returns the two-sided quantile of Student's distribution. confidence: level in (0, 1); freedom: degrees of
 -- freedom.
 function statistics.student(confidence, freedom)
   return random.student_quantile((1 + confidence) / 2, freedom)

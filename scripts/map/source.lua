@@ -53,7 +53,7 @@ function source:positive(value, what)
   return value
 end
 
--- Returns the number that a text contains, or nil.
+-- Returns the number that a text contains, or nil if the text is not a number.
 function source.number(word)
   if not word or not word:find "^[+-]?[%d.]" or word:find "^[+-]?0[xX]" then return nil end
   local value = tonumber(word)

@@ -184,8 +184,8 @@ function profile.long_waves(where, p, z, cutoff, name)
   return gaussian.long(z, step, cutoff), step
 end
 
--- p:filter(cutoff [, "long" | "short"]) returns the long-wave or the short-wave part of the profile.
--- cutoff: in mm.
+-- p:filter(cutoff [, "long" | "short"]) returns the long-wave or the short-wave part of the profile. cutoff: cut-off
+-- wavelength [mm].
 function methods:filter(cutoff, part)
   local where, kinds = "profile:filter", check.one_of{ "long", "short" }
   profile.self(where, self)

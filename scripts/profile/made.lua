@@ -81,7 +81,7 @@ local function unit_of(where, given, name)
   return unit
 end
 
--- Returns the first of the usual column names that the file contains, or nil.
+-- Returns the first of the usual column names that the file contains, or nil if it contains none.
 local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end

@@ -107,7 +107,7 @@ local function brace_frame(tokens, i, parent)
   return frame
 end
 
--- Returns the innermost frame (bracket) that is still open after the last token, or nil.
+-- Returns the innermost frame (bracket) that is still open after the last token, or nil if none is open.
 local function open_frame(tokens)
   local frames = {}
   for i = 1, #tokens do

@@ -26,9 +26,9 @@ function parallel.start(job)
   return said
 end
 
--- Returns "running" or nil. The command line of the process is checked, because its process id may have been reused
--- by another process. The command line is empty for a moment while one program replaces another, and after the end of
--- the process.
+-- Returns "running" if the job has not ended, else nil. The command line of the process is checked, because its
+-- process id may have been reused by another process. The command line is empty for a moment while one program
+-- replaces another, and after the end of the process.
 function parallel.state(job)
   local status = text_file.read(("/proc/%s/status"):format(job.name))
   local words = text_file.read(("/proc/%s/cmdline"):format(job.name))

@@ -31,7 +31,7 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
--- Returns the warning of the engine for this case, or nil.
+-- Returns the warning of the engine for this case, or nil if there is none.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
   return text and check.plain(tostring(text))

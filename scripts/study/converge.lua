@@ -222,7 +222,7 @@ end
 
 -- --- Table 1 of the paper --------------------------------------------------------------------------
 
--- Returns the row with this alpha and stroke, or nil.
+-- Returns the row with this alpha and stroke, or nil if there is none.
 local function row_of(rows, alpha, stroke)
   for _, row in ipairs(rows) do
     if row.settings.alpha == alpha and row.settings.stroke == stroke then return row end

@@ -265,11 +265,11 @@ end
 -- Fields of `found`:
 -- jump: nil if no jump was good
 -- limit: the lowest stability limit [cycles]; nil if there is none
--- capped: true if no larger jump was tried; bound: the reason, "stability" or "cycles" (a tenth of all
+-- capped: true if no larger jump was tried; bound: the reason for this, "stability" or "cycles" (a tenth of all
 -- cycles)
 -- judged: number of updates of the trial
 -- increments: nil if the plate does not slide
--- roughness, asymmetry: of the trial with the best jump
+-- roughness, asymmetry: values of the trial with the best jump
 -- smooth: the allowed roughness, if it is larger than the limit
 -- lopsided: asymmetry of the smooth runs, if it is the reason that no jump was good
 -- change: difference of the profiles with these increments

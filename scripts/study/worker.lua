@@ -79,8 +79,8 @@ local function progress_of(store, id)
   end
 end
 
--- Returns the engine's warning for this case, or nil. Warnings of the task "converge" are ignored, because
--- its search exceeds limits on purpose.
+-- Returns the engine's warning for this case, or nil if there is none. Warnings of the task "converge" are ignored,
+-- because its search exceeds limits on purpose.
 local function warning_of(store)
   local text = warnings.take()
   return store:info("task") ~= "converge" and text or nil
