@@ -149,7 +149,8 @@ arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const dou
  * `cycles` cycles. cross_shear is the ratio of arc_joint_cross_shear, p_mean [MPa] the mean
  * pressure of a cycle. */
 typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean, double cycles);
-/* Returns the head's share of the wear at the middle of an update, after `cycles` cycles. */
+/* Returns the head's share of the wear after `cycles` cycles. It is called for the middle of each
+ * update. */
 typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
 /* Returns the creep [mm] of a cell of the cup after `cycles` cycles; p_mean [MPa] > 0 is the mean
  * pressure since the first cycle. Creep opens the gap and is not wear volume. */

@@ -201,11 +201,12 @@ typedef struct arc_loading {
       "a change of the coefficient within an update is integrated; updates of a fixed number of "  \
       "cycles use the mean. An update ends where a table jumps. Needs update = \"cycle\", the "    \
       "default.")                                                                                  \
-  CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
-         "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "    \
-         "\"frictionless\": only afterwards. The choice matters if the materials differ and a "    \
-         "part of the contact never slips. If both bodies have the same material and Hertz' "      \
-         "formulas apply, pressing causes no shear and is computed without friction.")             \
+  CHOICE(                                                                                          \
+      press, press, ARC_PRESS_FRICTION, 0,                                                         \
+      "\"friction\": friction acts while the bodies are pressed together, as in contact{}; "       \
+      "\"frictionless\": friction acts only after that. The choice matters if the materials "      \
+      "differ and a part of the contact never slips. If both bodies have the same material and "   \
+      "Hertz' formulas apply, pressing causes no shear and is computed without friction.")         \
   NUMBER(                                                                                          \
       tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
       "Amplitude of a tangential force that moves the plate back and forth, instead of stroke; "   \

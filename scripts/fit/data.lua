@@ -50,7 +50,7 @@ local one_or_more = check.kind("a finite number, or a list of them", function(v)
   return check.number.test(v) or list.test(v)
 end, check.number)
 local body = check.one_of{ "cylinder", "plate", "head", "cup" }
-local profile = check.kind("a profile of depths with lists x and h [mm] (for heights use p:depth())", function(v)
+local profile = check.kind("a profile of depths with lists x and h [mm] (p:depth() gives it from a profile p of heights)", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 

@@ -138,7 +138,8 @@ end
 
 -- --- both ----------------------------------------------------------------------------------------
 
--- Returns the observed results for each set of values in `list`, in the same order.
+-- Returns for each set of values in `list` the computed results that correspond to the measurements, in the
+-- same order.
 function runs:many(list)
   local wanted, seen, result = {}, {}, {}
   for _, values in ipairs(list) do

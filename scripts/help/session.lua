@@ -24,7 +24,7 @@ return {
   { "who", kind = "function", use = "who()",
     text = "Lists the objects of the session: name, class, and a short description." },
   { "examples", kind = "function", use = 'examples "wear"',
-    text = 'examples() lists the examples, which are numbered as a course. examples "wear" or examples(3) shows '
+    text = 'examples() lists the examples in the order in which to study them. examples "wear" or examples(3) shows '
       .. "one by its name or number." },
   { "examples.names", kind = "function", use = "examples.names()",
     text = "Names of the examples in the order of the course." },

@@ -154,7 +154,7 @@ local function read(path, functions)
   from:check()
   local kind = from:info "kind"
   if kind ~= "joint" then
-    check.fail("joint.open", ("%s: expected a file of w:save of a joint, got a run file of kind %s"):format(path, tostring(kind)),
+    check.fail("joint.open", ("%s: expected a file saved by w:save of a joint, got a run file of kind %s"):format(path, tostring(kind)),
       "FORMAT")
   end
   if not results_of(from, 1) then check.fail("joint.open", path .. ": the file is damaged: it has no state", "FORMAT") end

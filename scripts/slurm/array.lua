@@ -46,8 +46,8 @@ local function count(lines)
   return order[1] and table.concat(order, ", ")
 end
 
--- Returns the states of the shares of a job. Returns nil if all have ended or if Slurm no longer has a record
--- of the job.
+-- Returns the states of the array tasks of a job, each of which computes a share of the cases. Returns nil if
+-- all have ended or if Slurm no longer has a record of the job.
 function array.state(job)
   local said, fine = ask(job.name)
   if not fine then

@@ -41,8 +41,8 @@ local function flat_cases(study, given)
   local flat = check.as(where, study, { base = base, vary = given.vary, cases = given.cases }).flat
   local name = next(functions)
   if name and #flat > 1 then
-    check.fail(where, ("field 'base.%s': the search of several cases uses a run file, which cannot store "
-      .. "functions; expected a number or a table over distance, or one case"):format(name))
+    check.fail(where, ("field 'base.%s': a function is allowed for a single case only, because several cases "
+      .. "use a run file, which cannot store functions; expected a number or a table over distance"):format(name))
   end
   if name then flat = { merged(flat[1], functions) } end
   return flat

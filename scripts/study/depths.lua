@@ -93,8 +93,8 @@ end
 -- Raises an error if a given k does not reproduce the measured depths.
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
-  check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, the measured sum is %.4g mm; without "
-    .. "this field k is computed too"):format(found.sum, sum))
+  check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, but the measured sum is %.4g mm; "
+    .. "without the field k is computed, too"):format(found.sum, sum))
 end
 
 -- Returns the standard deviations of k and alpha over the tests, from a separate search for each test, and

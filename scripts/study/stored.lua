@@ -8,8 +8,8 @@ local function damaged(where, store, what, ...)
   check.fail(where, ("%s: the file is damaged: " .. what):format(store.path, ...), "FORMAT")
 end
 
--- Raises an error for a setting inside a value ("alpha.x" beside "alpha") and for a number that is not
--- finite.
+-- Raises an error if a setting is a part of another setting that has a value ("alpha.x" and "alpha"), or if a
+-- number is not finite.
 local function check_case(where, store, id, flat)
   for name, value in pairs(flat) do
     local owner = name:match "^(.*)%."

@@ -84,7 +84,8 @@ local function write_contact(file, name, body, reach, side)
 end
 
 -- Writes an Abaqus deck of a case. case: upper and lower, functions (x, z) -> y [mm]; E [MPa] and nu of both
--- bodies; load [N]; approach (expected), half_width of the contact and far [mm]. Returns the number of nodes
+-- bodies; load [N]; approach (expected), half_width of the contact, and far, the distance of the outer
+-- boundary [mm]. Returns the number of nodes
 -- of the ball and of both bodies.
 function deck.write(path, case)
   local file <close> = assert(io.open(path, "w"))

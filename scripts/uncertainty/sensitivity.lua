@@ -151,8 +151,8 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- Replaces the derivatives of results that change in steps by slopes over a wide range. `over` is the largest
--- relative change of the number.
+-- Replaces the derivatives of results that change in steps by slopes over a wide range of the input. `over` is
+-- the largest relative change of the input.
 local function replace_rippled(self, value, set, definition, found, over)
   local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do

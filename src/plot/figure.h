@@ -125,9 +125,10 @@ int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double rang
 /* Returns the colour number (from 1) of the curve at index `position` of its panel. */
 int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position);
 
-/* arc_dot_marked returns true if a line of Braille dots has marks (`panel` NULL: in any panel).
- * arc_dot_marks_block writes the data of the marks within the box. arc_dot_marks_words writes
- * the part of the plot command for the marks. */
+/* Point markers of curves in plots of Braille dots. arc_dot_marked returns true if a curve has
+ * markers in `panel` or, if `panel` is NULL, in any panel. arc_dot_marks_block writes the data of
+ * the markers that lie within the ranges of the axes, `box`. arc_dot_marks_words writes the part of
+ * the plot command that draws the markers. */
 int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve);
 void arc_dot_marks_block(arc_writer *w, size_t number, const arc_plot_box *box);
 void arc_dot_marks_words(arc_writer *w, size_t number);

@@ -24,7 +24,7 @@ static size_t accents_before(const char *words, const char *at) {
   return length;
 }
 
-/* Returns the number of bytes of the letter that ends at `at` if this letter is a single letter,
+/* Returns the number of bytes of the letter that ends at `at` if this letter is a word by itself,
  * which can have a subscript. Otherwise returns 0. */
 static size_t symbol_before(const char *words, const char *at) {
   size_t length = 1 + accents_before(words, at);

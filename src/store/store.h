@@ -131,7 +131,7 @@ arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ---------------------------- */
 
-/* Writes the definition of a run as the values of a case. */
+/* Stores the definition of a run in the database as the values of case `id`. */
 arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);
 
 #endif

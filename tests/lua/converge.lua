@@ -227,7 +227,7 @@ local known = calibrate(with{ k = 2.5e-8, depth = { cylinder = truth.depth.cylin
 near(known.alpha, 0.3, 1e-3, "alpha alone, where k is known")
 is(known.k, nil, "a given k is not computed")
 fails(function() calibrate(with{ k = 1e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } }) end,
-  { "'k'", "without this field" }, "a k that makes other depths is refused")
+  { "'k'", "without the field" }, "a k that makes other depths is refused")
 fails(function() calibrate(with{ depth = { cylinder = 0.31, plate = 0.62 } }) end, "are they in um?", "depths in um")
 fails(function() calibrate{ depth = { cylinder = 1e-3, plate = 1e-3 }, distance = 440 } end, "'load'",
   "depths without the load")

@@ -67,7 +67,8 @@ local function is_long(address)
 end
 
 local short_list, long_list = {}, {}
-local function add(address, f) -- f() calls the function `address`
+-- Adds a function of the program, whose name is `address`, to the lists; f() calls it.
+local function add(address, f)
   if left_out[address] then return end
   local list = is_long(address) and long_list or short_list
   list[#list + 1] = { address = address, call = f }
@@ -169,7 +170,8 @@ local function add_entries()
   end
 end
 
--- Adds calls to the C modules below the scripts, which a script can load by require.
+-- Adds the functions of the C modules that the Lua scripts of the program use; a user's script can load these
+-- modules by require.
 local function add_modules()
   local modules = {
     ["archard.files"] = { "csv", "vtk", "inp", "msh", "write", "read", "is_there", "number", "allowed" },

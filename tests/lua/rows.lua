@@ -26,7 +26,8 @@ local function text_of(name)
   return file:read "a"
 end
 
--- Returns valid values of a row other than the default, the most likely values first.
+-- Returns values to try for the setting of a table row, other than its default. The first values are
+-- most likely valid.
 local function others(row)
   local list, usual = {}, tonumber(row.default)
   for _, value in ipairs(row.choice and row.values or {}) do

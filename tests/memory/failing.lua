@@ -33,8 +33,8 @@ end
 
 function told.system(why) return type(why) == "table" and why.code == "IO" end
 
--- Returns the number of possible failures, and a list of the failures that are the first or last of a call
--- site.
+-- Returns the number of allocations, each of which can be made to fail, and a list of the first and the last
+-- allocation at each call site.
 local function points_of(work)
   arm(1 << 22)
   pcall(work)

@@ -40,7 +40,8 @@ compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I
 local first = wear{ alpha = 0.5, jump = 1 }
 first:step()
 within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3, "first cycle on the cylinder [mm]")
--- Twice in a cycle of stroke s the pressure p_H sqrt(1 - x^2/a^2), |x| <= s/2, passes over the plate's middle.
+-- Twice in a cycle of stroke s the part |x| <= s/2 of Hertz' pressure p_H sqrt(1 - x^2/a^2) passes over the
+-- plate's middle.
 local a, s = hertz{}.half_width, 0.11
 local t = s / 2 / a
 local passed = hertz{}.p_max * a * (t * math.sqrt(1 - t * t) + math.asin(t))

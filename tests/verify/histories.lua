@@ -216,9 +216,9 @@ within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
 
 -- --- local factors --------------------------------------------------------------------------------------
 
--- Tests a power of the pressure as a law and as a local factor. The law is computed for pairs of points with
--- a common pressure. A factor uses the nodal pressures of each body; the plate's nodal pressures are means
--- over elements whose nodes differ from the cylinder's.
+-- Compares a power of the pressure given as a wear law with the same power given as a local factor. The results
+-- differ slightly: the law uses a common pressure for each pair of opposite points, the factor uses the nodal
+-- pressures of each body, whose nodes are not opposite to each other.
 local function law_and_factor(alpha)
   local law = wear{ alpha = alpha, law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440, jump = 100 }:run()
   local factor = wear{ alpha = alpha, local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440, jump = 100 }:run()

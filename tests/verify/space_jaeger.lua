@@ -62,8 +62,8 @@ local function both_ways(path)
   return motions, energies[2] / works[2] - 1, works[2] / (mu * most * scale)
 end
 
--- Errors of the work of a turn are relative to this work. Turns that dissipate less than 1/500 of the work in
--- full slip are included in the mean only; turns that dissipate less than 1/5000 are excluded.
+-- Errors of the work of a turn, the path between two reversals, are relative to this work. Turns that dissipate
+-- less than 1/500 of the work in full slip are included in the mean only, and below 1/5000 not at all.
 local motion, worst, errors, largest, large = {}, 0, {}, 0, 0
 for i = 1, count do
   local motions, error, size = both_ways(corners())

@@ -177,9 +177,9 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* Returns the half width [mm] of the contact of a cylinder (or ball) that grows at the same rate
- * with the load, so that its pressure falls as steeply at the edges. The load of a cylinder (ball)
- * is proportional to the square (cube) of the half width. */
+/* Returns the half width [mm] of the contact of a cylinder (or ball) that grows with the load as
+ * fast as the given contact, so that the pressures fall as steeply at the edges. The load of a
+ * cylinder (ball) is proportional to the square (cube) of the half width. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);

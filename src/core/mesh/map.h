@@ -6,9 +6,10 @@
 #include "archard/mesh.h"
 #include "core/mesh/body_shape.h"
 
-/* Map of one body. Near the contact one unit is exactly size x height. Farther away, units are
- * stretched uniformly, which lets a whole number of root cells fill the body. Rows lie on the
- * interfaces of layers. */
+/* Map of one body from the integer coordinates of the quadtree to positions [mm]. Near the contact
+ * one unit is exactly one element wide and one element high. Farther away, units are stretched
+ * uniformly, so that a whole number of the largest cells fills the body. Interfaces of layers lie
+ * on rows of the grid. */
 typedef struct body_map {
   const arc_body_def *solid;
   double up;             /* 1 if the body lies above its surface, -1 if below */

@@ -7,9 +7,9 @@
 double arc_cells_sum(int n, const double *a);
 double arc_cells_dot3(int n, const double *a, const double *b, const double *c);
 double arc_cells_dot4(int n, const double *a, const double *b, const double *c, const double *d);
-/* Adds `factor` times x to y. */
+/* Computes y = y + factor * x. */
 void arc_cells_add(int n, double factor, const double *x, double *y);
-/* Replaces d by `factor` times d minus z. */
+/* Computes d = factor * d - z. */
 void arc_cells_turn(int n, double factor, const double *z, double *d);
 /* Adds `gap` to g. Returns the largest |g| before the addition. */
 double arc_cells_add_gap(int n, const double *gap, double *g);

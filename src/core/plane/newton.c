@@ -16,7 +16,7 @@ static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* Largest ratio of successive steps for which the Jacobian is reused. */
 static const double contraction = 0.4;
 
-/* Returns the range of plate positions in a block [mm]. */
+/* Returns the distance between the extreme plate positions of a block of cycles [mm]. */
 static double length_of(const wear_block *block) {
   double low = block->x[0], high = low;
   for (int i = 1; i < block->count; i++) {

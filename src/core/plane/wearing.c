@@ -102,8 +102,8 @@ static double even_pressure(const arc_wear *w) {
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Converts a uniform depth [mm] to an integral of k over the sliding distance, with the
- * coefficients of the layers. */
+/* Returns the integral of k over the sliding distance [mm/MPa] that causes a depth of even wear
+ * [mm] under the mean pressure. The layer at the surface may have its own wear coefficient. */
 double arc_plane_even_k_integral(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
   const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];

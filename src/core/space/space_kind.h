@@ -30,7 +30,7 @@ typedef struct space_contact {
   double *pressure;               /* [window] [MPa] */
   arc_halfspace_friction rubbing; /* friction state; all members are zero without friction */
   arc_halfspace_friction coarser; /* friction state computed with half as many increments */
-  double origin;                  /* plate position at which the motion xi was 0 [mm] */
+  double origin;                  /* plate position before the first motion [mm] */
 } space_contact;
 
 /* The positions of a window for which the contact is solved. With friction each site of the
@@ -163,11 +163,10 @@ size_t arc_space_tangent_bytes(const arc_wear *w);
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
 /* --- space_slip.c ----------------------------------------------------------------------------- */
-/* Computes slip and shear of the steady cycle of a window with friction on given depths. The
- * results are path->slip and path->gap, and energy, force and stick zone in rate. `pressure`
- * [count][window] contains the pressures of the positions, which are averaged over mirror
- * images. For unlike bodies, whose pressure depends on the shear, they are replaced by the
- * pressures of the cycle. */
+/* Computes slip and shear of the steady cycle with friction, for given wear depths. The results are
+ * path->slip and path->gap, and energy, force and stick zone in `rate`. `pressure` [count][window]
+ * has the pressures at the positions of the cycle. They are averaged over mirror images; for unlike
+ * bodies, whose pressures depend on the shear, they are replaced by the pressures of the cycle. */
 arc_status arc_space_slip(arc_wear *w, const wear_window *window,
                           const double *const depth[ARC_BODIES], space_path *path, double *pressure,
                           wear_progress *progress, wear_rate *rate, arc_error *error);

@@ -33,9 +33,11 @@ typedef struct implicit {
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
 
-/* Accepted error of the depths in one step, divided by the tolerance. At order 2 the errors of the
- * first steps decrease because the pressure flattens. The number was determined with the twenty
- * cases of the reference paper on elements of 20, 10 and 5 um. */
+/* Accepted error of the depths in one step, divided by the tolerance. With the second-order
+ * method the errors of the first steps decrease later, because the pressure flattens. The number
+ * was determined with the twenty cases of the reference paper (README.md) on elements of 20, 10 and
+ * 5 um.
+ */
 static const double share_per_step = 0.5;
 /* Accepted error of forces, divided by the tolerance. It is large because forces follow from the
  * depths, so their errors do not accumulate. */

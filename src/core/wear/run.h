@@ -134,7 +134,8 @@ double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
  * for runs without local factors. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
                           const wear_sites *on, const double *p, double *factor, arc_error *error);
-/* Returns the slope dq/dp of the law at a node with pressure p and wear rate q [MPa]. */
+/* Returns the slope dq/dp [-] of the wear law at a node with the pressure p [MPa], where q [MPa] is
+ * the wear per sliding distance divided by k. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
 /* Creates a run as arc_wear_create does, but without a check of the zones. */

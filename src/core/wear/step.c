@@ -43,7 +43,7 @@ static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   return k > 0 ? fmax(c, p) / k : 0;
 }
 
-/* Tries the plan on a copy of the shape. The run does not change. */
+/* Makes the planned step on a copy of the shape. The run does not change. */
 static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);

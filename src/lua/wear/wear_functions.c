@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indices of the user values of the holder. During a call the values on the stack have the same
- * order. The index of a function is its index in arc_wear_settings plus 1. The indices of the
- * state object and the error value follow. */
+/* Indices of the user values of the userdata that holds the functions of a run. During a call the
+ * values on the stack have the same order. The index of a function is its index in
+ * arc_wear_settings plus 1. The indices of the state object and the error value follow. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
   STATE = ARC_WEAR_SETTINGS_COUNT + 1,
