@@ -2,6 +2,7 @@
 -- numbers are converted to mm, N, MPa, s or degrees.
 
 local check = require "archard.lib.check"
+local decoded = require "archard.lib.decoded"
 local files = require "archard.files"
 local units = require "archard.lib.csv_units"
 local strict = require "archard.strict"
@@ -52,10 +53,10 @@ local function separator_of(header)
   return best
 end
 
--- Returns the number in a cell, or nil if the cell contains no number. If cells are separated by semicolons, a
--- decimal comma is accepted.
+-- Returns the number in a cell, or nil if the cell contains no number. If cells are separated by semicolons or
+-- tabs, a decimal comma is accepted.
 local function number_in(cell, separator)
-  if separator == ";" then cell = cell:gsub(",", ".") end
+  if separator ~= "," then cell = cell:gsub(",", ".") end
   if cell:lower():find("^[+-]?nan$") then return 0 / 0 end
   return not cell:find("^%s*[+-]?0[xX]") and tonumber(cell) or nil
 end
@@ -78,7 +79,7 @@ end
 -- Returns the lines with data as a list of { line number, text }. Blank lines and comments are omitted.
 local function lines_of(path)
   local lines, number = {}, 0
-  for line in (files.read(where, path):gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
+  for line in (decoded(files.read(where, path)) .. "\n"):gmatch("(.-)\r?\n") do
     number = number + 1
     if line:find("%S") and not line:find("^%s*#") then lines[#lines + 1] = { number, line } end
   end

@@ -2,16 +2,21 @@
 -- heights, one row on each line, starting at the smallest z.
 
 local axis = require "archard.map.axis"
+local decoded = require "archard.lib.decoded"
 local units = require "archard.lib.csv_units"
 
 local text = {}
 
 local function is_missing(word) return word:lower():find "^[+-]?nan$" or word == "BAD" or word == "---" end
 
--- Splits a line at blanks, tabs, commas and semicolons.
+-- Splits a line at blanks, tabs and semicolons, and at commas. If the line has commas between digits beside
+-- blanks, tabs or semicolons, commas are decimal.
 local function words_of(line)
-  local words = {}
-  for word in line:gmatch "[^%s,;]+" do words[#words + 1] = word end
+  local inner, words = line:match "^[%s;]*(.*)", {}
+  local decimal = inner:find "%d,%d" and inner:find "[%s;]+%S" and not inner:find ",[%s;]" and not inner:find "[%s;],"
+  for word in inner:gmatch(decimal and "[^%s;]+" or "[^%s,;]+") do
+    words[#words + 1] = decimal and (word:gsub(",", ".")) or word
+  end
   return words
 end
 
@@ -19,7 +24,7 @@ end
 -- line of names before them.
 local function each_line(source, row, header)
   local number, count = 0, 0
-  for line in (source.text:gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch "(.-)\r?\n" do
+  for line in (decoded(source.text) .. "\n"):gmatch "(.-)\r?\n" do
     number = number + 1
     if line:find "%S" and not line:find "^%s*[#;%%]" then
       local words = words_of(line)

@@ -21,6 +21,8 @@ t = csv.read(file "\xEF\xBB\xBFt [s];x\r\n# measured\r\n\r\n 0,5 ; 1 \r\n1;-2,25
 is(t.t[1], 0.5, "semicolons, decimal commas, blanks, a mark at the start, no end of line")
 is(t.x[2], -2.25, "a number with both")
 is(#t.x, 2, "comments and empty lines are left out")
+is(csv.read(file "t [s]\tx\n0,5\t1,25\n").x[1], 1.25, "tabs, decimal commas")
+is(csv.read(file "x [mm];z [\xb5m]\n0;1,5\n").z[1], 1.5e-3, "a unit in Latin-1")
 t = csv.read(file 'name\tcycles\n"a ""b"",\tc"\t3\nd\t4\n')
 is(t.name[1], 'a "b",\tc', "tabs, quotes")
 is(t.name[2], "d", "text")

@@ -90,6 +90,11 @@ same(map.read(write("c.xyz", xyz("x [um], y [um], z [nm]\n", 1000, 1e6, function
 same(map.read(write("m.txt", "# heights\n", worded(rows(1e-3), "%.7f"), "\n"), { step = { dx, dz }, unit = "um" }), 1e-6,
   "a matrix with its steps")
 is(map.read(path "m.txt", { step = 0.5, unit = "um" }).z[2], 0.5, "one step for both")
+for name, text in pairs{ tabs = "0,5\t0,25\t1\r\n1,5\t2\t3,25\r\n", blanks = " 0,5 0,25 1\n 1,5 2,0 3,25\n", semicolons = "0,5;0,25;1\n1,5;2;3,25\n",
+  ["commas without blanks"] = "0.5,0.25,1\n1.5,2,3.25\n", ["commas with blanks"] = "0.5, 0.25, 1\n1.5, 2, 3.25\n" } do
+  local m = map.read(write("decimal.txt", text), { step = 0.5, unit = "mm" })
+  ok(#m.x == 3 and #m.z == 2 and m.y[1] == 0.5 and m.y[#m.y] == 3.25, "numbers between " .. name)
+end
 is(map.read(path "m.txt", { step = 0.5, unit = "um" }).path, path "m.txt", "its path")
 
 -- --- Surfer ---------------------------------------------------------------------------------------------------
