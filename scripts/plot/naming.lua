@@ -179,6 +179,8 @@ local function setting_text(object, setting)
     return under_loading(object, setting)
   end
   local value = get(object, name)
+  local track = name == "stroke" and get(object, "track")
+  if type(track) == "number" and track > 0 then return ("track of %g mm"):format(track) end
   local form = setting[3] and unnamed[type(value)]
   if form then return form:format(setting[3]) end
   local low, high = span_of(object, name)

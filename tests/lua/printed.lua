@@ -53,6 +53,7 @@ local function step(fields)
   end
 end
 has(warned(step{ k = 2e-6, jump = 1 }), "k = 2e-06 mm2/N is 0.002 mm3/(N m): was 2e-06 mm3/(N m) meant", "k in mm3/(N m)")
+has(warned(step{ k = 1e-14, jump = 1 }), "k = 1e-14 mm2/N is 1e-11 mm3/(N m): was 1e-14 m2/N meant (k = 1e-08)", "k in m2/N")
 has(warned(step{ stroke = 4e-4 }), "was 0.4 mm meant", "a stroke in m")
 for what, make in pairs{ ["the usual numbers"] = step{}, polyethylene = pair(700), diamond = pair(1.2e6) } do
   ok(not warned(make):find("meant", 1, true), what .. " pass without a warning")

@@ -1,6 +1,6 @@
 /* Gives warnings for numbers that are probably in another unit. The limits allow usual values:
- * moduli from polyethylene (500 MPa) to diamond (1.2e6 MPa), and wear coefficients up to that of a
- * polymer without filler (1e-6 mm2/N). */
+ * moduli from polyethylene (500 MPa) to diamond (1.2e6 MPa), and wear coefficients from that of a
+ * diamond film (1e-13 mm2/N) to that of a polymer without filler (1e-6 mm2/N). */
 #include "core/pair/units.h"
 #include "core/base/callbacks.h"
 
@@ -37,10 +37,14 @@ void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_cal
 
 void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks) {
-  static const double largest = 1e-6, short_of = 0.05; /* limits: k [mm2/N]; stroke / half width */
+  static const double smallest = 1e-13, largest = 1e-6; /* limits of k [mm2/N] */
+  static const double short_of = 0.05; /* smallest usual ratio of stroke to half width */
   if (k > largest)
     arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g mm3/(N m) meant (k = %g)?", k,
              1e3 * k, k, 1e-3 * k);
+  if (k > 0 && k < smallest)
+    arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g m2/N meant (k = %g)?", k, 1e3 * k, k,
+             1e6 * k);
   if (stroke > 0 && stroke < short_of * half_width)
     arc_warn(
         callbacks,

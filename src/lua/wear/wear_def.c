@@ -260,6 +260,10 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   if (args_given(L, index, "stroke") && args_given(L, index, "tangential"))
     error_raise(L, ARC_ARGUMENT, location.where,
                 "fields 'stroke' and 'tangential': expected one of them, got both");
+  if (args_given(L, index, "stroke") && args_given(L, index, "track") && request.def.track > 0)
+    error_raise(
+        L, ARC_ARGUMENT, location.where,
+        "fields 'stroke' and 'track': expected one of them, got both (a cycle is a revolution)");
   if (args_given(L, index, "stroke")) request.def.tangential = 0;
   if (args_given(L, index, "stroke") || args_given(L, index, "tangential")) request.def.blocks = 0;
   if (loading_read(L, index, location, &request.def))

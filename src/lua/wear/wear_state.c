@@ -275,7 +275,7 @@ static const char *show_coefficient(double record, double number, const arc_seri
   return show_course(record, number, unit, text, size);
 }
 
-/* Writes the motion as text: "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
+/* Writes the motion as text, such as "stroke 0.11 mm" or "loading of 3 blocks, now over 0.2 mm". */
 static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const int blocks = arc_wear_definition(wear)->blocks;
   const double travel = arc_wear_travel(wear);
@@ -284,6 +284,9 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
   char way[100];
   if (force > 0)
     snprintf(text, size, "force of +-%.6g N along x", force);
+  else if (arc_wear_definition(wear)->track > 0)
+    snprintf(text, size, "revolutions on a track of radius %.6g mm",
+             arc_wear_definition(wear)->track);
   else if (blocks == 0)
     snprintf(text, size, "stroke %s",
              show_course(of_update(now, now->travel), travel, " mm", way, sizeof way));
