@@ -162,7 +162,7 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
   arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
   size_t last = panel->x.places && panel->x.place_count
                     ? arc_text_characters(panel->x.words[panel->x.place_count - 1])
-                    : ticks.longest;
+                    : ticks.longest + (ticks.powers ? 2 : 0);
   return 0.55 * (double)last + 0.8;
 }
 
@@ -185,9 +185,22 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- field ------------------------------------------------------------------------------------ */
 
+/* Returns the distance between the numbers of a colour scale without contour lines, which is as
+ * high as the box; 0: gnuplot chooses it. */
+static double scale_step(const arc_plot_panel *panel, const arc_plot_box *box,
+                         const arc_plot_frame *frame, const double range[2]) {
+  static const double enough = 14, row_of_number = 1.6; /* rows */
+  static const double wide = 0.5;                       /* width of a character, in rows */
+  double rows = frame->rows;
+  if (panel->equal)
+    rows = fmin(rows, wide * frame->columns * (box->y1 - box->y0) / (box->x1 - box->x0));
+  return rows < enough ? arc_field_step(range, (int)fmax(0, rows / row_of_number - 2)) : 0;
+}
+
 /* Writes the colour palette. One palette is for values of one sign, another for values of both
  * signs, with white at zero. */
-static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
+static void colour_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
+                         const arc_plot_frame *frame, const double range[2]) {
   static const char *const palettes[][2] = {
       /* palettes for fields of one sign, fields of both signs, and curves (without light colours,
        * which would be hardly visible), each in colours and in greys */
@@ -202,7 +215,8 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
   /* contour lines are at the ticks of the colour scale */
   const int contours = panel->field && panel->levels;
-  arc_ticks_of_scale(w, contours ? arc_field_step(range, panel->levels) : 0);
+  arc_ticks_of_scale(w, contours ? arc_field_step(range, panel->levels)
+                                 : scale_step(panel, box, frame, range));
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");
 }
@@ -388,8 +402,8 @@ static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_
   heading(w, panel);
   key_words(w, panel, frame, framed);
   double scale[2];
-  if (panel->field && !w->canvas->text) colour_words(w, panel, range);
-  if (!panel->field && arc_look_scale(w, panel, scale)) colour_words(w, panel, scale);
+  if (panel->field && !w->canvas->text) colour_words(w, panel, box, frame, range);
+  if (!panel->field && arc_look_scale(w, panel, scale)) colour_words(w, panel, box, frame, scale);
   arc_plot_box seen = to_ticks(w, panel, frame->rows);
   arc_labels_write(w, panel, &seen, frame->rows);
 }

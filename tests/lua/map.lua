@@ -171,6 +171,14 @@ ok(text:find "@+|[^\n]*\n.*%.+|", "the largest z is at the top")
 holds(drawn(plot.surface, ramp), { "depth, exaggerated 200 times", "z = 0 mm", "z = 1 mm" }, "plot.surface shows its factor")
 holds(drawn(plot.surface, ramp, { exaggeration = 20 }), "exaggerated 20 times", "or has the one given")
 holds(drawn(plot.surface, map{ x = { 0, 1 }, z = { 0, 1 }, y = zero }), "exaggerated 1 times", "a flat map")
+plot.surface(map{ x = even(0, 1, 41), z = even(0, 0.05, 5), y = function(x) return 1e-4 * math.sin(3 * x) end }, { file = name .. ".gp" })
+do
+  local file <close> = assert(io.open(name .. ".gp"))
+  local script = file:read "a"
+  local low, high = script:match "set cbrange %[(%S+):(%S+)%]"
+  ok((high - low) / tonumber(script:match "set cbtics (%S+)\n") < 4, "few numbers at a colour scale that is not high")
+  os.remove(name .. ".gp")
+end
 plot.map(sampled(bilinear, 600, 300), { file = name .. ".png" })
 local file <close> = assert(io.open(name .. ".png", "rb"))
 is(file:read(4), "\x89PNG", "a picture of a large map")

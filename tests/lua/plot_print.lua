@@ -103,7 +103,7 @@ do
     :match "set yrange %[(%S+):(%S+)%] noreverse"
   ok(tonumber(top) > 4 and tonumber(bottom) == 0, "a groove does not end on the frame")
   local margin = drawn({ { x = { 0, 2.5e7 }, y = { 0, 1 } } }):match "set rmargin (%S+)"
-  ok(tonumber(margin) > 3, "half of the last number fits beside the frame")
+  ok(tonumber(margin) > 4, "half of the last number, with its power of ten, fits beside the frame")
   has(drawn { line, ylabel = "α̃_x" }, 'set ylabel "α̃_{x}"', "a letter with an accent bears an index")
 end
 
