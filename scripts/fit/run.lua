@@ -90,8 +90,9 @@ local function refuse_few(problem, told)
   local count, needed = #problem.measured, #problem.parameters
   if count > needed or told and count == needed then return end
   check.fail(where, ("too few data: %d value%s for %d unknown%s (%d fields, %d positions of profiles and loops); "
-    .. "add data, remove unknowns, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
-    needed, needed == 1 and "" or "s", #problem.unknowns, #problem.positions))
+    .. "add data, remove unknowns, or fix shift, tilt and level%s"):format(count, count == 1 and "" or "s",
+    needed, needed == 1 and "" or "s", #problem.unknowns, #problem.positions,
+    count == needed and "; with the field 'error' of the data their number suffices" or ""))
 end
 
 local function need(name, given, list)

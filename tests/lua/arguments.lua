@@ -14,6 +14,7 @@ fails(function() model{ mesh = { sise = 1 } } end,
 fails(function() model{ mesh = { zone = { pin = 1 } } } end,
   { "unknown field 'mesh.zone.pin'", "known: cylinder, plate" }, "nothing near: the known names")
 fails(function() material{ 200e3 } end, "fields are given by name; found [1]", "positional value")
+fails(function() wear{ load = 100, stroke = 0,11 } end, "found [1] (numbers have a decimal point, as in 0.11)", "a decimal comma")
 fails(function() hertz{ cylinder = { e = 1 } } end, "unknown field 'cylinder.e' (did you mean 'E'?)",
   "material written as a table")
 fails(function() wear{ model = { raduis = 9 } } end, "'model.raduis' (did you mean 'radius'?)",

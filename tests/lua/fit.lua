@@ -183,7 +183,7 @@ local function refused(given, parts, what)
   fails(function() fit(given) end, parts, what)
 end
 local bare = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 } }
-refused({ unknown = unknown, data = { bare } }, { "fit.lua:", "too few data: 2 values for 2 unknowns" }, "too few data")
+refused({ unknown = unknown, data = { bare } }, { "fit.lua:", "too few data: 2 values for 2 unknowns", "with the field 'error' of the data" }, "too few data")
 refused({ unknown = { k = { start = 1e-8, low = 2e-8, high = 1e-9 } }, data = { one } },
   { "'unknown.k.low'", "low < high", "2e-08 and 1e-09" }, "bounds in the wrong order")
 refused({ unknown = { alpha = { start = 0.5, high = 1.5 } }, data = { one } },

@@ -110,8 +110,9 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > width * (1 + 1e-9))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
-        d->stroke);
+        "field 'stroke': expected at most the plate's width %g mm (2 radius unless set by "
+        "body.block{ width = }), got %g mm",
+        width, d->stroke);
   const double widest = 0.75 * width; /* largest zone of the mesher minus the contact width [mm] */
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(

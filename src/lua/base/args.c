@@ -68,10 +68,12 @@ void args_unknown(lua_State *L, args_location location, const arc_setting *list,
 
 void args_refuse_position(lua_State *L, args_location location) {
   const size_t length = strlen(location.prefix);
+  const int number = lua_type(L, -1) == LUA_TNUMBER;
   const char *key = luaL_tolstring(L, -2, NULL);
   lua_pushlstring(L, location.prefix, length > 0 ? length - 1 : 0);
-  error_raise(L, ARC_ARGUMENT, location.where, "fields are given by name; found [%s]%s%s", key,
-              length > 0 ? " in " : "", lua_tostring(L, -1));
+  error_raise(L, ARC_ARGUMENT, location.where, "fields are given by name; found [%s]%s%s%s", key,
+              length > 0 ? " in " : "", lua_tostring(L, -1),
+              number ? " (numbers have a decimal point, as in 0.11)" : "");
 }
 
 void args_check_table(lua_State *L, int index, const char *where) {
