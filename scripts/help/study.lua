@@ -247,6 +247,8 @@ return {
   { "calibration.simulated_depth", kind = "field", unit = "mm",
     text = "Sum of both simulated depths." },
   { "calibration.measured_depth", kind = "field", unit = "mm", text = "Sum of both measured depths." },
+  { "calibration.conditions", kind = "field",
+    text = "List of texts: motion and load, bodies, and materials of the simulations." },
   { "calibration.runs", kind = "field", text = "Number of simulations." },
   { "calibration.measurements", kind = "field", text = "Number of repeated tests." },
   { "calibration.spread", kind = "field",

@@ -185,7 +185,7 @@ local shown = {
 
 local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "k_cylinder", "k_plate",
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
-  "simulated_depth", "measured_depth", "runs" } }
+  "simulated_depth", "measured_depth", "conditions", "runs" } }
 
 -- Returns a text line with the value of a quantity and, if they are known, its spread and its confidence
 -- range.
@@ -239,6 +239,9 @@ function class.__tostring(self)
   if self.simulated_depth then
     lines[#lines + 1] = ("  sum of both depths  %.4g um simulated, %.4g um measured"):format(
       1e3 * self.simulated_depth, 1e3 * self.measured_depth)
+    for i, condition in ipairs(self.conditions or {}) do
+      lines[#lines + 1] = ("  %-19s%s"):format(i == 1 and "simulated with" or "", condition)
+    end
   end
   return table.concat(lines, "\n")
 end

@@ -17,14 +17,21 @@ local agreement = 0.05      -- relative tolerance of the simulated sum of both d
 
 -- --- one run ---------------------------------------------------------------------------------------
 
--- Simulates a run with k and alpha. Returns the sum of both depths [mm] and the cylinder's share of this sum.
+-- Returns the motion, load, bodies and materials of a run as text.
+local function conditions(run)
+  local text = tostring(run)
+  return { text:match "^wear: ([^\n]*)", text:match "\n  bodies +([^\n]*)", text:match "\n  materials +([^\n]*)" }
+end
+
+-- Simulates a run with k and alpha. Returns the sum of both depths [mm], the cylinder's share of this sum and the
+-- conditions of the run.
 local function simulate(fields, k, alpha, counter)
   local of_run = { alpha = alpha, k = k }
   for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
   local run <close> = wear(of_run)
   run:run{ progress = function() end }
   counter:ran()
-  return run.depth.cylinder + run.depth.plate, run.depth_partition
+  return run.depth.cylinder + run.depth.plate, run.depth_partition, conditions(run)
 end
 
 -- Raises an error if the measured depths need an unrealistically large k, because their unit is then probably
@@ -65,7 +72,7 @@ end
 
 -- Searches k and alpha for which a run has the target depths. target: { sum= [mm], share= }; start: { ln k,
 -- alpha }; options: fields (of wear{}), fixed (a given k, or nil), accuracy, counter. Returns { k=, alpha=,
--- sum= (simulated, [mm]), runs=, x= }.
+-- sum= (simulated, [mm]), runs=, x=, conditions= }.
 local function search(target, start, options)
   local within = target.share > 0 and target.share < 1
   local seeks = { not options.fixed, within }
@@ -73,12 +80,12 @@ local function search(target, start, options)
   local h, dx, before = begin_inverse(seeks), nil, nil
   for run = 1, most_runs do
     local k = options.fixed or math.exp(x[1])
-    local sum, share = simulate(options.fields, k, x[2], options.counter)
+    local sum, share, under = simulate(options.fields, k, x[2], options.counter)
     if run == 1 and not options.fixed then check_unit(target.sum, sum, k) end
     options.counter:better(("k %.4g, alpha %.4g"):format(k, x[2]))
     local f = { seeks[1] and math.log(sum / target.sum) or 0, seeks[2] and share - target.share or 0 }
     if math.max(math.abs(f[1]), math.abs(f[2])) <= options.accuracy then
-      return { k = k, alpha = x[2], sum = sum, runs = run, x = x }
+      return { k = k, alpha = x[2], sum = sum, runs = run, x = x, conditions = under }
     end
     if before then update(h, dx, { f[1] - before[1], f[2] - before[2] }) end
     dx, before = step_from(x, h, f), f
@@ -121,7 +128,7 @@ function depths.find(cylinder, plate, options)
   local k = not options.fixed and found.k or nil
   local result = { alpha = found.alpha, k = k, k_cylinder = k and k * found.alpha, k_plate = k and k * (1 - found.alpha),
     depth_partition = share, runs = found.runs, simulated_depth = found.sum, measured_depth = c + p, spread = {},
-    measurements = #cylinder }
+    conditions = found.conditions, measurements = #cylinder }
   if #cylinder > 1 then
     local runs
     result.spread, runs = spreads(cylinder, plate, found, options)
