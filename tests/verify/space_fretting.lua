@@ -57,6 +57,14 @@ end
 -- this edge carry no shear, a ring of sticking cells slips, and the volume is 8 % too large.
 within(fret(0, 0.95, 17):run{ progress = false }.volume.total, 3.99883e-5, 0.02, "nu = 0, 0.95 of full slip, 17 cells, the end: volume")
 
+-- After the end of wear nothing is removed, and the estimated error is 0. The steps became 33 cycles then.
+do
+  local w = wear{ model = { geometry = "3-D", upper = body.ball{ radius = radius }, lower = body.block{},
+    mesh = { size = contact_of(0.3) / 14 } }, friction = mu, tangential = 0.8 * mu * load, k = 1e-6, load = load, cycles = 1e6 }
+  w:run{ stop_when = function() return w.update > 60 end, progress = false }
+  ok(w.update < 60, "a run far beyond the end of wear has few updates: " .. w.update)
+end
+
 -- --- nu = 0.3 --------------------------------------------------------------------------------------
 -- At 0.9 of full slip the study, with up to 28 cells, has 1.750e-5 at T = 10, which has not converged. The
 -- volume expected there is that of 40 cells: with 14, 17, 20, 24, 28, 33 and 40 cells it is 1.875, 1.858, 1.948,

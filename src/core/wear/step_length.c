@@ -102,6 +102,13 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
+/* Returns true if the last step removed no material, as after the end of wear in partial slip. */
+static int removed_nothing(const arc_wear *w) {
+  const arc_wear_record *now = arc_wear_last(w);
+  return w->records > 1 && now->volume_cylinder == now[-1].volume_cylinder &&
+         now->volume_plate == now[-1].volume_plate;
+}
+
 /* Computes the length of the next adaptive step [cycles] from the estimated errors of the last
  * steps. The length depends only on the history, so a stored run continues with the same steps. */
 static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
@@ -122,6 +129,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
                        only_evenly(w)
                            ? most_evenly(w)
                            : k_integral_for(w, first_implicit_depth * w->kind->natural_depth(w)));
+    if (removed_nothing(w)) *jump = fmax(*jump, most_growth * now->jump);
   }
   *jump = fmin(*jump, cycles_for(block, k, layer_k_integral(w, 1)));
   return ARC_OK;
