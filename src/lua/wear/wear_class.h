@@ -46,8 +46,10 @@ double loading_largest(const arc_wear_def *def);
 /* Pushes the list of blocks with their sampled values. */
 void loading_push(lua_State *L, const arc_wear_def *def);
 
-/* --- wear_state.c: fields and printed summary of a run ---------------------------------------- */
+/* --- wear_state.c: fields of a run ------------------------------------------------------------ */
 extern const luaL_Reg wear_fields[];
+
+/* --- wear_print.c: printed summary of a run --------------------------------------------------- */
 int wear_tostring(lua_State *L);
 
 /* --- wear_run.c: methods that advance a run --------------------------------------------------- */
