@@ -1,6 +1,7 @@
 -- Formats values as JSON text. Tables with an item [1] become arrays, other tables become objects with sorted keys,
 -- and NaN and infinity become null.
 
+local as_utf8 = require "archard.lib.as_utf8"
 local files = require "archard.files"
 local keys = require "archard.lib.keys"
 
@@ -9,11 +10,9 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Returns a text as a quoted JSON string. If the text is not valid UTF-8, each byte above 127 is read as the Unicode
--- character with this number (Latin-1).
+-- Returns a text as a quoted JSON string.
 local function quoted(text)
-  if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
-  return '"' .. text:gsub('[%c"\\\x7F]', function(c)
+  return '"' .. as_utf8(text):gsub('[%c"\\\x7F]', function(c)
     return escapes[c] or ("\\u%04x"):format(c:byte())
   end) .. '"'
 end
