@@ -187,14 +187,14 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* Returns the distance between the numbers of a colour scale without contour lines, which is as
  * high as the box; 0: gnuplot chooses it. */
-static double scale_step(const arc_plot_panel *panel, const arc_plot_box *box,
+static double scale_step(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                          const arc_plot_frame *frame, const double range[2]) {
-  static const double enough = 14, row_of_number = 1.6; /* rows */
-  static const double wide = 0.5;                       /* width of a character, in rows */
+  static const double enough = 14; /* rows */
+  static const double wide = 0.5;  /* width of a character, in rows */
   double rows = frame->rows;
   if (panel->equal)
     rows = fmin(rows, wide * frame->columns * (box->y1 - box->y0) / (box->x1 - box->x0));
-  return rows < enough ? arc_field_step(range, (int)fmax(0, rows / row_of_number - 2)) : 0;
+  return rows < enough ? arc_field_step(range, (int)fmax(0, ticks_in_rows(w, rows) - 2)) : 0;
 }
 
 /* Writes the colour palette. One palette is for values of one sign, another for values of both
@@ -216,7 +216,7 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const arc_p
   /* contour lines are at the ticks of the colour scale */
   const int contours = panel->field && panel->levels;
   arc_ticks_of_scale(w, contours ? arc_field_step(range, panel->levels)
-                                 : scale_step(panel, box, frame, range));
+                                 : scale_step(w, panel, box, frame, range));
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");
 }
