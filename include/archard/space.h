@@ -136,6 +136,8 @@ typedef struct arc_halfspace_friction {
   double *moved[2]; /* [window] slip while in contact, in the last increment [mm] */
   double *stick;    /* [window] 1 if the site stuck in the last increment, else 0 */
   double xi[2];     /* [mm] motion of the lower body along x and z */
+  double travel[2]; /* [mm] sum of the increments of the smallest slip in the contact; 0 as long as
+                       a part of the contact sticks */
   double force[2];  /* [N] force on the lower body along x and z */
   double approach;  /* [mm] rigid approach of the bodies */
   double energy;    /* [N mm] energy dissipated since the first increment */
@@ -147,6 +149,8 @@ typedef struct arc_halfspace_increment {
   double friction; /* coefficient of friction >= 0 */
   arc_halfspace_position
       position;    /* position and load at the end of the increment; the weight is not used */
+  int follows;     /* 1: travel[0] is added to position.x, so that the surfaces slide along each
+                      other but are not displaced by elastic deformation; 0: position.x is used */
   int by_force[2]; /* along x and z: 1 prescribes the force, 0 the motion xi */
   double xi[2];    /* [mm] motion at the end of the increment */
   double force[2]; /* [N] force at the end, less than friction times the load */
@@ -197,7 +201,7 @@ arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_B
  * values in the present state to the values in `to`. */
 typedef struct arc_halfspace_leg {
   arc_halfspace_increment to;
-  double x, load; /* [mm] position and [N] load at the start */
+  double load;    /* [N] load at the start */
   int increments; /* number of equal increments; 0: increments are halved until motion, force and
                      work no longer change */
 } arc_halfspace_leg;

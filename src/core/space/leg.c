@@ -23,7 +23,6 @@ static double between(double from, double to, double share) {
 static arc_status advance(const leg *g, double share, const arc_halfspace_friction *guess,
                           arc_halfspace_friction *state, arc_error *error) {
   arc_halfspace_increment to = g->def->to;
-  to.position.x = between(g->def->x, to.position.x, share);
   to.position.load = between(g->def->load, to.position.load, share);
   for (int i = 0; i < 2; i++) {
     to.xi[i] = between(g->xi[i], to.xi[i], share);

@@ -93,9 +93,11 @@ typedef struct increment {
   arc_halfspace_options options;
   const arc_halfspace_friction *from;
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window] each; one allocation */
-  double *share;          /* [window] fraction of the motion for which a site was not in contact */
-  double motion[2];       /* assumed motion of the increment, to which `share` refers [mm] */
-  double last[2], was[2]; /* previous assumed motion, and the motion computed with it [mm] */
+  double *share; /* [window] fraction of the motion for which a site was not in contact */
+  arc_halfspace_position at; /* position and load at the end */
+  double travel[2];          /* see arc_halfspace_friction; assumed at the end of the increment */
+  double motion[2];          /* assumed motion of the increment, to which `share` refers [mm] */
+  double last[2], was[2];    /* previous assumed motion, and the motion computed with it [mm] */
   double approach, tolerance;
   stick_slip_work w;
 } increment;
@@ -116,7 +118,9 @@ static arc_status take(increment *s, arc_error *error) {
     memcpy(s->w.q[i], guess->q[i], n * sizeof(double));
     s->w.xi[i] = s->to->by_force[i] ? guess->xi[i] : s->to->xi[i];
     s->motion[i] = s->w.xi[i] - s->from->xi[i];
+    s->travel[i] = s->from->travel[i];
   }
+  s->at = s->to->position;
   for (size_t k = 0; k < n; k++) s->w.state[k] = guess->stick[k] > 0 ? SHEAR_STICK : SHEAR_SLIP;
   return ARC_OK;
 }
@@ -137,8 +141,8 @@ static arc_status press(increment *s, double *change, arc_error *error) {
   arc_cerruti_add_gap(s->h, (const double *const[2]){s->held[0], s->held[1]}, s->gap);
   s->options.gap = s->gap;
   s->options.warm = 1;
-  const arc_status status = arc_halfspace_solve(s->h, s->depth, &s->to->position, &s->options,
-                                                s->pressure, &s->approach, NULL, error);
+  const arc_status status = arc_halfspace_solve(s->h, s->depth, &s->at, &s->options, s->pressure,
+                                                &s->approach, NULL, error);
   *change = 0;
   for (size_t k = 0; k < n && status == ARC_OK; k++) {
     p = fmax(p, s->pressure[k]);
@@ -194,8 +198,8 @@ static arc_status find_entering(increment *s, int *entering, arc_error *error) {
   const arc_halfspace_friction *f = s->from;
   const space_traction before = {f->pressure, {f->q[0], f->q[1]}};
   const space_traction after = {s->pressure, {s->held[0], s->held[1]}};
-  return arc_space_entering(s->h, s->depth, &s->to->position, &before, &after, s->gap, s->share,
-                            entering, error);
+  return arc_space_entering(s->h, s->depth, &s->at, &before, &after, s->gap, s->share, entering,
+                            error);
 }
 
 /* Returns the next estimate of the motion for which the assumed motion equals the computed motion,
@@ -286,6 +290,48 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
   return ARC_OK;
 }
 
+/* --- travel ----------------------------------------------------------------------------------- */
+
+/* Returns the slip of site k along axis i in the increment, also before the site made contact
+ * [mm]. */
+static double slip_of(const increment *s, int i, int k) {
+  const double before = motion_before(s, i, k);
+  return s->w.state[k] == SHEAR_STICK ? before : before + s->w.slip[i][k];
+}
+
+/* Computes the travel at the end of the increment from the slip of the site that slips least. */
+static void find_travel(const increment *s, double travel[2]) {
+  double least = INFINITY;
+  for (int k = 0; k < s->h->cells; k++) {
+    const double slip[2] = {slip_of(s, 0, k), slip_of(s, 1, k)}, size = hypot(slip[0], slip[1]);
+    if (!(s->pressure[k] > 0 && size < least)) continue;
+    least = size;
+    for (int i = 0; i < 2; i++) travel[i] = s->from->travel[i] + slip[i];
+  }
+}
+
+/* Solves an increment. A lower surface that is not flat follows the travel along x, which is a
+ * result: the solution is then repeated until both agree. */
+static arc_status sweep_and_follow(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+  enum { most_passes = 20 };
+  static const double settled = 1e-4; /* of a cell */
+  const int fixed = !s->to->follows || arc_space_is_flat(s->h, s->depth, ARC_LOWER);
+  for (int pass = 0; pass < most_passes; pass++) {
+    double travel[2] = {s->travel[0], s->travel[1]};
+    if (!fixed) s->at.x = s->to->position.x + s->travel[0];
+    const arc_status status = sweep(s, effort, error);
+    if (status != ARC_OK) return status;
+    find_travel(s, travel);
+    const double off = fabs(travel[0] - s->travel[0]);
+    memcpy(s->travel, travel, sizeof s->travel);
+    if (fixed || off <= settled * s->h->def.size_x) return ARC_OK;
+  }
+  effort->unfinished++;
+  return ARC_OK;
+}
+
+/* --- result ----------------------------------------------------------------------------------- */
+
 /* Returns the friction work of a site: its slip times its mean friction limit in the increment.
  * Sites that stick do no work. */
 static double work_of(const increment *s, const double *pressure, const double *const moved[2],
@@ -307,6 +353,7 @@ static void store(const increment *s, arc_halfspace_friction *state) {
   double sum = 0;
   for (int i = 0; i < 2; i++) {
     state->xi[i] = s->w.xi[i];
+    state->travel[i] = s->travel[i];
     state->force[i] = 0;
     for (int k = 0; k < n; k++) {
       state->q[i][k] = s->w.q[i][k];
@@ -339,7 +386,7 @@ arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_B
   if (!(s.options.tolerance > 0)) s.options.tolerance = usual;
   s.tolerance = finer * s.options.tolerance;
   status = take(&s, error);
-  if (status == ARC_OK) status = sweep(&s, effort ? effort : &ignored, error);
+  if (status == ARC_OK) status = sweep_and_follow(&s, effort ? effort : &ignored, error);
   if (status == ARC_OK) store(&s, state);
   arc_stick_slip_end(&s.w);
   free(s.pressure);

@@ -308,7 +308,7 @@ arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfac
       {"shear", ARC_UPPER, 0, 0, {n, 1}, size},    {"s", ARC_UPPER, 0, 0, {n, 1}, f->slip[0]},
       {"sz", ARC_UPPER, 0, 0, {n, 1}, f->slip[1]}, {"slip", ARC_UPPER, 0, 0, {n, 1}, size + n}};
   const arc_status status =
-      show(s, c->pressure, c->handle.def.x, 0, 0, wanted, 3, more, surfaces, count, error);
+      show(s, c->pressure, c->origin + f->travel[0], 0, 0, wanted, 3, more, surfaces, count, error);
   free(size);
   return status;
 }

@@ -133,7 +133,6 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
                            arc_error *error) {
   enum { most_tries = 12 };
   arc_status status = ARC_ZONE;
-  c->handle.def.x = leg->to.position.x;
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
     const space_shape *s = space_shape_of(c->handle.shape);
     const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
@@ -221,8 +220,8 @@ arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc
   const int rubs =
       def.press == ARC_PRESS_FRICTION && arc_cerruti_unlike(arc_halfspace_definition(h)) != 0;
   const arc_halfspace_leg leg = {.to = {.friction = rubs ? def.friction : 0,
-                                        .position = {.x = def.x, .load = def.load, .weight = 1}},
-                                 .x = def.x,
+                                        .position = {.x = def.x, .load = def.load, .weight = 1},
+                                        .follows = 1},
                                  .increments = rubs ? def.increments : 1};
   arc_halfspace_effort effort = {0};
   c->origin = def.x;
@@ -259,7 +258,14 @@ static arc_status check_cells(const space_contact *c, double load, arc_error *er
 
 static arc_status check(const space_contact *c, const arc_motion_def *motion, double load,
                         arc_error *error) {
+  static const double farthest = 1e6; /* mm: ten digits remain for slip of 0.1 nm */
   const double carried = c->handle.def.friction * load;
+  if (!motion->by_force && fabs(motion->x - c->origin) > farthest)
+    return arc_fail(error, ARC_ARGUMENT, "field 'x': expected at most %g mm, got %g", farthest,
+                    motion->x);
+  if (!motion->by_force_z && fabs(motion->z) > farthest)
+    return arc_fail(error, ARC_ARGUMENT, "field 'z': expected at most %g mm, got %g", farthest,
+                    motion->z);
   const double x = motion->by_force ? motion->tangential : 0,
                z = motion->by_force_z ? motion->tangential_z : 0;
   if (hypot(x, z) < carried) return ARC_OK;
@@ -273,13 +279,10 @@ static arc_status check(const space_contact *c, const arc_motion_def *motion, do
 static void warn_across(const space_contact *c, double z, const arc_callbacks *callbacks) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_halfspace *h = s->grid->h;
-  const double *recess = arc_halfspace_recess(h, ARC_LOWER);
-  double most = 0;
-  for (int k = 0; k < space_sites(s, ARC_LOWER); k++)
-    most = fmax(most, recess[k] + s->depth[ARC_LOWER][k]);
-  if (most > 0 && fabs(z) > arc_halfspace_definition(h)->size_z)
+  const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
+  if (fabs(z) > arc_halfspace_definition(h)->size_z && !arc_space_is_flat(h, depth, ARC_LOWER))
     arc_warn(callbacks,
-             "the lower body is not flat and moves %g mm along z: its shape is assumed not to "
+             "the lower body is not flat and slides %g mm along z: its shape is assumed not to "
              "move along z, which is valid below a cell of %.3g mm",
              z, arc_halfspace_definition(h)->size_z);
 }
@@ -290,20 +293,21 @@ arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
   const double load = motion->load > 0 ? motion->load : def->load;
   const double x = motion->by_force ? def->x : motion->x;
   const arc_halfspace_leg leg = {.to = {.friction = def->friction,
-                                        .position = {.x = x, .load = load, .weight = 1},
+                                        .position = {.x = c->origin, .load = load, .weight = 1},
+                                        .follows = 1,
                                         .by_force = {motion->by_force, motion->by_force_z},
                                         .xi = {x - c->origin, motion->z},
                                         .force = {motion->tangential, motion->tangential_z}},
-                                 .x = def->x,
                                  .load = def->load,
                                  .increments = motion->increments};
   arc_halfspace_effort effort = {0};
   arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
   if (status == ARC_OK) status = check(c, motion, load, error);
   if (status == ARC_OK) status = check_cells(c, load, error);
+  c->handle.def.x = x;
   if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
   c->handle.def.load = load;
   if (status == ARC_OK) status = read_state(c, &effort, callbacks, error);
-  if (status == ARC_OK) warn_across(c, c->rubbing.xi[1], callbacks);
+  if (status == ARC_OK) warn_across(c, c->rubbing.travel[1], callbacks);
   return status;
 }
