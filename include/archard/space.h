@@ -86,7 +86,8 @@ typedef struct arc_halfspace_position {
 
 /* Options of the solver. NULL in a call means the defaults. */
 typedef struct arc_halfspace_options {
-  double tolerance;  /* tolerance of gaps relative to the largest displacement; 0 means 1e-5 */
+  double tolerance;  /* tolerance of gaps relative to the largest displacement; 0 means 1e-5, the
+                        only value with friction between unlike bodies */
   const double *gap; /* [positions][window] gap added to the computed gaps [mm]; NULL: none */
   int warm; /* 1: the solver starts from the pressures in the output array; 0: it starts from the
                shapes */

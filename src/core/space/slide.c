@@ -258,6 +258,11 @@ static arc_status one_sweep(increment *s, arc_halfspace_effort *effort, arc_erro
   return status == ARC_OK ? shear_alone(s, effort, error) : status;
 }
 
+/* Returns true if the pressures depend on the shear. */
+static int depends_on_shear(const arc_halfspace *h, const arc_halfspace_increment *to) {
+  return !to->pressure && h->shear->couple[0] != NULL;
+}
+
 /* Returns the relaxation factor of the change of shear in a sweep. */
 static double relaxation(int sweep) {
   enum { plain_sweeps = 15 };
@@ -269,7 +274,7 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
   enum { most_sweeps = 80 };
   static const double settled = 1e-6;
   int known = 0;
-  if (s->to->pressure || s->h->shear->couple[0] == NULL) return one_sweep(s, effort, error);
+  if (!depends_on_shear(s->h, s->to)) return one_sweep(s, effort, error);
   for (int k = 0; k < most_sweeps; k++) {
     double change;
     int entering = 0;
@@ -383,7 +388,7 @@ arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_B
   arc_status status = arc_cerruti_kernels(h, &kernels, error);
   if (status != ARC_OK) return status;
   if (options) s.options = *options;
-  if (!(s.options.tolerance > 0)) s.options.tolerance = usual;
+  if (!(s.options.tolerance > 0) || depends_on_shear(h, to)) s.options.tolerance = usual;
   s.tolerance = finer * s.options.tolerance;
   status = take(&s, error);
   if (status == ARC_OK) status = sweep_and_follow(&s, effort ? effort : &ignored, error);

@@ -132,11 +132,12 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
                            const arc_callbacks *callbacks, arc_halfspace_effort *effort,
                            arc_error *error) {
   enum { most_tries = 12 };
+  static const double exact = 1e-8;
   arc_status status = ARC_ZONE;
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
     const space_shape *s = space_shape_of(c->handle.shape);
     const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
-    const arc_halfspace_options options = {.callbacks = callbacks};
+    const arc_halfspace_options options = {.tolerance = exact, .callbacks = callbacks};
     *effort = (arc_halfspace_effort){0};
     status = arc_halfspace_follow(s->grid->h, depth, leg, &options, &c->rubbing, &c->coarser,
                                   effort, error);

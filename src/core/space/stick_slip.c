@@ -178,7 +178,7 @@ static int carrying(const stick_slip_problem *p) {
 static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char *fresh,
                           stick_slip_count *count, arc_error *error) {
   enum { most_sets = 60, patience = 25 };
-  static const double few = 0.03;
+  static const double few = 0.03, unsettled = 0.1, settled = 0.01;
   const int cells = carrying(p);
   double missed, each[2];
   for (int pass = 0; pass < most_sets; pass++) {
@@ -196,7 +196,8 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
       count->flipping++;
       return ARC_OK;
     }
-    if (!arc_stick_slip_newton(p, w, wanted / 2, count)) stick_all(p, w);
+    const double share = changes == 0 ? settled : unsettled;
+    if (!arc_stick_slip_newton(p, w, share, wanted / 2, count)) stick_all(p, w);
   }
   return arc_fail(
       error, ARC_NOT_CONVERGED,

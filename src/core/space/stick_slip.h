@@ -57,10 +57,10 @@ arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_wo
 
 /* Makes one Newton step: computes the slip of the present q, solves for the changes of q and xi on
  * the present sets, and adds these changes. Where cells slip, q changes only along the tangent. The
- * linear iteration stops at the residual `least` [mm] or at a tenth of the first residual. Returns
- * 0 if the sets cannot carry the forces. */
-int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double least,
-                          stick_slip_count *count);
+ * linear iteration stops at the residual `least` [mm] or at the fraction `share` of the first
+ * residual. Returns 0 if the sets cannot carry the forces. */
+int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double share,
+                          double least, stick_slip_count *count);
 
 /* Returns the largest error of slip [mm]: over both components at sticking cells, and the
  * tangential component at slipping cells. */

@@ -187,10 +187,9 @@ double arc_stick_slip_residual(const stick_slip_problem *p, const stick_slip_wor
   return most;
 }
 
-int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, double least,
-                          stick_slip_count *count) {
+int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, double share,
+                          double least, stick_slip_count *count) {
   enum { most_steps = 400 };
-  static const double inexact = 0.1;
   const size_t bytes = (size_t)cells_of(p) * sizeof(double);
   list_sites(p, w);
   const holding h = find_holding(p, w);
@@ -206,16 +205,16 @@ int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, doubl
   }
   hold_forces(p, w, &h, count);
   precondition(p, w, &h, motion);
-  const double wanted = fmax(least, inexact * largest_residual(w, motion));
+  const double wanted = fmax(least, share * largest_residual(w, motion));
   for (int i = 0; i < 2; i++) memset(w->d[i], 0, bytes);
   for (int k = 0; k < most_steps && largest_residual(w, motion) > wanted; k++) {
     const double before = product;
     product = dot(w, w->r, w->z);
-    const double share = before > 0 ? product / before : 0;
+    const double keep = before > 0 ? product / before : 0;
     for (int i = 0; i < 2; i++)
       for (int s = 0; s < w->sites; s++) {
         const int c = w->site[s];
-        w->d[i][c] = w->z[i][c] + share * w->d[i][c];
+        w->d[i][c] = w->z[i][c] + keep * w->d[i][c];
       }
     apply(p, w, count);
     const double curvature = dot(w, w->d, w->a);
