@@ -98,6 +98,18 @@ for i = 1, #section.x do at = section.p[i] > section.p[at] and i or at end
 ok(math.abs(section.x[at] - 0.05) < 0.0045, "the contact goes with the lower ball")
 near(far.energy, c:move{ x = 0.05 }.energy, 1e-3, "with the energy of the upper ball")
 
+-- Tests slender ellipses without Poisson's ratio, where the motion is friction times the approach less that under
+-- the load that the stick zone carries, along both axes.
+for _, radius in ipairs{ 300, 1000, 5000 } do
+  local function pressed(load, friction, across)
+    local slender = body.ball{ radius = across and radius or 10, radius_z = across and 10 or radius, nu = 0 }
+    return contact{ load = load, friction = friction, model = { geometry = "3-D", upper = slender, lower = body.block{ nu = 0 } } }
+  end
+  local moved = pressed(100, 0.5):move{ tangential = 30, increments = 2 }
+  near(moved.x, 0.5 * (pressed(100).approach - pressed(40).approach), 3e-4, "radii 10 and " .. radius .. ": motion")
+  near(pressed(100, 0.5, true):move{ tangential_z = 30, increments = 2 }.z, moved.x, 1e-9, "and with the radii exchanged")
+end
+
 -- Tests maps and sections of pressure, shear and slip.
 local q, s = d:shear{ z = 0 }, d:slip()
 local p = d:pressure{ z = 0 }

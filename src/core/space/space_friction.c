@@ -13,11 +13,28 @@
  * to 0.4 % for forces from a fifth of the force of full slip. */
 static const double cells_of_friction = 40, usual_cells = 8;
 
+/* Makes the cells of a slender contact longer, so that its longer half width has at least four
+ * times as many cells as the shorter one. */
+static void stretch(const arc_model_def *def, double load, arc_halfspace_def *cells) {
+  static const double enough = 4;
+  const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
+  const double slenderness = hertz.half_width_z / hertz.half_width;
+  const double times = fmax(slenderness, 1 / slenderness) / enough;
+  if (def->periodic || def->mesh.size > 0 || !(times > 1)) return;
+  const int along_z = (slenderness > 1) != cells->turned;
+  double *size = along_z ? &cells->size_z : &cells->size_x;
+  int *count = along_z ? &cells->nz : &cells->nx;
+  *size *= times;
+  *count = 2 * arc_space_whole_cells((*count / times - 1) / 2) + 1;
+  if (!along_z) cells->track = *count;
+}
+
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells) {
   arc_model_def fine = *def;
   fine.mesh.fineness =
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
+  stretch(def, load, cells);
   const arc_halfspace_def bodies = arc_space_bodies(def); /* maps are not copied */
   for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
 }
