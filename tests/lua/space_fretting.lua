@@ -143,6 +143,15 @@ end, { "field 'friction'", "rigid base" }, "a rigid base")
 fails(function() fret{ track = 5, tangential = false, stroke = false } end, "field 'friction'", "a pin on a disc")
 holds(tostring(w), { "force of +-3.5 N", "sticks on" }, "print(run)")
 
+-- Tests the warning about a slip annulus of few cells, which wear and energy in the annulus need.
+for _, case in ipairs{ { 0.5, true }, { 3.5, false } } do
+  local warnings = require "archard.warnings"
+  warnings.keep()
+  fret{ tangential = case[1] }:step()
+  local given = (warnings.take() or ""):find("slip annulus, [%d.]+ mm wide, has [%d.]+ cells: below 2.5") ~= nil
+  is(given, case[2], "a force of " .. case[1] .. " N: a warning about the cells of the slip annulus")
+end
+
 -- --- the map of stick, partial slip and gross slip ----------------------------------------------------
 do
   local modulus = 200e3 / (2 * (1 - 0.3 ^ 2))

@@ -134,6 +134,20 @@ double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) 
   return fill_zone(half / cells, share * hertz.half_width, share * hertz.half_width_z);
 }
 
+void arc_space_warn_slip(const arc_wear_def *def, const arc_model_def *model, double size,
+                         const arc_callbacks *callbacks) {
+  static const double fewest = 2.5;
+  const double share = arc_wear_has_friction(def) ? stick_share(def, model) : 0;
+  if (!(share > 0 && share < 1)) return;
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
+  const double width = (1 - share) * fmin(hertz.half_width, hertz.half_width_z);
+  if (width < fewest * size)
+    arc_warn(callbacks,
+             "the slip annulus, %.2g mm wide, has %.2g cells: below %g, volumes may be off by "
+             "several per cent and depths by more; use a smaller mesh.size",
+             width, width / size, fewest);
+}
+
 void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
   const arc_halfspace_friction *f = &c->rubbing;
   for (int k = 0, n = space_sites(space_shape_of(c->handle.shape), ARC_UPPER); k < n; k++) {

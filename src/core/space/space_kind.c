@@ -40,8 +40,9 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) {
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
-  if (unworn)
-    arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
+  const arc_model_def *model = arc_model_definition(w->model);
+  if (unworn) arc_space_warn(model, d, arc_wear_last(w)->half_width, callbacks);
+  if (unworn) arc_space_warn_slip(&w->def, model, d->size_x, callbacks);
 }
 
 /* Gives a warning if the stroke is shorter than three contact widths, because a groove is

@@ -239,6 +239,9 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
 /* Returns the cell width [mm] of a run with friction: the width in the model's definition, else a
  * width fine enough for the stick and slip zones of the cycles. */
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
+/* Gives a warning if cells of the given size [mm] do not resolve the slip annulus of a run. */
+void arc_space_warn_slip(const arc_wear_def *def, const arc_model_def *model, double size,
+                         const arc_callbacks *callbacks);
 /* Returns the estimated worn volume [mm3] after which wear in partial slip ends: the volume of 20 /
  * (4 mu k p_0) cycles with Mindlin's loop of the unworn contact, 0.9 mu^2 P^2 S / a times a
  * function of the stick zone. Returns INFINITY for gross slip, and for a loading history of blocks.
