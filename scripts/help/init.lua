@@ -214,6 +214,15 @@ local function by_object(name)
   return class and entries[class .. "." .. member]
 end
 
+-- Returns the entry "contact.slip" for the name "c.slip", because the texts write c for a contact.
+local function by_letter(name)
+  local letter, member = name:match("^(%l)%.(.+)$")
+  for _, entry in ipairs(letter and ordered or {}) do
+    local other = entries[entry.address:match("^[^.]*") .. "." .. member]
+    if other and entry.use and entry.use:sub(1, 2) == letter .. ":" then return other end
+  end
+end
+
 -- Returns true if an entry has the given name. The name of an option can include its path, such as
 -- mesh.size or model.mesh.size.
 local function is_called(entry, name)
@@ -230,7 +239,7 @@ function help.find(name)
   load_entries()
   local topic = topics[name:lower():match("^%s*(.-)%s*$")]
   name = spoken(name)
-  local exact = entries[name] or by_object(name)
+  local exact = entries[name] or by_object(name) or by_letter(name)
   if exact then return { exact } end
   local found, of_methods = { topic }, {}
   for _, entry in ipairs(ordered) do

@@ -194,6 +194,9 @@ tap.is(help.address_of(w.step), "wear.step", "help address of a method")
 tap.is(help.address_of(plot.pressure), "plot.pressure", "help address of a function")
 tap.is(help.address_of(print), nil, "no help address of Lua's functions")
 tap.is(#help.find("w:step()"), 1, "help finds a name with its call")
+for name, address in pairs{ ["c.slip"] = "contact.slip", ["c:stick"] = "contact.stick", ["t.volume"] = "map.volume" } do
+  tap.is(help.find(name)[1].address, address, "help finds " .. name .. ", named as in the texts")
+end
 tap.ok(#help.find("alpha") >= 2, "help finds all of a name")
 tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")
 tap.holds(help.text(nil), "nil", "help of nil")
