@@ -54,6 +54,8 @@ local function step(fields)
 end
 has(warned(step{ k = 2e-6, jump = 1 }), "k = 2e-06 mm2/N is 0.002 mm3/(N m): was 2e-06 mm3/(N m) meant", "k in mm3/(N m)")
 has(warned(step{ k = 1e-14, jump = 1 }), "k = 1e-14 mm2/N is 1e-11 mm3/(N m): was 1e-14 m2/N meant (k = 1e-08)", "k in m2/N")
+has(warned(step{ friction = 12, stroke = 0.01, jump = 1 }), "friction = 12 is a coefficient, force by load: was 12 % meant (0.12)?", "friction in per cent")
+has(warned(function() contact{ model = coarse, load = 1, friction = 4 } end), "was 4 % meant (0.04)", "in a contact as well")
 has(warned(step{ stroke = 4e-4 }), "was 0.4 mm meant", "a stroke in m")
 for what, make in pairs{ ["the usual numbers"] = step{}, polyethylene = pair(700), diamond = pair(1.2e6) } do
   ok(not warned(make):find("meant", 1, true), what .. " pass without a warning")

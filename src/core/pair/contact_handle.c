@@ -16,9 +16,10 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
     return arc_fail(error, ARC_ARGUMENT, "pairs of kind \"%s\" have no contact objects",
                     kind->name);
   const arc_status status = kind->solve(shape, def, callbacks, contact, error);
-  if (status == ARC_OK)
-    arc_units_warn_pair(arc_model_definition(arc_shape_model(shape)),
-                        arc_contact_get(*contact).p_max, callbacks);
+  if (status != ARC_OK) return status;
+  arc_units_warn_friction(def->friction, callbacks);
+  arc_units_warn_pair(arc_model_definition(arc_shape_model(shape)), arc_contact_get(*contact).p_max,
+                      callbacks);
   return status;
 }
 

@@ -35,6 +35,13 @@ void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_cal
         p_max, E);
 }
 
+void arc_units_warn_friction(double friction, const arc_callbacks *callbacks) {
+  static const double highest = 3; /* largest usual coefficient of friction */
+  if (friction > highest)
+    arc_warn(callbacks, "friction = %g is a coefficient, force by load: was %g %% meant (%g)?",
+             friction, friction, friction / 100);
+}
+
 void arc_units_warn_wear(double k, double stroke, double half_width,
                          const arc_callbacks *callbacks) {
   static const double smallest = 1e-13, largest = 1e-6; /* limits of k [mm2/N] */

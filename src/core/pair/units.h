@@ -8,6 +8,9 @@
 /* Checks Young's moduli of both bodies, and the largest pressure `p_max` [MPa] relative to them. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
+/* Checks a coefficient of friction. */
+void arc_units_warn_friction(double friction, const arc_callbacks *callbacks);
+
 /* Checks a wear coefficient [mm2/N], and a stroke [mm] relative to the half width of the contact
  * [mm]. */
 void arc_units_warn_wear(double k, double stroke, double half_width,

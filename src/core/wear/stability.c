@@ -137,6 +137,7 @@ static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const int plain =
       w->def.blocks == 0 && w->def.slide == ARC_SLIDE_X && !fits && !arc_wear_has_friction(&w->def);
   arc_units_warn_pair(model, now->p_max, callbacks);
+  arc_units_warn_friction(w->def.friction, callbacks);
   arc_units_warn_wear(now->k, plain ? w->def.stroke : 0, now->half_width, callbacks);
 }
 
