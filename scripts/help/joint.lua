@@ -9,7 +9,7 @@ return {
       .. "Polyethylene: cup={ layers={{ thickness=8, material=material{ E=600, nu=0.4 } }} }, with alpha = 0 (only "
       .. 'the cup wears) and k as a function of cross_shear and p_mean: help "joint.wear{k}". w.volume.cup is the worn volume [mm3]. '
       .. "contact{ model=j, load= } and wear{ model=j, loading= } are the same as j:contact{} and j:wear{}." },
-  { "joint{head}", type = "table { radius=, material=, layers= }", unit = "mm",
+  { "joint{head}", type = "table { radius=, material=, layers= }, or a body.ball{}", unit = "mm",
     text = "The head: its radius, its material and its layers {{ thickness=, material= }, ...} from the "
       .. "surface inwards. Use E = 1e15 for a rigid head." },
   { "joint{cup}", type = "table { clearance=, inclination=, cover=, layers= }", unit = "mm, degree",

@@ -50,9 +50,20 @@ local function plain_layers(given, prefix)
   return result
 end
 
+-- Returns the fields of a head that may be given as a body.ball{}.
+local function head_of(given)
+  if given.kind == nil then return given end
+  if given.kind ~= "ball" then check.fail("joint", ("field 'head': expected a body.ball{} or { radius= }, got a body.%s{}"):format(given.kind)) end
+  local head = {}
+  for name, value in pairs(given) do head[name] = value end
+  head.kind, head.E, head.nu = nil, nil, nil
+  if given.E or given.nu then head.material = { E = given.E or 200e3, nu = given.nu } end
+  return head
+end
+
 local function new(given)
   given = check.definition("joint", given or {}, joint_fields)
-  local head = check.fields("joint", given.head or {}, head_fields, "head.")
+  local head = check.fields("joint", head_of(given.head or {}), head_fields, "head.")
   local cup = check.fields("joint", given.cup or {}, cup_fields, "cup.")
   local mesh = check.fields("joint", given.mesh or {}, { size = check.positive }, "mesh.")
   local cocr = { E = 230e3, nu = 0.3 }

@@ -58,6 +58,10 @@ local second = joint{ head = { material = material{ E = 1e15 } }, cup = { cleara
 near(contact{ model = second, load = 3000 }.p_center / c.p_center - 1, 0.0056, 0.05, "second order in the displacement")
 fails(function() joint{ order = 3 } end, "expected 1 or 2", "an order that there is not")
 fails(function() joint{ cup = { clearance = 0 } } end, "cup.clearance", "no clearance")
+is(tostring(joint{ head = body.ball{ radius = 16, E = 3e5 } }), tostring(joint{ head = { radius = 16, material = { E = 3e5 } } }), "a ball as the head")
+fails(function() joint{ head = body.block{} } end, "field 'head': expected a body.ball{} or { radius= }, got a body.block{}", "a block as the head")
+fails(function() joint{ head = { diameter = 28 } } end, "unknown field 'head.diameter' (did you mean 'radius', half of the diameter?)", "a diameter")
+fails(function() joint{ head = { radius = 0.014 } } end, "below half the radius, head.radius = 0.014 mm, got 0.06", "a radius in m")
 fails(function() joint{ cup = { clearence = 0.1 } } end, "did you mean 'clearance'", "a misspelt field")
 fails(function() joint{ head = { layers = { { thickness = 15, material = pe } } } } end, "head.layers", "layers that do not fit")
 

@@ -53,8 +53,11 @@ arc_status arc_joint_check(const arc_joint_def *def, arc_error *error) {
   if (!(def->radius > 0) || !isfinite(def->radius))
     return expect(error, "head.radius", "mm above 0", def->radius);
   if (!(def->clearance > 0) || !(def->clearance < def->radius / 2))
-    return expect(error, "cup.clearance",
-                  "a radial clearance in mm above 0 and below half the radius", def->clearance);
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'cup.clearance': expected a radial clearance in mm above 0 and below half "
+        "the radius, head.radius = %g mm, got %g",
+        def->radius, def->clearance);
   if (!(def->cover > 0 && def->cover <= 180))
     return expect(error, "cup.cover", "degrees above 0 up to 180", def->cover);
   if (!(fabs(def->inclination) < 90))
