@@ -20,8 +20,8 @@ function check.hint(name, known)
     if each ~= name then sorted[#sorted + 1] = each end
   end
   table.sort(sorted)
-  local best = names.nearest(name, sorted)
-  if best then return (" (did you mean '%s'?)"):format(best) end
+  local best, relation = names.nearest(name, sorted)
+  if best then return (" (did you mean '%s'%s?)"):format(best, relation) end
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 

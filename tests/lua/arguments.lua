@@ -6,6 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 -- Tests the error messages for unknown field names.
 fails(function() wear{ aplha = 0.3 } end, "unknown field 'aplha' (did you mean 'alpha'?)",
   "swapped letters")
+fails(function() wear{ amplitude = 0.1 } end, "(did you mean 'stroke', twice the amplitude?)", "half of the value")
 fails(function() wear{ storke = 0.3 } end, "(did you mean 'stroke'?)", "swapped letters, longer name")
 fails(function() wear{ increment = 10 } end, "(did you mean 'increments'?)", "missing letter")
 fails(function() wear{ Alpha = 0.3 } end, "(did you mean 'alpha'?)", "wrong case")

@@ -97,3 +97,4 @@ is(tostring(hertz{}.cylinder), "material: E 200000 MPa, nu 0.3, E_star 219780 MP
 is(tostring(w.history.distance), "{ 0, 2.2, 4.4 }", "print shows lists of ours as the prompt does")
 holds(tostring(w.depth), { "{ cylinder = ", "plate = " }, "print of a table with bodies")
 holds(tostring(w:profile("plate")), { "worn_x = { ", " items)" }, "long ones shortened")
+fails(function() return body.pin{} end, "body: no field 'pin': a pin is a body.punch{}, a body.ball{} or a body.cylinder{}", "a pin")

@@ -56,8 +56,8 @@ void args_unknown(lua_State *L, args_location location, const arc_setting *list,
                 "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
                 model.best);
   if (search.best)
-    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (did you mean '%s'?)",
-                location.prefix, name, search.best);
+    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s' (did you mean '%s'%s?)",
+                location.prefix, name, search.best, names_relation(&search));
   if (strcmp(name, "E") == 0 || strcmp(name, "nu") == 0)
     error_raise(L, ARC_ARGUMENT, location.where,
                 "unknown field '%s%s': it is a field of the material of a body", location.prefix,

@@ -72,6 +72,15 @@ static const char *meaning_of(const char *name) {
 }
 
 /* Begins a search. A name of one letter must match exactly. */
+const char *names_relation(const names_search *search) {
+  static const char *const list[][3] = {{"diameter", "radius", ", half of the diameter"},
+                                        {"amplitude", "stroke", ", twice the amplitude"}};
+  for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+    if (strcmp(search->name, list[i][0]) == 0 && strcmp(search->best, list[i][1]) == 0)
+      return list[i][2];
+  return "";
+}
+
 names_search names_begin(const char *name) {
   const size_t length = strlen(name);
   return (names_search){name, NULL, length > LONGEST || length < 2 ? 0 : 1 + (int)length / 4};
@@ -89,8 +98,8 @@ void names_offer(names_search *search, const char *known) {
   search->limit = distance;
 }
 
-/* nearest(name, list of valid names) returns the most similar name, or nil if no name is similar.
- */
+/* nearest(name, list of valid names) returns the most similar name and how its value is related to
+ * that of the name (names_relation), or nil if no name is similar. */
 static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -101,7 +110,8 @@ static int names_nearest(lua_State *L) {
     lua_pop(L, 1);
   }
   lua_pushstring(L, search.best); /* pushes nil if `best` is NULL */
-  return 1;
+  lua_pushstring(L, search.best ? names_relation(&search) : "");
+  return 2;
 }
 
 /* --- values ----------------------------------------------------------------------------------- */

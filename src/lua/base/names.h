@@ -15,6 +15,9 @@ typedef struct names_search {
 
 names_search names_begin(const char *name);
 void names_offer(names_search *search, const char *known);
+/* Returns how the best name is related to the searched one if their values differ, such as ", half
+ * of the diameter", else "". `best` must not be NULL. */
+const char *names_relation(const names_search *search);
 
 /* Pushes a short description of the value at `index`. Numbers and texts are shown by value. */
 const char *names_push_shown(lua_State *L, int index);

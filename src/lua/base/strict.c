@@ -87,6 +87,7 @@ static const char *push_few(lua_State *L, int index) {
 static const char *elsewhere(const char *where, const char *name) {
   static const char *const list[][3] = {
       {"body", "cup", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"},
+      {"body", "pin", ": a pin is a body.punch{}, a body.ball{} or a body.cylinder{}"},
       {"body", "socket", ": a ball in its socket is a joint{ cup = { clearance = 0.06 } }"}};
   for (size_t i = 0; i < sizeof list / sizeof *list; i++)
     if (strcmp(where, list[i][0]) == 0 && strcmp(name, list[i][1]) == 0) return list[i][2];

@@ -73,8 +73,8 @@ static void refuse_name(lua_State *L, args_location location, const char *name, 
   }
   luaL_pushresult(&text);
   if (search.best)
-    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s'%s (did you mean '%s'?)",
-                location.prefix, name, of, search.best);
+    error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s'%s (did you mean '%s'%s?)",
+                location.prefix, name, of, search.best, names_relation(&search));
   error_raise(L, ARC_ARGUMENT, location.where, "unknown field '%s%s'%s (known: %s)",
               location.prefix, name, of, lua_tostring(L, -1));
 }
