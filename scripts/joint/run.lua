@@ -399,7 +399,7 @@ function class:__tostring()
   local lines = { "wear of a joint: " .. text(self.model),
     ("  wears by  %s, %s (the head's share)"):format(coefficient, share),
     ("  loading   %s%s"):format(self.loading.name, #self.blocks > 1 and (" of %d blocks"):format(#self.blocks) or ""),
-    ("  done      %.6g of %.6g cycles, %s"):format(self.cycle, self.cycles, step_words(self)) }
+    ("  done      %.6g of %.6g cycles, %s"):format(self.cycle, math.max(self.cycle, self.cycles), step_words(self)) }
   if self.cycle > 0 then
     lines[#lines + 1] = ("  depth     head %.4g, cup %.4g um\n  volume    head %.5g, cup %.5g mm3: %.4g mm3 per million cycles"):format(
       1000 * self.depth.head, 1000 * self.depth.cup, self.volume.head, self.volume.cup, self.volume.total / self.cycle * 1e6)
