@@ -257,6 +257,10 @@ local function history_panels(columns)
     end
     panel.columns[#panel.columns + 1] = name
   end
+  for _, panel in ipairs(panels) do -- the only pressure of a panel is named on its axis
+    local only = #panel.columns == 1 and panel.columns[1]
+    if only and only:find "^p_" then panel.ylabel = naming.word_of(only) .. " / MPa" end
+  end
   return panels
 end
 

@@ -55,13 +55,13 @@ end
 
 do
   local text = picture_of(function(file) plot.history(one, { file = file }) end)
-  has(text, "pressure / MPa", "plot.history draws the centre pressure by default")
+  has(text, "pressure at the centre / MPa", "plot.history draws the centre pressure by default")
   has(text, "distance / mm", "against the distance")
   text = picture_of(function(file)
     plot.history(one, two, "p_center", "depth_plate", "depth_cylinder", "depth_partition",
       { file = file, against = "cycle", size = { 100, 70 } })
   end)
-  has(text, "pressure / MPa", "a panel for each quantity: pressure")
+  has(text, "pressure at the centre / MPa", "a panel for each quantity: pressure")
   has(text, "wear depth / µm", "depth")
   has(text, "wear depth partition", "partition")
   has(text, "plate, α = 0.75", "titles of columns and objects")
