@@ -113,8 +113,8 @@ typedef struct arc_hertz {
   double p_max;   /* [MPa] largest pressure p_H = 2 L / (pi a t); for a ball 3 L / (2 pi a^2) */
   double E_star;  /* [MPa] contact modulus, see arc_contact_modulus */
   double approach; /* [mm] approach of a ball, a^2 / R; NaN for a cylinder, where it is unbounded */
-  double half_width_z; /* [mm] half width across the motion, which differs from a if the radii of a
-                          ball differ; NaN for a cylinder */
+  double half_width_z; /* [mm] half width across the motion, which differs from a if radius and
+                          radius_z of a ball differ; NaN for a cylinder */
 } arc_hertz;
 
 #define ARC_HERTZ_SETTINGS(NUMBER, CHOICE)                                                         \

@@ -119,8 +119,8 @@ function number.of_run(name)
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- Returns a list of the paths of a numeric field: one path, or two if the name stands for both bodies. flat: the flat
--- settings of the model with this field. An unknown name is returned unchanged.
+-- Returns a list of the paths of a numeric field: one path, or two if the name stands for both bodies. flat: the
+-- settings of the model that has this field, by their paths. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] and not is_joint(flat) then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end

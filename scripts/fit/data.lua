@@ -97,7 +97,7 @@ local function errors_of(where, prefix, given, own, value)
     local errors = {}
     for i, v in ipairs(value) do errors[i] = given.relative * math.abs(v) end
     if not positives.test(errors) then
-      check.fail(where, ("field '%s.relative': a value of 0 has no relative error; give error instead")
+      check.fail(where, ("field '%s.relative': a value of 0 has no relative error; use the field 'error' instead")
         :format(prefix))
     end
     return errors

@@ -56,8 +56,8 @@ local function normal(self, points, p)
   return a, b, rr / #y
 end
 
--- Makes one Gauss-Newton step. The step is halved until all points are inside the form and the residual does not
--- increase. Returns the new means, in the form of normal(), and the size of the step, or nil on failure.
+-- Makes one Gauss-Newton step of the fit of the form. The step is halved until the form is defined at all points and
+-- the residual does not increase. Returns the new results of normal() and the size of the step, or nil on failure.
 local function advance(self, points, a, b, rr)
   local right = {}
   for i = 1, #b do right[i] = { b[i] } end

@@ -100,9 +100,9 @@ function source:grid(nx, nz, item, options)
   return y
 end
 
--- Reads nz rows of nx values as words of a text, from self.at on, and returns a flat list by rows of x.
--- options.bad: word for a missing value; options.is_missing(value): true for a missing value. Further words
--- in the file are ignored.
+-- Reads nz rows of nx values, separated by blanks, from the position self.at of the text on. Returns them as a flat
+-- list, row by row. options.bad is the word for a missing value, options.is_missing(value) returns true for a missing
+-- value. Text after the last value is ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
   if nx * nz > (left + 1) // 2 then -- a value needs at least a digit and a blank

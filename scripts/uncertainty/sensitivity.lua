@@ -102,8 +102,8 @@ local function with_parts(self, value, set, h, parts)
   end)(h)
 end
 
--- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the derivative, which
--- runs with divided steps correct. The remaining error is bounded by twice the change of the last halving plus a
+-- Numbers of parts into which refined runs divide each step. Automatic steps cause an error of the derivative. It is
+-- corrected by runs with divided steps; the remaining error is at most twice the change of the last halving plus a
 -- quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 

@@ -121,9 +121,9 @@ enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, with its final zero 
  * the caller stores the text itself. */
 arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
                               arc_error *error);
-/* Sets *text to the text with the name `name`, or to NULL if the string is not the name of a text.
- * The caller frees the text. Errors: ARC_FORMAT if the text is missing or does not match its name.
- */
+/* Sets *text to the text that is stored as `name`, or to NULL if `name` does not have the form of
+ * such a name. The caller frees the text. Errors: ARC_FORMAT if the text is missing or its checksum
+ * is not the one in its name. */
 arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
 /* Compares all texts with their names, which contain a checksum. Errors: ARC_FORMAT if a text
  * does not match its name. */

@@ -13,7 +13,7 @@ typedef struct arc_jail {
 enum {
   ARC_JAIL_FILES = 1,    /* no other files are opened, created, renamed, removed or run */
   ARC_JAIL_CALLS = 2,    /* no connections, access to other processes, mounts or new rights */
-  ARC_JAIL_PROCESSES = 4 /* at most some hundred processes and threads */
+  ARC_JAIL_PROCESSES = 4 /* at most a few hundred processes and threads */
 };
 
 /* Restricts the calling thread and all its later children. arc_child_again must be called

@@ -105,7 +105,7 @@ is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
 holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a loop")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
--- Tests loops in partial slip under a force, whose positions are compared at the measured forces.
+-- Tests the fit to loops in partial slip under a given force: positions are compared at the measured forces.
 local partial = loop_of({ tangential = 40 }, 1)
 for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
 local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },

@@ -77,8 +77,8 @@ local function wear_through(pair)
 end
 local own_coat, its_coat = wear_through(layered), wear_through(m)
 ok(its_coat.depth.roller > 7e-4, "the coat is worn through")
--- Archard's own layer has a constant thickness along the normal. Frozen depths are along y, and in this
--- direction the layer of the mesh is slightly thicker.
+-- The layer of the automatic mesh has a constant thickness along the normal of the surface. Wear depths are along y;
+-- in this direction the layer of the imported mesh is slightly thicker.
 near(its_coat.depth.roller, own_coat.depth.upper, 1e-4, "depth equals that with archard's own layer")
 near(its_coat.p_center, own_coat.p_center, 1e-4, "under the same pressure")
 near(largest_mises(contact{ model = m, load = 100 }), largest_mises(contact{ model = layered, load = 100 }), 1e-6,

@@ -20,8 +20,8 @@ local function failing(value, words)
   end
 end
 
--- Checks that a run stops at the error of its function after `stands` updates (default five) and continues
--- after `good` has replaced the function.
+-- Checks that a run stops with the error of the user's function after `stands` updates (default five), and that it
+-- continues after `good` has replaced this function.
 local function try(name, fields, parts, good, stands)
   fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)

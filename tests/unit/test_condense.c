@@ -1,6 +1,6 @@
-/* Tests of condensed bodies against a direct solution on the whole mesh: unworn bodies, worn
- * bodies, and displacements inside. They use internal functions of elastic and contact to read
- * the matrices. */
+/* Tests condensed bodies against a direct solution on the whole mesh: unworn bodies, worn bodies,
+ * and displacements of nodes inside the bodies. The tests use internal functions of the folders
+ * elastic and contact to read the matrices. */
 #include "check.h"
 
 #include "core/base/dense.h"

@@ -172,9 +172,10 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Subtracts by * x[k] from to[k] for the first n right-hand sides, at most `together`. */
-static void subtract(int n, double by, const double *x, double *to) {
-  for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
+/* Subtracts times * x[k] from to[k] for the first n right-hand sides, at most `together` (the
+ * number that is solved at once). */
+static void subtract(int n, double times, const double *x, double *to) {
+  for (int k = 0; k < together && k < n; k++) to[k] -= times * x[k];
 }
 
 /* Computes columns q .. q + together - 1 of X. Subtracts K_ri X from T, row by row below the

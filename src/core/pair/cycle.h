@@ -113,8 +113,9 @@ typedef struct wear_sites {
   const double *z; /* [count] unworn position across the motion [mm]; NULL in the plane */
 } wear_sites;
 
-/* Allocates a fretting loop of `count` points as one block, which free() releases. Its other
- * members are zero. Error: ARC_MEMORY; *loop is then unchanged. */
+/* Allocates a fretting loop with arrays for `count` points as one block, which free() releases. All
+ * other members are zero, the arrays have no values yet. Error: ARC_MEMORY; *loop is then
+ * unchanged. */
 arc_status arc_loop_create(size_t count, arc_loop **loop, arc_error *error);
 
 #endif

@@ -102,7 +102,7 @@ typedef struct arc_kind {
   wear_sites (*sites)(const arc_shape *shape, arc_body body);
   /* Returns the size of site i of a body: a length along x [mm], or an area [mm2]. */
   double (*area)(const arc_shape *shape, arc_body body, int i);
-  /* Returns the profile along x through the middle. */
+  /* Returns the profile of the surface along x, in 3-D at z = 0. */
   arc_profile (*profile)(const arc_shape *shape, arc_body body);
   double (*deepest)(const arc_shape *shape, arc_body body); /* returns the largest depth [mm] */
   /* Optional: converts depths [n], computed with the largest wear coefficient, to depths with the

@@ -1,6 +1,6 @@
 /* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at every point
- * of the path is integrated by Eq. (4) or (5) and multiplied by wear_block.repeat (Eqs. 22, 26 and
- * 27). */
+ * of the path is integrated by Eq. (4) or (5) of the paper on alpha and multiplied by
+ * wear_block.repeat (Eqs. 22, 26 and 27). */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 

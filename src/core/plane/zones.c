@@ -21,8 +21,8 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Automatic zones are sufficient for a contact of up to this many unworn half widths. All cases of
- * the reference paper (up to 2.5 half widths) need only one mesh. */
+/* Automatic zones are sufficient for a contact of up to this many unworn half widths. All 20
+ * cases of the paper on alpha (up to 2.5 half widths) need only one mesh. */
 static const double outgrown_at = 6;
 
 /* Returns the half width [mm] of the widest contact of a run. It lies between the half width of

@@ -75,7 +75,7 @@ double arc_space_thinnest(const arc_halfspace_def *def) {
 typedef struct spline {
   int count;
   double from, step;
-  double *value, *slope; /* derivatives times `step` */
+  double *value, *slope; /* values and their derivatives times `step` */
 } spline;
 
 static int spline_create(spline *s, int count, double from, double to) {

@@ -5,7 +5,7 @@
 
 #include "core/space/stroke.h"
 
-/* The problem of the contact at several positions, and its results. */
+/* The contact problem at several positions of the lower body, and its results. */
 typedef struct positions {
   stroke s;
   double *load;     /* [count] load over cell area [MPa]: the sum of the cells' pressures */

@@ -242,8 +242,8 @@ arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, d
 enum { X, Z, H, Y, P, NAMES };
 static const char *const names[] = {"x", "z", "h", "y", "p"};
 
-/* Computes the values [NAMES][sites] of one body. The pressures on the lower body are the
- * pressures of the window at the present position `at` [mm]. */
+/* Computes the quantities of `names` at all sites of one body, values [NAMES][sites]. The pressures
+ * on the lower body are those of the window at its present position `at` [mm]. */
 static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
   const int n = space_sites(s, b), rows = n / d->nz;

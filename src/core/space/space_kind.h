@@ -21,7 +21,7 @@ typedef struct space_shape {
   space_grid *grid;
   double *depth[ARC_BODIES]; /* [sites] wear depth [mm]; depths of both bodies and `line` are one
                                 block */
-  double *line[ARC_BODIES];  /* [3 rows] profile in the middle, created on first use */
+  double *line[ARC_BODIES];  /* [3 rows] profile at z = 0, created on first use */
 } space_shape;
 
 /* Contact (arc_contact) of this kind of pair. */

@@ -81,7 +81,7 @@ arc_status arc_space_check_periodic_run(const arc_wear_def *d, const arc_model_d
     return refuse(error, "lower", "a body.block{}: exchange the bodies, so that the map is above");
   if (d->procedure == ARC_SP || d->blocks > 0)
     return refuse(error, d->blocks > 0 ? "loading" : "procedure",
-                  "a plain stroke and procedure \"NSP\"");
+                  "stroke without loading and procedure \"NSP\"");
   return arc_wear_alpha_stays_one(d) ? ARC_OK : check_stroke(d, model, error);
 }
 

@@ -115,9 +115,9 @@ static double find_slip(const stick_slip_problem *p, const space_box *box, stick
   return most;
 }
 
-/* Sets cells to stick that would slip against their shear by more than `nothing` [mm], and
- * computes tangent and diagonal of the cells that continue to slip. Returns the number of cells
- * changed. */
+/* Sets all slipping cells to stick whose slip is opposite to their shear and larger than `nothing`
+ * [mm]. Computes tangent and diagonal of the cells that continue to slip. Returns the number of
+ * cells changed. */
 static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
                     const char *fresh) {
   int changes = 0;

@@ -117,8 +117,8 @@ int interrupt_pending(void *context) {
   return requests != 0 || exceeded;
 }
 
-void interrupt_raise(lua_State *L, const char *stand) {
-  snprintf(explained, sizeof explained, "%s: %s", report[0] ? report : stand, plain);
+void interrupt_raise(lua_State *L, const char *progress) {
+  snprintf(explained, sizeof explained, "%s: %s", report[0] ? report : progress, plain);
   raise_explained(L);
 }
 

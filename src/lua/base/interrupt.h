@@ -27,11 +27,11 @@ int interrupt_ever(void);
  * used. */
 int interrupt_pending(void *context);
 
-/* Raises the error of a pending request: the text `stand`, which describes the progress of the run,
- * followed by ": interrupted". Later errors of this request repeat the message. */
-void interrupt_raise(lua_State *L, const char *stand);
+/* Raises the error of a pending request: the text `progress`, which describes the progress of the
+ * run, followed by ": interrupted". Later errors of this request repeat the message. */
+void interrupt_raise(lua_State *L, const char *progress);
 
-/* Sets a text that replaces `stand` in the errors of interrupt_raise, such as the progress of a
+/* Sets a text that replaces `progress` in the errors of interrupt_raise, such as the progress of a
  * search over many runs. The text applies until the next call or interrupt_clear. An empty text
  * ends the replacement. */
 void interrupt_report(const char *text);

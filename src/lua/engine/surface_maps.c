@@ -89,7 +89,7 @@ static void find(lua_State *L, const char *where, const char *axis, const double
   *share = (wanted - at[i * step]) / (at[(i + 1) * step] - at[i * step]);
 }
 
-/* Pushes the values of one array along the section. */
+/* Pushes a list of the values of one array at the points of the section. */
 static void push_line(lua_State *L, const double *values, const lattice *l, int at_x, size_t first,
                       double share) {
   const size_t n = at_x ? l->nz : l->nx, along = at_x ? 1 : l->nz, across = at_x ? l->nz : 1;
