@@ -248,7 +248,7 @@ function data.item(where, prefix, given, motion)
     check.fail(where, ("field '%s.profile': expected depths, got heights: p:depth() subtracts a line, p:depth{ level = \"circle\" } a circle")
       :format(prefix))
   end
-  check.fields(where, given, fields, prefix .. ".")
+  given = check.fields(where, given, fields, prefix .. ".")
   given = with_distance(where, prefix, given, motion.path)
   if given.map then return read_map(where, prefix, given) end
   if given.loop then return read_loop(where, prefix, given, motion.by_force) end

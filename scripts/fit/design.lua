@@ -40,7 +40,7 @@ end
 local function check_one(number, given)
   local field = ("measure[%d]"):format(number)
   if type(given) ~= "table" then check.refuse(where, field, "a table", given) end
-  check.fields(where, given, own, field .. ".")
+  given = check.fields(where, given, own, field .. ".")
   if (given.of == nil) == (given.profile == nil) then
     check.fail(where, ("field '%s': expected either of=\"volume_cylinder\" (or another column), or profile=\"cylinder\" or "
       .. "\"plate\", got %s"):format(field, given.of and "both" or "neither"))
@@ -232,7 +232,7 @@ end
 -- d:table{ file= } returns the standard errors of each measurement alone as CSV text, or writes them to a
 -- file.
 function methods:table(options)
-  check.fields("design:table", options or {}, { file = check.file })
+  options = check.fields("design:table", options or {}, { file = check.file })
   local rows = { heads(self, "measurement", "distance [mm]") }
   for _, one in ipairs(self.alone) do
     local row = { one.title, one.distance }
@@ -282,7 +282,7 @@ end
 -- Computes a design. given: the fields of fit{}, with measure= instead of data=; common: the fields that
 -- fit{} and fit.design{} share; prepare: function that makes the problem from the items.
 return function(given, common, prepare)
-  check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
+  given = check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
   for _, name in ipairs{ "unknown", "measure" } do
     if given[name] == nil then check.refuse(where, name, "a table", nil) end
   end

@@ -104,7 +104,7 @@ end
 -- Runs fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= } and returns its
 -- result.
 local function run(given)
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })
   local unknowns = unknown.read(where, given.unknown, model_of(given))
   local items, told = data.read(where, given.data, motion_of(where, given, unknowns))

@@ -63,7 +63,7 @@ local function parameter(where, field, name, setting, given, start, distance)
 end
 
 local function check_one(where, field, setting, given)
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   check_bounds(where, field, setting, given)
   if given.start == nil then check.refuse(where, field .. ".start", fields.start.expected, nil) end
   if given.knots and not setting.series then

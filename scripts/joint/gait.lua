@@ -15,8 +15,7 @@ local named = { iso = true, prosim = true }
 local function simple(name, usual_angle)
   return function(given)
     local where = "gait." .. name
-    check.definition(where, given or {}, { angle = check.positive, load = check.positive, increments = check.count })
-    given = given or {}
+    given = check.definition(where, given or {}, { angle = check.positive, load = check.positive, increments = check.count })
     local n = given.increments or usual
     local function of(count) return sphere.named(name, count, given.angle or usual_angle, given.load or 2000) end
     return made(name, of(n), of(2 * n))

@@ -87,7 +87,7 @@ end
 
 -- Returns a gait from the fields of gait{}. name: name of the gait in texts, default "own".
 function given.read(from, name)
-  check.definition("gait", from, fields, 'the name of a gait, "iso" or "prosim", or ')
+  from = check.definition("gait", from, fields, 'the name of a gait, "iso" or "prosim", or ')
   if not next(from) then check.fail("gait", "expected at least one angle (flexion, adduction or rotation), got none") end
   local n = from.increments or usual
   local parts, loads = {}, {}

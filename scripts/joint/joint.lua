@@ -34,14 +34,14 @@ local cup_fields = { clearance = check.number, inclination = check.number, cover
 
 -- Returns the fields of a material (an object or a table) as a plain table, the form for run files.
 local function plain(m, prefix)
-  if type(m) == "table" then check.fields("joint", m, material_fields, prefix .. "material.") end
+  if type(m) == "table" then m = check.fields("joint", m, material_fields, prefix .. "material.") end
   return { E = m.E, nu = m.nu or 0.3, name = m.name ~= "" and m.name or nil }
 end
 
 local function plain_layers(given, prefix)
   local result = {}
   for i, layer in ipairs(given or {}) do
-    check.fields("joint", layer, layer_fields, ("%s[%d]."):format(prefix, i))
+    layer = check.fields("joint", layer, layer_fields, ("%s[%d]."):format(prefix, i))
     if not layer.thickness or not layer.material then
       check.fail("joint", ("field '%s[%d]': expected thickness and material"):format(prefix, i))
     end

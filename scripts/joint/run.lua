@@ -51,7 +51,7 @@ local function blocks_of(given)
   local blocks = {}
   for i, block in ipairs(given) do
     if type(block) ~= "table" then check.refuse("joint:wear", ("loading[%d]"):format(i), "{ gait=, cycles= }", block) end
-    check.fields("joint:wear", block, block_fields, ("loading[%d]."):format(i))
+    block = check.fields("joint:wear", block, block_fields, ("loading[%d]."):format(i))
     if not block.gait or not (block.cycles or i == #given) then
       check.fail("joint:wear", ("field 'loading[%d]': expected a gait and cycles"):format(i))
     end
@@ -86,7 +86,7 @@ local function depths_of(engine, name, given)
 end
 
 local function put_shapes(engine, worn)
-  check.fields("joint:wear", worn, { head = shape_kind, cup = shape_kind }, "worn.")
+  worn = check.fields("joint:wear", worn, { head = shape_kind, cup = shape_kind }, "worn.")
   for _, name in ipairs{ "head", "cup" } do
     if worn[name] ~= nil then check.as("joint:wear", sphere.set, engine, name, depths_of(engine, name, worn[name])) end
   end

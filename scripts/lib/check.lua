@@ -160,15 +160,18 @@ local function has_len(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
 end
 
--- Raises an error if the table `given` has an unknown field or a wrong value, and returns `given`. fields:
--- the kinds of all fields by name; prefix: path of the table in messages. List items are not checked.
+-- Raises an error if the table `given` has an unknown field or a wrong value. Returns a copy for which each field was
+-- read once, since a metamethod could return another value the next time. fields: the kinds of all fields by name;
+-- prefix: path of the table in messages. List items are not checked.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
   if type(given) ~= "table" then
     check.fail(where, ("%sexpected a table of named fields, got %s"):format(
       prefix ~= "" and ("field '%s': "):format(prefix:sub(1, -2)) or "", check.shown(given)))
   end
+  local copy = {}
   for name, value in pairs(given) do
+    copy[name] = value
     if type(name) == "string" then
       local expected_kind = fields[name]
       if not expected_kind then
@@ -181,7 +184,7 @@ function check.fields(where, given, fields, prefix)
       end
     end
   end
-  return given
+  return copy
 end
 
 -- Calls f and returns its results. Errors of f are raised again as errors of `where`, the function that the

@@ -27,7 +27,7 @@ end
 
 local function new(given)
   local where = "map"
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   for _, name in ipairs{ "x", "z", "y" } do
     if given[name] == nil then check.refuse(where, name, fields[name].expected, nil) end
   end

@@ -44,7 +44,7 @@ local function read_text(file, given)
     file:refuse("expected .xyz, .grd, .sdf, .gsf, .sur, .al3d or text, got other bytes: %q", file.text:sub(1, 12))
   end
   if given.step then
-    local step = type(given.step) == "table" and given.step or { given.step, given.step }
+    local step = type(given.step) == "table" and { rawget(given.step, 1), rawget(given.step, 2) } or { given.step, given.step }
     return of("text", "matrix")(file, step)
   end
   return of("text", "points")(file)
@@ -71,7 +71,7 @@ end)
 local function unit_of(file, of_file, given, name)
   local stated = given
   if type(given) == "table" then
-    check.fields(where, given, { x = check.text, y = check.text }, "unit.")
+    given = check.fields(where, given, { x = check.text, y = check.text }, "unit.")
     stated = given[name]
   end
   if stated and not lengths[stated] then check.refuse(where, "unit", length.expected, stated) end
@@ -97,7 +97,7 @@ end
 
 local fill_kind = check.kind("true or a height in mm", function(v) return v == true or check.number.test(v) end)
 local step_kind = check.kind("a distance in mm, or { along x, along z }", function(v)
-  return check.positive.test(v) or type(v) == "table" and check.positive.test(v[1]) and check.positive.test(v[2])
+  return check.positive.test(v) or type(v) == "table" and check.positive.test(rawget(v, 1)) and check.positive.test(rawget(v, 2))
 end)
 local crop_kind = check.kind("{ x={ from, to }, z={ from, to } }", function(v)
   return type(v) == "table" and rawget(v, 1) == nil

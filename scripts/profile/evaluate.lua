@@ -39,7 +39,7 @@ function methods:depth(given)
   local where = "profile:depth"
   profile.self(where, self)
   local options = profile.is(given) and { reference = given } or given or {}
-  check.definition(where, options, depth_fields, "a profile or ")
+  options = check.definition(where, options, depth_fields, "a profile or ")
   local p = self
   if options.reference then
     if not p.z then check.fail(where, "field 'reference': not allowed for a profile of depths") end

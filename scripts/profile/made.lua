@@ -51,7 +51,7 @@ end
 
 local function new(given)
   local where = "profile"
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   if given.z and given.y then check.fail(where, "fields 'z' and 'y': expected one of them, got both") end
   if given.y then given = merged(given, { z = given.y }) end
   local name = one_of_both(where, given)
@@ -72,7 +72,7 @@ local usual = { x = { "x", "s", "position", "distance" }, z = { "z", "height", "
 local function unit_of(where, given, name)
   local unit = given
   if type(given) == "table" then
-    check.fields(where, given, { x = check.text, z = check.text, h = check.text }, "unit.")
+    given = check.fields(where, given, { x = check.text, z = check.text, h = check.text }, "unit.")
     unit = given[name]
   end
   if unit and not lengths[unit] then

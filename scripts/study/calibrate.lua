@@ -256,7 +256,7 @@ end
 -- distance={...}, volume={cylinder={...},plate={...}}, load= } returns these quantities as tables over the distance.
 -- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } returns k and alpha.
 return function(given)
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   if (given.volume == nil) == (given.depth == nil) then
     check.fail(where, "fields 'volume' and 'depth': expected one of them, got "
       .. (given.volume and "both" or "neither"))

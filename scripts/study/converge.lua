@@ -53,11 +53,9 @@ end
 local function read(study, given, options)
   local metatable = type(given) == "table" and getmetatable(given)
   if metatable and metatable.__name == "study" then
-    options = options or {}
-    check.fields(where, options, own_fields)
-    return given.flat, options, given.name
+    return given.flat, check.fields(where, options or {}, own_fields), given.name
   end
-  check.definition(where, given, own_fields, "a study or ")
+  given = check.definition(where, given, own_fields, "a study or ")
   return flat_cases(study, given), given, given.name or "study"
 end
 

@@ -152,7 +152,7 @@ end
 strict.class(class)
 
 return function(given)
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   check_growing(given, "load", "N")
   check_growing(given, "motion", "mm")
   local all = merged(usual, given)

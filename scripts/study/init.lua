@@ -55,7 +55,7 @@ local function expand(where, given, sample)
 end
 
 local function new(where, given)
-  check.definition(where, given, definition_fields)
+  given = check.definition(where, given, definition_fields)
   local sample = read_sample(where, given)
   local self = { name = given.name or "study", named = given.name ~= nil, flat = expand(where, given, sample), task = given.task,
     snapshots = given.snapshots or sample and 0 or usual_snapshots, sample = sample }

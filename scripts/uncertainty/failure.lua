@@ -55,7 +55,7 @@ function class.__tostring(self)
 end
 
 return function(study, given)
-  check.definition(where, given, fields)
+  given = check.definition(where, given, fields)
   if given.of == nil then check.refuse(where, "of", "the name of a column of the history", nil) end
   outcomes.names(where, given.of, outcomes.first(study, where).history)
   local past, passed = test_of(given), {}
