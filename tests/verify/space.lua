@@ -133,3 +133,14 @@ local w = run(10, 0.04, 0.75, 1320, even)
 within(w.volume.ball, straight.volume.ball, 1e-9, "exchange of bodies: volumes")
 within(w.depth.ball, straight.depth.ball, 1e-9, "exchange of bodies: the ball's depth")
 within(w.depth.block, straight.depth.block, 1e-9, "exchange of bodies: the flat's depth")
+
+-- Tests the exchange if only one body wears: a flat that slides over a ball, as long as the contact or much longer.
+for _, stroke in ipairs{ 0.2, 1 } do
+  local function run(upper, lower, alpha)
+    local made = wear{ model = { geometry = "3-D", upper = upper, lower = lower }, stroke = stroke, k = 2e-8, load = 6, distance = 200, alpha = alpha }
+    return made:run{ progress = false } or made
+  end
+  local flat_below, flat_above = run(body.ball{ radius = 4 }, body.block{}, 0), run(body.block{}, body.ball{ radius = 4 }, 1)
+  within(flat_above.depth.upper, flat_below.depth.lower, 5e-4, "stroke " .. stroke .. ", depth")
+  within(flat_above.p_max, flat_below.p_max, 5e-4, "stroke " .. stroke .. ", pressure")
+end

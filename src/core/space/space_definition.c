@@ -25,11 +25,17 @@ static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
+/* Returns true if the lower body is flat, and so uniform along the motion until it wears. */
+static int lower_is_flat(const arc_model_def *model) {
+  const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
+  return arc_body_is_flat(&lower);
+}
+
 /* Returns true if the contact is solved at one position only: procedure NSP, a pin on a disc, or
  * periodic surfaces. */
 static int rests(const arc_wear_def *d, const arc_model_def *model) {
   return d->track > 0 || d->procedure == ARC_NSP || model->periodic ||
-         (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
+         (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d) && lower_is_flat(model));
 }
 
 static arc_status check_increments(const arc_wear_def *d, const arc_model_def *model,
@@ -75,8 +81,7 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
 
 static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
-  const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
-  if (rests(d, model) && !arc_wear_alpha_stays_one(d) && !arc_body_is_flat(&lower))
+  if (rests(d, model) && !lower_is_flat(model))
     return refuse(error, d->track > 0 ? "track" : "procedure",
                   "expected a lower body.block{}, which is uniform along the motion");
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
@@ -205,6 +210,13 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   const arc_halfspace_def bodies = arc_space_bodies(model); /* maps are not copied */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
+  if (!rests(def, model)) {
+    const double way = stroke_of(def, model) * arc_space_lower_share(model, cells.turned);
+    const int rows = 2 * arc_space_whole_cells(way / 2 / cells.size_x - 1e-9);
+    cells.nx += rows;
+    cells.track += rows;
+    arc_space_limit(model, &cells);
+  }
   if (rests(def, model) && !arc_wear_alpha_stays_one(def)) {
     cells.groove = def->track > 0    ? 2 * acos(-1) * def->track
                    : model->periodic ? cells.nx * cells.size_x

@@ -81,6 +81,9 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def);
  * chosen so that the increment [mm] is a whole number of cells; 0 allows any cell size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
+/* Returns the fraction of a motion by which the contact moves over the upper body: the curvature of
+ * the lower body along the motion, divided by the sum of both curvatures. */
+double arc_space_lower_share(const arc_model_def *def, int turned);
 /* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
 /* Enlarges the window on each side by about 1 / part of its number of cells, but at most to the

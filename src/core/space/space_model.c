@@ -83,6 +83,14 @@ static void find_curvatures(const arc_model_def *def, double *x, double *z) {
   }
 }
 
+double arc_space_lower_share(const arc_model_def *def, int turned) {
+  double x, z, lower_x, lower_z;
+  find_curvatures(def, &x, &z);
+  body_curvatures(def, ARC_LOWER, &lower_x, &lower_z);
+  const double share = turned ? lower_z / z : lower_x / x;
+  return fmax(0, fmin(1, share));
+}
+
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
   static const double conformal = 0.1; /* smallest ratio of relative to largest curvature */
   double x, z, most = 0;
