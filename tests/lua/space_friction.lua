@@ -78,6 +78,9 @@ near(slid.tangential, 5, 1e-4, "gross slip")
 is(slid.stick, 0, "nothing sticks")
 ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
 
+-- Tests a force close to full slip: slip across the force, which Mindlin neglects, adds to the motion (help).
+near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 5 * (1 - 1e-4) }.x, 1.19 * 4.706e-4, 0.01, "0.9999 of full slip")
+
 -- Tests changes of the normal load under a tangential force.
 local more = d:move{ load = 15, increments = 2 }
 near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")
@@ -97,6 +100,28 @@ local section, at = far:pressure{ z = 0 }, 1
 for i = 1, #section.x do at = section.p[i] > section.p[at] and i or at end
 ok(math.abs(section.x[at] - 0.05) < 0.0045, "the contact goes with the lower ball")
 near(far.energy, c:move{ x = 0.05 }.energy, 1e-3, "with the energy of the upper ball")
+
+-- Tests legs in one direction: the window grows by the motion alone.
+local legs = below
+for i = 1, 6 do legs = legs:move{ x = 0.02 * i } end
+near(legs.energy, below:move{ x = 0.12 }.energy, 2e-3, "six legs dissipate as much as one")
+ok(#legs:pressure().x < 150 and #legs:pressure().z < 80, "in a window of " .. #legs:pressure().x .. " x " .. #legs:pressure().z .. " cells")
+fails(function() below:move{ z = 0.05 } end, "field 'z': the lower body is not flat", "slip of a lower ball along z")
+near(below:move{ z = 2e-4 }.energy, c:move{ z = 2e-4 }.energy, 1e-9, "partial slip along z is allowed")
+
+-- Tests the end of a map that is drawn from under the ball, flat or wavy.
+local along = {}
+for i = 1, 201 do along[i] = -0.4 + 0.004 * (i - 1) end
+for _, height in ipairs{ 0, 2e-4 } do
+  local rough = map{ x = along, z = along, y = function(u) return height * math.cos(20 * math.pi * u) end }
+  local pressed = contact{ load = 10, friction = 0.5, model = ball_on(body.map{ y = rough }, { size = 0.006 }) }
+  ok(pressed:move{ x = 0.1 }.energy > 0.49, "waves of " .. height .. " mm: a motion within the map")
+  for _, x in ipairs{ 0.25, 0.5, 1.5 } do
+    if height > 0 or x > 0.25 then -- 0.25 mm suffices for the narrower contact on the flat map
+      fails(function() pressed:move{ x = x } end, "reaches the end of the part of a map", "a motion of " .. x .. " mm")
+    end
+  end
+end
 
 -- Tests slender ellipses without Poisson's ratio, where the motion is friction times the approach less that under
 -- the load that the stick zone carries, along both axes.

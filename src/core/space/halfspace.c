@@ -287,6 +287,7 @@ void arc_halfspace_site_at(const arc_halfspace *h, arc_body body, int site, doub
 int arc_space_is_flat(const arc_halfspace *h, const double *const depth[ARC_BODIES],
                       arc_body body) {
   const double *recess = h->recess[body], *worn = depth ? depth[body] : NULL;
+  if (h->def.body[body].recess) return 0;
   for (int k = 0, n = arc_halfspace_sites(h, body); k < n; k++)
     if (recess[k] != 0 || (worn && worn[k] != 0)) return 0;
   return 1;

@@ -71,7 +71,7 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
 
-/* Returns true if the surface of a body is flat: without recess and without wear. */
+/* Returns true if the surface of a body is flat and endless: without recess, wear and map. */
 int arc_space_is_flat(const arc_halfspace *h, const double *const depth[ARC_BODIES], arc_body body);
 
 /* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b

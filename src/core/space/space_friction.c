@@ -306,17 +306,19 @@ static arc_status check(const space_contact *c, const arc_motion_def *motion, do
                   fabs(x) >= fabs(z) ? "tangential" : "tangential_z", carried, hypot(x, z));
 }
 
-/* Gives a warning about a motion along z on shapes that vary with z, because the shape of the lower
- * body is displaced along x only. */
-static void warn_across(const space_contact *c, double z, const arc_callbacks *callbacks) {
+/* Returns ARC_ARGUMENT if the surfaces slide along z on a lower body that is not flat, because its
+ * shape is displaced along x only. */
+static arc_status check_across(const space_contact *c, arc_error *error) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_halfspace *h = s->grid->h;
   const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
-  if (fabs(z) > arc_halfspace_definition(h)->size_z && !arc_space_is_flat(h, depth, ARC_LOWER))
-    arc_warn(callbacks,
-             "the lower body is not flat and slides %g mm along z: its shape is assumed not to "
-             "move along z, which is valid below a cell of %.3g mm",
-             z, arc_halfspace_definition(h)->size_z);
+  const double z = c->rubbing.travel[1], size = arc_halfspace_definition(h)->size_z;
+  if (fabs(z) <= size || arc_space_is_flat(h, depth, ARC_LOWER)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'z': the lower body is not flat, so surfaces that slide along z are "
+                  "expected to slide at most a cell of %.3g mm, got %.3g mm: turn the bodies and "
+                  "move along x",
+                  size, fabs(z));
 }
 
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
@@ -339,7 +341,6 @@ arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
   c->handle.def.x = x;
   if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
   c->handle.def.load = load;
-  if (status == ARC_OK) status = read_state(c, &effort, callbacks, error);
-  if (status == ARC_OK) warn_across(c, c->rubbing.travel[1], callbacks);
-  return status;
+  if (status == ARC_OK) status = check_across(c, error);
+  return status == ARC_OK ? read_state(c, &effort, callbacks, error) : status;
 }

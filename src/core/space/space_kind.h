@@ -90,6 +90,10 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
  * edge of the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);
+/* Adds rows to the window and makes the track `beyond` rows longer than the window. Error: ARC_ZONE
+ * if the maps are too short. */
+arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond,
+                                  arc_halfspace_def *cells, arc_error *error);
 /* Returns the cell width requested by the model [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
 /* Gives a warning if a contact of a given half width [mm] is too large for the half-space

@@ -259,6 +259,21 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells) {
   if (cells->groove == 0) cells->track = cells->nx + beyond;
 }
 
+/* Limits new cells to the maps of the bodies. Returns ARC_ZONE if they are not larger than before.
+ */
+static arc_status check_larger(const arc_model_def *def, arc_halfspace_def before,
+                               arc_halfspace_def *cells, arc_error *error) {
+  arc_space_limit(def, cells);
+  if (cells->nx >= before.nx && cells->nz >= before.nz &&
+      (cells->nx > before.nx || cells->nz > before.nz || cells->track > before.track))
+    return ARC_OK;
+  return arc_fail(error, ARC_ZONE,
+                  "the contact reaches the end of the part of a map that is symmetric about x = z "
+                  "= 0, %.3g x %.3g mm at any position: expected a larger map with its centre "
+                  "there (t:center()), or less load, stroke or distance",
+                  before.nx * before.size_x, before.nz * before.size_z);
+}
+
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error) {
   const arc_halfspace_def before = *cells;
@@ -266,13 +281,15 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
   cells->nx += 2 * (cells->nx / part + 2);
   cells->nz += 2 * (cells->nz / part + 2);
   if (cells->groove == 0) cells->track = cells->nx + beyond;
-  arc_space_limit(def, cells);
-  if (cells->nx > before.nx || cells->nz > before.nz) return ARC_OK;
-  return arc_fail(error, ARC_ZONE,
-                  "the contact reaches the end of the part of a map that is symmetric about x = z "
-                  "= 0, %.3g x %.3g mm at any position: expected a larger map with its centre "
-                  "there (t:center()), or less load, stroke or distance",
-                  before.nx * before.size_x, before.nz * before.size_z);
+  return check_larger(def, before, cells, error);
+}
+
+arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond,
+                                  arc_halfspace_def *cells, arc_error *error) {
+  const arc_halfspace_def before = *cells;
+  cells->nx += rows;
+  cells->track = cells->nx + beyond;
+  return check_larger(def, before, cells, error);
 }
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
