@@ -154,7 +154,8 @@ typedef struct arc_halfspace_increment {
                       other but are not displaced by elastic deformation; 0: position.x is used */
   int by_force[2]; /* along x and z: 1 prescribes the force, 0 the motion xi */
   double xi[2];    /* [mm] motion at the end of the increment */
-  double force[2]; /* [N] force at the end, less than friction times the load */
+  double force[2]; /* [N] force at the end of the increment; its magnitude must be less than the
+                      coefficient of friction times the load */
   const double
       *pressure; /* [window] known pressure [MPa] at the end, for pressures that do not depend on
                     the shear; the approach is then kept. NULL: the pressure is computed */

@@ -19,8 +19,8 @@ local entries     -- entries by address
 local ordered     -- entries in the order of the files
 local topics = {}  -- topics by name in lower case, and as a list in the order of the overview
 
--- Splits an address into its owner, the name within the owner, and a flag: true if the name is in the
--- definition table of the owner.
+-- Splits the address of an entry, such as "wear.step" or "wear{k}", into the owner ("wear"), the name within the owner,
+-- and a flag: true for a field of the owner's definition table, which is in braces.
 local function split(address)
   local owner, option = address:match("^(.-){(.*)}$")
   if owner then return owner, option, true end

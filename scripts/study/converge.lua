@@ -26,8 +26,8 @@ local function pick(given, fields)
   return picked
 end
 
--- Splits `given` into plain fields and functions, both by name. A run file cannot contain functions, but the
--- search of a single case uses no run file.
+-- Splits `given` into a table of plain fields and a table of functions, both by name. Functions are allowed only for a
+-- single case, whose search uses no run file; a run file cannot contain functions.
 local function without_functions(given)
   local plain, functions = merged(given), {}
   for name, value in pairs(given) do

@@ -179,7 +179,7 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* the same function for all kinds of file lock */
+  open_beneath = beneath->xOpen; /* SQLite has one open function for all kinds of file lock */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];

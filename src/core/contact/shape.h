@@ -105,8 +105,8 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
  * large. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that no depth, without even wear, exceeds ARC_SHAPE_DEEPEST after wear by depth [n] [mm].
- * Errors: ARC_GEOMETRY (wear_box.c). */
+/* Checks that no depth exceeds ARC_SHAPE_DEEPEST after wear by depth [n] [mm]; the uniform part of
+ * the wear does not count. Errors: ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
 /* Computes down [n], the vertical lowering of the surface at fixed x per depth of wear along its

@@ -32,14 +32,15 @@ void arc_compliance_free(compliance *c);
 /* Returns another reference to the compliance, which must be freed too. The compliance must not be
  * changed afterwards. */
 compliance arc_compliance_share(const compliance *c);
-/* Computes `along` from the blocks and the slopes. */
+/* Computes the matrix `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
-/* Computes `level`, which derives the compliance for shear from the compliance for pressure, for
- * bodies of one material. A uniform half-plane has the same tangential displacements under shear as
- * normal displacements under pressure. Elements are too stiff for shear that alternates from node
- * to node, especially tall elements: at a height of 1.25 widths such shear causes only half of the
- * displacements of such pressure. Within a few columns yy therefore replaces xx, except for the
- * difference due to the finite size of bodies. */
+/* Computes the matrix `level`: the compliance for shear, xx, derived from the compliance for
+ * pressure, yy, for bodies of one material. A uniform half-plane has the same tangential
+ * displacements under shear as normal displacements under pressure. Elements are too stiff for
+ * shear that alternates from node to node, especially tall elements: at a height of 1.25 widths
+ * such shear causes only half of the displacements of such pressure. Between nodes at most a few
+ * columns of elements apart, yy therefore replaces xx, apart from the difference due to the finite
+ * size of bodies. */
 void arc_compliance_level(compliance *c);
 /* Returns the memory of a compliance of n nodes [bytes]. */
 size_t arc_compliance_bytes(int n);

@@ -86,7 +86,7 @@ void arc_space_fit(const arc_model_def *def, int turned, double load, double vol
 double arc_space_lower_share(const arc_model_def *def, int turned);
 /* Limits a window to the extent of the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
-/* Enlarges the window on each side by about 1 / part of its number of cells, but at most to the
+/* Enlarges the window on each side by its number of cells divided by `part`, but at most to the
  * edge of the maps. Error: ARC_ZONE if the window already extends to the edge of the maps. */
 arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
                            arc_error *error);

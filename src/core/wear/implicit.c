@@ -21,7 +21,7 @@ typedef struct sums {
   double of[SUMS];
 } sums;
 
-/* Data of an update. */
+/* Data of one implicit update, shared by its functions. */
 typedef struct implicit {
   wear_stage at;
   const update_coefficients *coefficients;

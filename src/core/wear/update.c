@@ -34,7 +34,7 @@ static int is_explicit(const arc_wear *w, const wear_plan *plan) {
   return w->def.scheme == ARC_EXPLICIT || plan->explicit;
 }
 
-/* Computes the depths of an update over a window. */
+/* Computes the wear depths that an update adds over a window of the run. */
 static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_window *window,
                               const update_coefficients *coefficients, wear_progress *progress,
                               wear_depths *depth, arc_error *error) {

@@ -41,9 +41,9 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 
 /* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
-/* Returns true if the volume of a record must equal k L d. Exceptions are loadings, spin, friction,
- * nonlinear laws, local factors, elastic slip, and coefficients that change while the geometry is
- * updated at every increment. */
+/* Returns true if the wear volume of a record must equal k L d (wear coefficient, load, sliding
+ * distance). It need not in runs with a loading, spin, friction, a nonlinear law, local factors or
+ * elastic slip, or if coefficients change while the geometry is updated at every increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =

@@ -225,8 +225,8 @@ static int tracked_wrap(lua_State *L) {
   return 1;
 }
 
-/* Replacement of coroutine.close. Pending __close methods run with the hook installed, so that a
- * request also stops them. */
+/* Replaces coroutine.close. Pending __close methods run with the interrupt hook installed, so that
+ * a request to interrupt also stops them. */
 static int tracked_close(lua_State *L) {
   lua_State *co = check_coroutine(L);
   lua_pushvalue(L, lua_upvalueindex(1));

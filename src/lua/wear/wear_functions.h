@@ -44,8 +44,8 @@ int functions_failed(const functions_call *call);
  * values that functions_enter pushed stay on the stack. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
 
-/* Pushes the function of a field, such as "k", from the holder at `holder`. Pushes nil if the
- * field is not a function. */
+/* Pushes the user's function of a field, such as "k", from the table of functions at the index
+ * `holder`. Pushes nil if the field is not a function. */
 void functions_push(lua_State *L, int holder, const char *field);
 
 /* Pushes the list of the fields of a definition that are functions. */
