@@ -4,6 +4,7 @@
 local bodies = require "archard.joint.bodies"
 local check = require "archard.lib.check"
 local measure = require "archard.measure"
+local merged = require "archard.lib.merged"
 local sphere = require "archard.sphere"
 local strict = require "archard.strict"
 local text = require "archard.joint.text"
@@ -53,9 +54,10 @@ end
 -- Returns the fields of a head that may be given as a body.ball{}.
 local function head_of(given)
   if given.kind == nil then return given end
-  if given.kind ~= "ball" then check.fail("joint", ("field 'head': expected a body.ball{} or { radius= }, got a body.%s{}"):format(given.kind)) end
-  local head = {}
-  for name, value in pairs(given) do head[name] = value end
+  if given.kind ~= "ball" then
+    check.fail("joint", ("field 'head': expected a body.ball{} or { radius= }, got a body.%s{}"):format(given.kind))
+  end
+  local head = merged(given)
   head.kind, head.E, head.nu = nil, nil, nil
   if given.E or given.nu then head.material = { E = given.E or 200e3, nu = given.nu } end
   return head
