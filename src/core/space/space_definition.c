@@ -211,8 +211,8 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (!rests(def, model)) {
-    const double way = stroke_of(def, model) * arc_space_lower_share(model, cells.turned);
-    const int rows = 2 * arc_space_whole_cells(way / 2 / cells.size_x - 1e-9);
+    const double shifted = stroke_of(def, model) * arc_space_lower_share(model, cells.turned);
+    const int rows = 2 * arc_space_whole_cells(shifted / 2 / cells.size_x - 1e-9);
     cells.nx += rows;
     cells.track += rows;
     arc_space_limit(model, &cells);

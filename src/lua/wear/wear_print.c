@@ -39,7 +39,7 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const double travel = arc_wear_travel(wear);
   const double force = arc_wear_definition(wear)->tangential;
   const arc_wear_record *now = arc_wear_last(wear);
-  char way[100];
+  char course[100];
   if (force > 0)
     snprintf(text, size, "force of +-%.6g N along x", force);
   else if (arc_wear_definition(wear)->track > 0)
@@ -47,7 +47,7 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
              arc_wear_definition(wear)->track);
   else if (blocks == 0)
     snprintf(text, size, "stroke %s",
-             show_course(of_update(now, now->travel), travel, " mm", way, sizeof way));
+             show_course(of_update(now, now->travel), travel, " mm", course, sizeof course));
   else
     snprintf(text, size, "loading of %d block%s%s over %.6g mm", blocks, blocks == 1 ? "" : "s",
              blocks == 1 ? "" : ", now", travel);
