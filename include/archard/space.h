@@ -163,19 +163,21 @@ typedef struct arc_halfspace_increment {
                                           solver starts from; NULL: the present state */
 } arc_halfspace_increment;
 
-/* Computing effort of increments, summed over calls. */
+/* Computing effort of increments, summed over calls, and their farthest position. */
 typedef struct arc_halfspace_effort {
   int increments; /* number of increments solved */
   int sweeps; /* number of solutions for the pressure, each followed by one for the shear; one per
                  increment for equal materials */
   int sets, iterations, applications; /* numbers of active sets, conjugate gradient steps and
                                          applications of the compliance C for the shear */
-  int flipping;   /* number of solutions for the shear that ended while some cells still alternated
-                     between stick and slip */
-  int unfinished; /* number of increments (for different materials) that ended before the pressures
-                     converged */
-  int unresolved; /* number of intervals of a leg whose results did not converge within the allowed
-                     halvings */
+  int flipping;    /* number of solutions for the shear that ended while some cells still alternated
+                      between stick and slip */
+  int unfinished;  /* number of increments (for different materials) that ended before the pressures
+                      converged */
+  double farthest; /* [mm] largest |x| of a position with `follows`, also if it was outside the
+                      track */
+  int unresolved;  /* number of intervals of a leg whose results did not converge within the allowed
+                      halvings */
 } arc_halfspace_effort;
 
 /* Allocates a state in which all values are zero. Errors: ARC_MEMORY. */

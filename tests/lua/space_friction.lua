@@ -81,6 +81,9 @@ ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
 -- Tests a force close to full slip: slip across the force, which Mindlin neglects, adds to the motion (help).
 near(contact{ model = ball_on(), load = 10, friction = 0.5 }:move{ tangential = 5 * (1 - 1e-4) }.x, 1.19 * 4.706e-4, 0.01, "0.9999 of full slip")
 
+-- Tests the pressure on the lower body: after a motion by 0.2 mm along x the ball presses at -0.2 mm.
+near(c:move{ x = 0.2 }:pressure "lower":at(-0.2, 0), c.p_center, 0.01, "the pressure on the lower body after a motion")
+
 -- Tests changes of the normal load under a tangential force.
 local more = d:move{ load = 15, increments = 2 }
 near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")

@@ -3,6 +3,7 @@
  * suffices. */
 #include "core/space/entering.h"
 #include "core/space/stick_slip.h"
+#include "core/space/stroke.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -315,21 +316,28 @@ static void find_travel(const increment *s, double travel[2]) {
   }
 }
 
-/* Solves an increment. A lower surface that is not flat follows the travel along x, which is a
- * result: the solution is then repeated until both agree. */
+/* Solves an increment. The lower surface follows the travel along x, which is a result: unless this
+ * surface is flat, the solution is repeated until both agree. Error: ARC_ZONE if the track is too
+ * short for the travel. */
 static arc_status sweep_and_follow(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 20 };
   static const double settled = 1e-4; /* of a cell */
-  const int fixed = !s->to->follows || arc_space_is_flat(s->h, s->depth, ARC_LOWER);
+  stroke_place place;
+  if (!s->to->follows) return sweep(s, effort, error);
+  const int flat = arc_space_is_flat(s->h, s->depth, ARC_LOWER);
   for (int pass = 0; pass < most_passes; pass++) {
     double travel[2] = {s->travel[0], s->travel[1]};
-    if (!fixed) s->at.x = s->to->position.x + s->travel[0];
+    s->at.x = s->to->position.x + s->travel[0];
+    effort->farthest = fmax(effort->farthest, fabs(s->at.x));
     const arc_status status = sweep(s, effort, error);
     if (status != ARC_OK) return status;
     find_travel(s, travel);
     const double off = fabs(travel[0] - s->travel[0]);
     memcpy(s->travel, travel, sizeof s->travel);
-    if (fixed || off <= settled * s->h->def.size_x) return ARC_OK;
+    if (!flat && off > settled * s->h->def.size_x) continue;
+    const double end = s->to->position.x + s->travel[0];
+    effort->farthest = fmax(effort->farthest, fabs(end));
+    return arc_stroke_place(s->h, end, &place, error);
   }
   effort->unfinished++;
   return ARC_OK;

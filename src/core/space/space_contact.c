@@ -76,15 +76,15 @@ static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks
   return ARC_OK;
 }
 
-/* Enlarges the cells of a contact: first the track, if it does not reach the present position, then
+/* Enlarges the cells of a contact: first the track, if it does not reach position x [mm], then
  * the window along x, if the contact may move with a lower body that is not flat, then the window
  * in both directions. Errors: ARC_ZONE at the end of a map. */
-static arc_status enlarge(const space_contact *c, arc_halfspace_def *cells, arc_error *error) {
+static arc_status enlarge(const space_contact *c, double x, arc_halfspace_def *cells,
+                          arc_error *error) {
   const space_shape *s = space_shape_of(c->handle.shape);
   const arc_model_def *model = arc_model_definition(arc_shape_model(c->handle.shape));
   const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
   const int flat = arc_space_is_flat(s->grid->h, depth, ARC_LOWER);
-  const double x = c->rubbing.pressure && flat ? c->origin : c->handle.def.x;
   const int ahead = 2 * arc_space_whole_cells(fabs(x) / cells->size_x);
   const int track = (int)fmax(cells->track, cells->nx);
   if (cells->groove > 0) return arc_space_widen(model, 4, cells, error);
@@ -95,11 +95,11 @@ static arc_status enlarge(const space_contact *c, arc_halfspace_def *cells, arc_
   return arc_space_widen(model, 4, cells, error);
 }
 
-arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
+arc_status arc_space_widen_contact(space_contact *c, double x, arc_error *error) {
   const space_shape *s = space_shape_of(c->handle.shape);
   arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
   space_shape *larger;
-  arc_status status = enlarge(c, &cells, error);
+  arc_status status = enlarge(c, x, &cells, error);
   if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
   if (status != ARC_OK) return status;
   arc_halfspace_friction *const states[] = {&c->rubbing, &c->coarser};
@@ -128,7 +128,7 @@ static arc_status solve_in_larger_windows(space_contact *c, const arc_callbacks 
   enum { most_tries = 12 };
   arc_status status = solve_contact(c, callbacks, error);
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
-    status = arc_space_widen_contact(c, error);
+    status = arc_space_widen_contact(c, c->handle.def.x, error);
     if (status == ARC_OK) status = solve_contact(c, callbacks, error);
   }
   return status;

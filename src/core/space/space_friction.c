@@ -173,7 +173,7 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
     status = arc_halfspace_follow(s->grid->h, depth, leg, &options, &c->rubbing, &c->coarser,
                                   effort, error);
     if (status != ARC_ZONE) break;
-    status = arc_space_widen_contact(c, error);
+    status = arc_space_widen_contact(c, effort->farthest, error);
     if (status != ARC_OK) return status;
     status = ARC_ZONE;
   }
@@ -338,7 +338,6 @@ arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
   arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
   if (status == ARC_OK) status = check(c, motion, load, error);
   if (status == ARC_OK) status = check_cells(c, load, error);
-  c->handle.def.x = x;
   if (status == ARC_OK) status = go_along(c, &leg, callbacks, &effort, error);
   c->handle.def.load = load;
   if (status == ARC_OK) status = check_across(c, error);

@@ -223,8 +223,9 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_space_end_contact(arc_contact *contact);
-/* Enlarges window and track after a contact solution that failed with ARC_ZONE. */
-arc_status arc_space_widen_contact(space_contact *c, arc_error *error);
+/* Enlarges the track to position x [mm], or else the window, after a contact solution that failed
+ * with ARC_ZONE. */
+arc_status arc_space_widen_contact(space_contact *c, double x, arc_error *error);
 /* Computes the result of the contact (widths, pressures, approach) from its present pressures. */
 void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
