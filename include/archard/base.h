@@ -1,8 +1,7 @@
 /* archard/base.h - status codes, errors, files and callbacks, used by all other headers.
  *
- * Units are mm, N and MPa (N/mm2). Unless a name or comment says otherwise, the engine computes
- * plane strain, and its forces are per mm of thickness.
- */
+ * Units are mm, N and MPa (N/mm2). Unless stated otherwise, bodies are in plane strain, and forces
+ * are per mm of thickness. */
 #ifndef ARCHARD_BASE_H
 #define ARCHARD_BASE_H
 
@@ -38,8 +37,8 @@ typedef enum arc_status {
 #undef ARC_STATUS_ENUM
 } arc_status;
 
-/* An error with its message for the user. Functions with an arc_error argument write it on failure
- * only; NULL is allowed. */
+/* An error and its message for the user. Functions with an arc_error argument write to it only on
+ * failure; the argument may be NULL. */
 typedef struct arc_error {
   arc_status status;
   char message[512];
@@ -54,24 +53,25 @@ const char *arc_status_name(arc_status status);
 /* Purpose for which a file is opened. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 
-/* Resolves all links of a file name and writes the absolute path to path [PATH_MAX]. The file or at
- * least its folder must exist. A descriptor of this process, such as "/dev/stdout", is not resolved
- * further. All functions that open, create or replace files call this function first. ARC_ARGUMENT:
- * the name is empty, or the name of a file to write has a control character. ARC_IO: the folder
- * does not exist, or the file is not allowed (arc_file_allowed). */
+/* Resolves the symbolic links in a file name and writes the absolute path to path [PATH_MAX]. The
+ * file, or at least its folder, must exist. The name of an open descriptor of this process, such as
+ * "/dev/stdout", is resolved to "/proc/PID/fd/N" and no further. All functions that open, create or
+ * replace files call this function first. ARC_ARGUMENT: the name is empty, or the name of a file to
+ * write has a control character. ARC_IO: the folder does not exist, or the file is not allowed
+ * (arc_file_allowed). */
 arc_status arc_file_find(const char *name, arc_file_use use, char *path, arc_error *error);
 
 /* Decides whether a file may be used. arc_file_find calls this function. `name` is used in
- * messages; `path` is absolute and has no links. The function of this library allows all files; a
- * program that is restricted to some folders replaces this function by its own function of the same
- * name. ARC_IO: the file is not allowed. */
+ * messages; `path` is absolute and has no symbolic links. The function in this library allows all
+ * files. A program that may use only some folders defines its own function of the same name, which
+ * replaces this one. ARC_IO: the file is not allowed. */
 arc_status arc_file_allowed(const char *name, const char *path, arc_file_use use, arc_error *error);
 
 /* Opens a file for reading. ARC_IO: the file does not exist, or is a folder, pipe or device. Other
  * errors: those of arc_file_find. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
-/* Reads a whole file and appends a zero byte. The caller releases *text [*length] with free().
- * Errors: ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
+/* Reads a whole file and appends a zero byte. The caller frees *text [*length] with free(). Errors:
+ * ARC_IO, ARC_MEMORY, ARC_FORMAT (the file is larger than 1 GiB). */
 arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
 
 /* Copies text to shown [size] for display and truncates it to fit. Control characters and invalid
@@ -88,15 +88,15 @@ arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...
 typedef int (*arc_stop_fn)(void *context);
 
 /* Callbacks of long computations. Each member, and a pointer to the struct, may be NULL. A callback
- * must return normally and must not change the objects of the computation. */
+ * must return to its caller (no longjmp) and must not change the objects of the computation. */
 struct arc_wear;
 typedef struct arc_callbacks {
   /* Called between contact solutions and while a model is built. A non-zero result stops the
-   * computation with ARC_STOPPED. The thread that builds a model then still finishes its present
-   * stage. A process that ends before this must call _exit, as calling exit during a BLAS
-   * computation is not safe. */
+   * computation with ARC_STOPPED. A model that is being built first completes its present stage on
+   * another thread. A process that ends before then must call _exit, because exit is not safe
+   * during a BLAS computation. */
   arc_stop_fn stop;
-  /* Receives a warning of one line about the accuracy of results; the computation continues. */
+  /* Receives a one-line warning about the accuracy of results. The computation continues. */
   void (*warn)(void *context, const char *text);
   /* Called after each step of a run. A non-zero result stops the run with ARC_STOPPED; the step
    * remains part of the run. */
@@ -107,9 +107,9 @@ typedef struct arc_callbacks {
   void *context; /* first argument of each callback */
 } arc_callbacks;
 
-/* Sets BLAS and OpenMP of this process to one thread, because more threads are slower for matrices
- * of the sizes used here, and a child of fork() would hang. Call it once at the start. Returns a
- * description of the BLAS, or NULL if it is unknown. */
+/* Limits BLAS and OpenMP to one thread in this process. More threads are slower for the small
+ * matrices used here, and a child process made by fork() would hang. Call this function once at the
+ * start. Returns a description of the BLAS library, or NULL if it is unknown. */
 const char *arc_single_threaded(void);
 
 /* Makes BLAS allocate its workspace now. Call it before a memory limit of the process (RLIMIT_AS)

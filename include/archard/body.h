@@ -1,8 +1,8 @@
-/* archard/body.h - shapes of bodies: outline, layers, supports.
+/* archard/body.h - shapes of bodies: surface, dimensions, layers and supports.
  *
- * A body is the upper or the lower one of a pair. Its surface passes through the origin, which is
- * the first point of contact. The surface is symmetric about x = 0, except for measured profiles.
- */
+ * A pair consists of an upper and a lower body. The surface of each body passes through the origin,
+ * which is the first point of contact. Surfaces are symmetric about x = 0, except for measured
+ * profiles. */
 #ifndef ARCHARD_BODY_H
 #define ARCHARD_BODY_H
 
@@ -13,8 +13,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Roles of the two bodies. The upper body carries the load at its support, and the lower one moves.
- * In the paper they are the cylinder and the plate. */
+/* Roles of the two bodies. The load acts on the support of the upper body, and the lower body
+ * moves. In the reference paper they are the cylinder and the plate. */
 typedef enum arc_body {
   ARC_CYLINDER = 0,
   ARC_PLATE = 1,
@@ -23,11 +23,11 @@ typedef enum arc_body {
 } arc_body;
 #define ARC_BODIES 2
 
-/* Names of the roles in the paper: "cylinder", "plate". */
+/* Returns the name of a role in the reference paper: "cylinder" or "plate". */
 const char *arc_body_name(arc_body body);
 
-/* Kinds of bodies: X(name, "name", object with the functions of this kind, see
- * src/core/mesh/body_shape.h). */
+/* Kinds of bodies: X(NAME, "name", functions). The functions of a kind are in an object of that
+ * name, see src/core/mesh/body_shape.h. */
 #define ARC_SOLID_LIST(X)                                                                          \
   X(SOLID_USUAL, "usual", usual)                                                                   \
   X(SOLID_CYLINDER, "cylinder", cylinder)                                                          \
@@ -73,7 +73,7 @@ typedef struct arc_layer {
 enum { ARC_MOST_LAYERS = 4 };
 
 extern const arc_setting
-    arc_layer_settings[]; /* settings of a layer; the material is a group in this list */
+    arc_layer_settings[]; /* settings of a layer, with its material as a group */
 
 /* Description of a valid name of a body, for messages. */
 #define ARC_BODY_NAME                                                                              \
@@ -107,7 +107,7 @@ extern const arc_setting
          "Support of a cylinder, which matters if the contact is nearly as wide as the cylinder. " \
          "\"fixed\": the flat side of a half cylinder is rigid; \"free\": this side slides along " \
          "itself without friction and is fixed sideways only in its middle 15 %; \"hub\": a "      \
-         "whole disc around a rigid hub of 0.15 radius, as body.disc.")
+         "whole disc around a rigid hub of 0.15 times its radius, as in body.disc.")
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
@@ -124,8 +124,8 @@ typedef struct arc_body_def {
 
 extern const arc_setting arc_body_settings[];
 
-/* Returns the body with all dimensions set. Defaults follow from the model's radius [mm] and the
- * role of the body. */
+/* Returns the body with all dimensions set. Dimensions that are 0 in `def` are set to their
+ * defaults, which depend on the radius of the model [mm] and on the role of the body. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
 /* Checks a body from arc_body_resolve. ARC_ARGUMENT: the message has the field with the prefix
@@ -135,8 +135,8 @@ arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *
 /* Returns the names of the settings that apply to a kind of body, as a list that ends with NULL. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* The first function returns true if the surface is the hollow side of an arc, the second one if it
- * is an arc, and the third one if it is a straight line. */
+/* arc_body_is_hollow returns true if the surface is the hollow side of an arc, arc_body_is_round if
+ * it is an arc, and arc_body_is_flat if it is a straight line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
@@ -149,8 +149,8 @@ double arc_body_radius(const arc_body_def *def);
  * models use. */
 int arc_body_is_spatial(const arc_body_def *def);
 
-/* The first function returns half the length of the body along its surface [mm], the second one the
- * depth of the body below the surface [mm]. */
+/* arc_body_half_length returns half the length of the body along its surface [mm], arc_body_depth
+ * the depth of the body below the surface [mm]. */
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
@@ -163,28 +163,28 @@ double arc_body_widest_zone(const arc_body_def *def);
 
 /* Returns the height of a profile's outermost point [mm]; 0 for other bodies. */
 double arc_body_crest(const arc_body_def *def);
-/* Returns the distance [mm] of the surface at x [mm] below its outermost point, whose height is
+/* Returns the depth [mm] of the surface at x [mm] below its outermost point, whose height is
  * `crest` [mm]. Returns 0 for arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Returns true if the surface is a map over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Properties of a map. The first function returns the height [mm] at (x, z), positive out of the
- * body; it is interpolated by cubics between the points and constant beyond them. The second one
- * writes the distances from x = z = 0 to the nearest ends and the largest spacing of the points
- * [mm]. The third one writes the curvatures of the fitted parabola along x and z [1/mm], positive
- * for a ball. */
+/* Properties of a map. arc_body_map_height returns the height [mm] at (x, z), positive out of the
+ * body. It is interpolated by cubics between the points and constant beyond them.
+ * arc_body_map_extent writes the distances from x = z = 0 to the nearest ends of the map, and the
+ * largest spacing of its points [mm]. arc_body_map_curvature writes the curvatures along x and z
+ * [1/mm] of a parabola fitted to the map, positive for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Replaces the series of a body by copies in one block. The caller releases *block with free(); it
- * is NULL if the body has no series. On ARC_MEMORY the body has no series. */
+/* Replaces the series of a body by copies in one block. The caller frees *block with free(); it is
+ * NULL if the body has no series. On ARC_MEMORY the body has no series. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* The first function returns the number of layers. The second one returns the depth [mm] of the
- * lower side of a layer that has a thickness, and 0 for layer -1 (the surface). The third one
- * returns the material of a layer, or `own` for an index that is not a layer. */
+/* arc_body_layers returns the number of layers. arc_body_interface returns the depth [mm] of the
+ * lower side of a layer with a thickness, and 0 for layer -1, the surface. arc_body_layer_material
+ * returns the material of a layer, or `own` if the index is not that of a layer. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

@@ -1,17 +1,18 @@
 /* archard/contact.h - worn shapes, and contact solutions on them.
  *
- * Contact is hard: f >= 0, gap >= 0, f gap = 0, sum f = load exactly. Here f are the components of
- * the nodal forces along the load. The surfaces are coupled by mortar elements in x with a dual
- * basis on the cylinder's side. The nodal forces f of the cylinder and B'f of the plate, with the
- * coupling matrix B, therefore balance identically, also along x. Pressures act along the normals
- * of the worn surface.
+ * Contact is hard: f >= 0, gap >= 0, f gap = 0 at each node, and the sum of f is exactly the load.
+ * Here f is the component of a nodal force along the load. The surfaces are coupled by mortar
+ * elements along x with a dual basis on the cylinder's side. The nodal forces are f on the cylinder
+ * and B' f on the plate, with the coupling matrix B, so that they balance exactly, also along x.
+ * Pressures act along the normals of the worn surface.
  *
- * With Coulomb friction the solution is computed over increments of load and motion, each of which
+ * With Coulomb friction the solution is computed in increments of load and motion, each of which
  * depends on the previous one: |q| <= mu p, no slip if |q| < mu p, else slip ds along q. Here q is
- * the shear traction on the cylinder along +x (on the plate along -x), and ds is the slip of the
- * plate's surface relative to the cylinder's. Q is the force that drives the plate along x. These
- * quantities are positive for a plate that moves to +x. In two dimensions the displacement under a
- * force depends on the size of the bodies, which have a rigid top and a rigid base. */
+ * the shear traction on the cylinder along +x (on the plate along -x), mu the coefficient of
+ * friction, p the pressure, and ds the slip of the plate's surface relative to the cylinder's
+ * surface. Q is the force that drives the plate along x. q, ds and Q are positive for a plate that
+ * moves to +x. In two dimensions the displacement under a force depends on the size of the bodies,
+ * which have a rigid top and a rigid base. */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
@@ -24,8 +25,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Geometry of worn bodies. Moving: wear moves the nodes and thereby changes the stiffness of the
- * wear box. Frozen: wear changes only the gap. */
+/* Geometry of worn bodies. Moving: wear moves the nodes and so changes the stiffness of the wear
+ * box (the elements at the surface). Frozen: wear changes only the gap. */
 #define ARC_GEOMETRY_LIST(X)                                                                       \
   X(MOVING, "moving")                                                                              \
   X(FROZEN, "frozen")
@@ -41,30 +42,30 @@ extern const char *const arc_geometry_names[];
 typedef enum arc_corrections { ARC_CORRECTIONS_LIST(ARC_CHOICE_ENUM) } arc_corrections;
 extern const char *const arc_corrections_names[];
 
-/* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
+/* The worn surfaces of both bodies on one model. Opaque; retains its model. */
 typedef struct arc_shape arc_shape;
 
 /* Creates unworn surfaces. The stiffness of the wear box (the elements at the surface) is condensed
- * again when a surface node has moved too far since the last condensation: across the surface by
- * `refresh` [-] times the present height of its element or by a fifth of `refresh` times the
- * remaining layer, along x by a hundredth of `refresh` times the width of an element. For unlike
- * materials the change of slope has a limit too. With refresh 0 the box is condensed after every
- * motion.
- * Between two condensations the compliance of a body without layers is updated to first order. */
+ * again when a surface node has moved too far since the last condensation. Across the surface the
+ * limit is `refresh` [-] times the present height of the element, or a fifth of `refresh` times the
+ * remaining layer. Along x it is a hundredth of `refresh` times the width of an element. For
+ * different materials the change of slope is limited too. With refresh 0 the box is condensed after
+ * every motion. Between two condensations the compliance of a body without layers is updated to
+ * first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
 void arc_shape_destroy(arc_shape **shape);
 arc_model *arc_shape_model(const arc_shape *shape);
 
-/* Wears one body by depth [surface] [mm] at the candidate contact nodes. The nodes move along their
- * current normals (Eq. 8 of the paper), and the scalar sums of the depths are stored too. The nodes
- * of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an element of the wear box
- * would collapse; with frozen geometry a depth exceeds 1e6 mm), ARC_MEMORY, ARC_NUMERIC. On failure
- * the shape is unchanged. */
+/* Wears one body by depth [surface] [mm] at its candidate contact nodes. The nodes move along their
+ * present normals (Eq. 8 of the reference paper). The sum of the depths is also stored for each
+ * node. The nodes of the wear box follow the surface smoothly. Errors: ARC_GEOMETRY (an element of
+ * the wear box would collapse; with frozen geometry a depth exceeds 1e6 mm), ARC_MEMORY,
+ * ARC_NUMERIC. On failure the shape is unchanged. */
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
-/* Wears one body everywhere by the same depth [mm], like a plate under a stroke over its whole
+/* Wears one body everywhere by the same depth [mm], as a plate is worn by a stroke over its whole
  * width. The surface keeps its shape. With moving geometry, layers in the wear box become thinner.
  * Errors: ARC_MEMORY, ARC_NUMERIC. On failure the shape is unchanged. */
 arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error);
@@ -75,56 +76,61 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
  * the other model is lost. Errors: those of arc_shape_wear. On failure `to` must be destroyed. */
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
 
-/* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, depth
- * [surface], with 0 beyond its ends. The splines of arc_shape_remap are used. If the points
- * cover a whole scar (unworn at both ends, within the nodes), the area of the polyline through them
- * is kept. Points at nodes keep their depths. Errors: ARC_MEMORY. */
+/* Interpolates a measured depth profile of at least two points to the unworn nodes of a body, by
+ * the splines of arc_shape_remap. The result is depth [surface] [mm]; it is 0 beyond the ends of
+ * the profile. If the points cover a whole scar (unworn at both ends, within the nodes), the area
+ * of the polyline through them is kept. Points at nodes keep their depths. Errors: ARC_MEMORY. */
 arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
                             double *depth, arc_error *error);
 
-/* Profile of a candidate surface. The arrays have `count` values, are owned by the shape and are
- * valid until the shape changes. */
+/* Profile of a body's candidate contact nodes. The arrays have `count` values, are owned by the
+ * shape and are valid until the shape changes. */
 typedef struct arc_profile {
   int count;
   const double *x;      /* [mm] unworn position of the nodes */
-  const double *h;      /* [mm] wear depth, scalar sum along the normals (Eq. 6) */
+  const double *h;      /* [mm] wear depth, the sum of the depths along the normals (Eq. 6 of the
+                           reference paper) */
   const double *y;      /* [mm] present height of the nodes */
   const double *worn_x; /* [mm] present position of the nodes */
-  const double *way;    /* [mm] length of the vector sum of the wear (Eq. 8) */
+  const double
+      *way; /* [mm] length of the vector sum of the depths (Eq. 8 of the reference paper) */
 } arc_profile;
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body);
 
-/* The first function returns the largest wear depth [mm] from the scalar sums (Eq. 6), the second
- * one the largest length of the vector sums (Eq. 8) [mm]. */
+/* arc_shape_depth returns the largest wear depth [mm] as the sum of the depths along the normals
+ * (Eq. 6 of the reference paper), arc_shape_vector_depth the largest length [mm] of their vector
+ * sum (Eq. 8). */
 double arc_shape_depth(const arc_shape *shape, arc_body body);
 double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
-/* Writes the present nodes of a body, with the wear box moved, to xy [2 * nodes]. */
+/* Writes the present positions of all nodes of a body, including the moved nodes of the wear box,
+ * to xy [2 * nodes] [mm]. */
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
 /* Returns the state of the worn surfaces for storage. The arrays of each body are: h [nodes, 1],
- * the wear depth including uniform wear [mm]; xy [nodes, 2], the present nodes without uniform wear
- * [mm]; settled [nodes, 2], these nodes at the last condensation [mm]; even [1, 1], the uniform
- * wear of arc_shape_wear_evenly [mm]; and condensed [1, 1], which is 1 if the worn wear box was
- * condensed, else 0. The shape owns names and values. update and distance of the arrays are 0. */
+ * the wear depth including uniform wear [mm]; xy [nodes, 2], the present positions of the nodes
+ * without uniform wear [mm]; settled [nodes, 2], these positions at the last condensation [mm];
+ * even [1, 1], the uniform wear of arc_shape_wear_evenly [mm]; and condensed [1, 1], which is 1 if
+ * the wear box was condensed after wear, else 0. The shape owns names and values. The members
+ * update and distance of the arrays are 0. */
 #define ARC_SHAPE_STATE 10
 void arc_shape_state(const arc_shape *shape, arc_array state[ARC_SHAPE_STATE]);
 
-/* Restores a shape from its state, bit for bit. ARC_ARGUMENT: an array is missing, superfluous or
- * of a wrong size, or depths or positions are impossible for a worn surface. Other errors:
- * ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
+/* Restores a shape bit for bit from its state. ARC_ARGUMENT: an array is missing, superfluous or of
+ * a wrong size, or its values are impossible for a worn surface. Other errors: ARC_GEOMETRY,
+ * ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
                              const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
-/* Effect of friction while the bodies are pressed together. Friction: friction acts. Frictionless:
- * friction acts only after the bodies are pressed together. */
+/* Friction during the pressing of the bodies. Friction: friction acts while the bodies are pressed
+ * together. Frictionless: friction acts only afterwards. */
 #define ARC_PRESS_LIST(X)                                                                          \
   X(PRESS_FRICTION, "friction")                                                                    \
   X(PRESS_FRICTIONLESS, "frictionless")
 typedef enum arc_press { ARC_PRESS_LIST(ARC_CHOICE_ENUM) } arc_press;
 extern const char *const arc_press_names[];
 
-/* Definition of one contact problem. */
+/* Settings of one contact problem. */
 #define ARC_CONTACT_SETTINGS(NUMBER, WHOLE, CHOICE, OTHER)                                         \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
   NUMBER(x, "mm", 0, ANY, 0,                                                                       \
@@ -136,10 +142,9 @@ extern const char *const arc_press_names[];
          "Length over which p_average averages the pressure, at least four elements. 0: no "       \
          "averaging; p_average is then p_max.")                                                    \
   NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: no friction.")          \
-  CHOICE(                                                                                          \
-      press, press, ARC_PRESS_FRICTION, 0,                                                         \
-      "\"friction\": friction acts while the bodies are pressed together; \"frictionless\": it "   \
-      "acts only afterwards.")                                                                     \
+  CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
+         "\"friction\": friction acts while the bodies are pressed together; \"frictionless\": "   \
+         "friction acts only afterwards.")                                                         \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
         "Number of load increments of a contact with friction; the plate does not move. "          \
         "\"auto\": four for each element that the edge of the contact crosses, at least 20; in "   \
@@ -173,10 +178,9 @@ typedef struct arc_contact arc_contact;
 
 /* Solves one contact problem. Later changes of the shape do not change the solution. Errors:
  * ARC_ARGUMENT (a setting out of its range), ARC_ZONE (the contact reaches the edge of a candidate
- * zone; the message has the zone needed), ARC_MEMORY, ARC_NUMERIC. Warns if the contact has fewer
- * than four elements, or if friction times Dundurs' beta exceeds 0.4, for which the solution may
- * not be unique.
- */
+ * zone; the message has the zone needed), ARC_MEMORY, ARC_NUMERIC. Warns if the contact is less
+ * than four elements wide, or if friction times Dundurs' beta exceeds 0.4, because the solution may
+ * then not be unique. */
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
@@ -188,7 +192,7 @@ size_t arc_contact_bytes(const arc_contact *contact);
 
 /* A motion that starts from a solved contact. Load and motion change linearly. */
 #define ARC_MOTION_SETTINGS(NUMBER, WHOLE)                                                         \
-  NUMBER(x, "mm", 0, ANY, ARC_OPTIONAL, "Final position of the plate's base.")                     \
+  NUMBER(x, "mm", 0, ANY, ARC_OPTIONAL, "Final position of the plate's rigid base.")               \
   NUMBER(load, "N", 0, ABOVE(0), ARC_OPTIONAL, "Normal load at the end. Default: unchanged.")      \
   NUMBER(z, "mm", 0, ANY, ARC_OPTIONAL,                                                            \
          "Final position of the lower body along z, in 3-D. Default: unchanged.")                  \
@@ -215,9 +219,9 @@ extern const arc_setting arc_motion_settings[];
 arc_motion_def arc_contact_motion(const arc_contact *contact);
 
 /* Computes the contact after a motion. Points that stick remain opposite to the same points of the
- * other body. If x is given, the pairing of nodes follows the plate, which may slide until the
- * contact reaches the edge of a zone. Errors: those of arc_contact_solve; ARC_ARGUMENT if a
- * tangential force exceeds friction times load. */
+ * other body. If x is given, the plate may slide until the contact reaches the edge of a zone; each
+ * node is then paired with the points that are opposite to it. Errors: those of arc_contact_solve;
+ * ARC_ARGUMENT if a tangential force exceeds friction times load. */
 arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
                             const arc_callbacks *callbacks, arc_contact **contact,
                             arc_error *error);
@@ -225,19 +229,19 @@ arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motio
 typedef struct arc_contact_result {
   double area;         /* [mm2] contact area; 0 in 2-D */
   double half_width_z; /* [mm] half the width of the contact along z; 0 in 2-D */
-  double p_center;     /* [MPa] pressure at the cylinder's node x = 0; in holes at the point in the
+  double p_center;     /* [MPa] pressure at the cylinder's node x = 0; in holes the pressure in the
                           direction of the load */
   double p_max;        /* [MPa] largest nodal pressure; mesh-dependent at scar edges */
   double p_average; /* [MPa] largest mean pressure over a length `average`; converges as the mesh is
                        refined */
   double half_width;   /* [mm] half the contact width */
-  double left, right;  /* [mm] contact edges in the cylinder's frame, computed between nodes; the
-                          error is 0.03 elements for unworn and 0.07 for smooth worn surfaces, 0.6
-                          (r.m.s. 0.2) at edges of scars */
-  double normal_force; /* [N] integral of the pressure over the area; equals the load; in hollow
-                          surfaces it is up to 4/pi times the load */
+  double left, right;  /* [mm] edges of the contact in the cylinder's frame, interpolated between
+                          nodes; the error is 0.03 element widths on unworn and 0.07 on smooth worn
+                          surfaces, and up to 0.6 (r.m.s. 0.2) at edges of scars */
+  double normal_force; /* [N] integral of the pressure over the area, which equals the load; in
+                          hollow surfaces it is up to 4/pi times the load */
   double approach;     /* [mm] approach of the plate's rigid base and the cylinder's fixed top */
-  double tangential;   /* [N] force on the plate along x; without friction it results from slopes of
+  double tangential;   /* [N] force on the plate along x; without friction it is caused by slopes of
                           the surfaces */
   double energy; /* [N mm] energy dissipated by friction since first contact, including slip between
                     nodes */
@@ -257,10 +261,11 @@ typedef struct arc_pressure {
   int count;
   const double *x; /* [mm] */
   const double *p; /* [MPa] */
-  const double *f; /* [N/mm] nodal force per thickness normal to the surface, p times tributary
-                      width; for bodies of revolution [N], on the ring of the node */
   const double
-      *fx; /* [N/mm] nodal force along x on the body, caused by pressures along inclined normals */
+      *f; /* [N/mm] nodal force normal to the surface, per thickness: p times the width that belongs
+             to the node; for bodies of revolution [N], the force on the ring of the node */
+  const double *fx; /* [N/mm] nodal force on the body along x, caused by pressures on inclined parts
+                       of the surface */
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
@@ -277,25 +282,25 @@ arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
  * contact: *count values at the cylinder's nodes. Returns NULL without friction. */
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
-/* Writes the edges [mm] of stick zone `index` of the last increment (numbered from 0, left to
- * right), and returns 1; returns 0 if there is no such zone. Edges lie between nodes, with an error
- * of 0.15 of an element, or 0.3 if fewer than six elements stick. */
+/* Writes the edges [mm] of one stick zone in the last increment, and returns 1; returns 0 if there
+ * is no such zone. `index` counts the zones from left to right, from 0. Edges are interpolated
+ * between nodes, with an error of 0.15 of an element, or 0.3 if fewer than six elements stick. */
 int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
 
-/* Checks a solution, for tests and for builds with ARC_CHECKS. The forces of both bodies must
- * balance the load, no force may be tensile, no gap negative, and no force may act across a gap.
- * ARC_NUMERIC: the message has the violated condition and the amount of the violation. */
+/* Checks a solution, for tests and for builds with ARC_CHECKS. The forces on both bodies must
+ * balance the load, no force may be tensile, no gap may be negative, and no force may act across an
+ * open gap. ARC_NUMERIC: the message has the violated condition and the amount of the violation. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
 /* Columns X(name, unit, text) of a stress field: positions of the nodes, displacements and
  * stresses. Files have the columns in this order.
  *
- * Stresses are of second order in the element size. On the boundary they agree with the tractions
- * (pressure and shear of the node) and with the strain along the surface. Inside they are
- * polynomials fitted around each node. Near a smooth edge of contact the pressure follows the
- * square-root law. For elements of 20 um its error is 1 % of the largest pressure. The error of the
- * stress along the surface is 2 % (9 % with friction 0.6, where this stress has a cusp). At the
- * edges of scars the pressure of the node is used. */
+ * Stresses are of second order in the element size. On the boundary they agree with the pressure
+ * and shear of the node and with the strain along the surface. Inside the body they are polynomials
+ * fitted around each node. Near a smooth edge of contact the pressure follows the square-root law.
+ * For elements of 20 um its error is 1 % of the largest pressure. The error of the stress along the
+ * surface is 2 % (9 % with friction 0.6, where this stress has a cusp). At the edges of scars the
+ * pressure of the node is used. */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress normal to the surface")                                                    \
@@ -305,8 +310,8 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
   X(principal, "MPa", "largest principal stress, tension positive")                                \
   X(shear, "MPa", "largest shear stress in the plane")
 #define ARC_FIELD_COLUMNS(X)                                                                       \
-  X(x, "mm", "worn node, along the surface")                                                       \
-  X(y, "mm", "worn node, normal to the surface")                                                   \
+  X(x, "mm", "position of the worn node along the surface")                                        \
+  X(y, "mm", "position of the worn node normal to the surface")                                    \
   X(ux, "mm", "displacement along the surface")                                                    \
   X(uy, "mm", "displacement normal to the surface")                                                \
   ARC_FIELD_STRESSES(X)
@@ -327,7 +332,7 @@ void arc_field_destroy(arc_field **field);
  * are stored with z fastest. With friction in 3-D, arrays of the upper body follow: q, qz and shear
  * [MPa], the shear along x, along z and its magnitude; s, sz and slip [mm], the slip of the lower
  * surface relative to the upper one along x, along z and its magnitude. All arrays are in one
- * block, which the caller releases with free(). Errors: ARC_MEMORY. */
+ * block, which the caller frees with free(). Errors: ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);
 /* Returns the model of a contact. The caller must not release it. */

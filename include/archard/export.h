@@ -1,6 +1,6 @@
-/* archard/export.h - files for other programs. All functions write to a temporary file beside
- * `path` and rename it: on failure (ARC_IO, the message has the file and the reason) an old file is
- * unchanged. */
+/* archard/export.h - writes results to files for other programs. All functions write a temporary
+ * file beside `path` and rename it when it is complete, so on failure an old file is unchanged.
+ * ARC_IO: the message has the file and the reason. */
 #ifndef ARCHARD_EXPORT_H
 #define ARCHARD_EXPORT_H
 
@@ -25,13 +25,14 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
 /* Surface values X(name, unit, text) at the nodes in a .vtu file. The values are 0 outside the
  * candidate surface. */
 #define ARC_SURFACE_COLUMNS(X)                                                                     \
-  X(wear_depth, "mm", "wear depth, scalar sum along the normals")                                  \
+  X(wear_depth, "mm", "wear depth, the sum of the depths along the normals")                       \
   X(pressure, "MPa", "contact pressure")
 
 /* Writes a VTK unstructured grid (.vtu, XML with appended binary data) of one body. With a contact
  * on this mesh the file also has displacements, ARC_FIELD_STRESSES, ARC_SURFACE_COLUMNS on the worn
- * nodes, and `time` as TimeValue. For bodies with layers the file has the number of the layer of
- * each element, from 1. Arrays have units. Errors: also those of arc_contact_field. */
+ * nodes, and `time` as TimeValue. For bodies with layers the file also has the layer number of each
+ * element, from 1. Each array has its unit as an attribute. Errors: also those of
+ * arc_contact_field. */
 arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_contact *contact,
                           double time, arc_error *error);
 
@@ -44,27 +45,28 @@ arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_cont
  * than the model. */
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error);
 
-/* Writes the mesh of one body in plane elements, with sets of nodes, elements, surface and
- * boundary. */
+/* Writes the mesh of one body as an Abaqus input file of plane elements. The file has the contact
+ * surface, and sets of the surface nodes, the fixed nodes and the elements of the wear box.
+ * ARC_ARGUMENT: the mesh is imported. */
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
 
-/* Writes a Gmsh file (text, version 4.1, in mm) of both bodies, or of one if the other pointer is
- * NULL, with the physical groups that arc_mesh_read_msh reads: "upper", "lower", "upper.NAME" for a
- * named material, "upper.layer1" for the first layer. Coordinates are exact to the bit, and the
- * order of nodes and elements is kept. */
+/* Writes a Gmsh file (text, version 4.1, in mm) of both bodies, or of one body if the other pointer
+ * is NULL. The file has the physical groups that arc_mesh_read_msh reads: "upper", "lower",
+ * "upper.NAME" for a named material, "upper.layer1" for the first layer. Coordinates are exact to
+ * the bit, and the order of nodes and elements is kept. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
-/* Writes the content of the file of arc_export_msh to *text, which the caller releases with free().
- * On failure *text is NULL. Errors: ARC_MEMORY. */
+/* Writes the content of the file of arc_export_msh to *text, which the caller frees with free(). On
+ * failure *text is NULL. Errors: ARC_MEMORY. */
 arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
                                arc_error *error);
 
 /* Writes a text of `length` bytes to a file. */
 arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);
 
-/* A number as text. arc_number_to_text returns the shortest text that reads back to the same bits,
- * such as 0.3 instead of 0.29999999999999999. NaN and zero are written without a sign. All exported
- * files use this function. */
+/* A number as text. arc_number_to_text returns the shortest text that is read back as exactly the
+ * same number, such as 0.3 instead of 0.29999999999999999. NaN and zero are written without a sign.
+ * All exported files use this function. */
 typedef struct arc_number_text {
   char text[32];
 } arc_number_text;

@@ -9,14 +9,15 @@
  *   p g = 0,
  *   integral p n dA = F
  *
- * with the wear depths h_cup and h_head, the head's displacement u and the radial compliance C of
- * complete concentric spheres and shells, which is exact for each degree of spherical harmonics.
- * `second_order` adds (|u|^2 - (u . n)^2) / (2 radius). The model does not include shear, the cup's
- * rim, edge loading, microseparation or lubrication.
+ * with the wear depths h_cup and h_head, the load F, the head's displacement u and the radial
+ * compliance C of complete concentric spheres and shells, which is exact for each degree of
+ * spherical harmonics. With `second_order` the gap also has the term (|u|^2 - (u . n)^2) / (2
+ * radius). The model does not include shear, the cup's rim, edge loading, microseparation or
+ * lubrication.
  *
  * Maps are on a lattice of cells over the complete sphere, [rows][2 rows], phi fastest: theta = (i
- * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. The map of each body is in the frame of this
- * body. */
+ * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. The map of each body is in the body's own
+ * frame. */
 #ifndef ARCHARD_JOINT_H
 #define ARCHARD_JOINT_H
 
@@ -27,9 +28,9 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Compliance of the bodies. Elastic: full compliance of layered spheres. Winkler: independent
- * springs for the cup's first layer, exact for a uniform pressure on a shell. Column: springs with
- * the stiffness of a laterally confined layer. */
+/* Model of the compliance of the bodies. Elastic: the full compliance of layered spheres. Winkler:
+ * independent springs for the cup's first layer, which are exact for a uniform pressure on a shell.
+ * Column: independent springs with the stiffness of a laterally confined layer. */
 #define ARC_FOUNDATION_LIST(X)                                                                     \
   X(FOUNDATION_ELASTIC, "elastic")                                                                 \
   X(FOUNDATION_WINKLER, "winkler")                                                                 \
@@ -48,8 +49,8 @@ typedef struct arc_joint_def {
   arc_layer cup[ARC_MOST_LAYERS]; /* layers from the inside outwards, at least one; the last one is
                                      fixed at its outside */
   arc_foundation foundation;
-  double
-      size; /* [degree] width of a cell; it is rounded down so that 180 / size is an even number */
+  double size;      /* [degree] width of a cell, which is rounded down so that 180 / size is an even
+                       number */
   int second_order; /* 1: gaps include terms of second order in displacement / radius */
 } arc_joint_def;
 
@@ -63,7 +64,7 @@ arc_status arc_joint_check(const arc_joint_def *def, arc_error *error);
 
 /* Returns the radial displacement [mm/MPa] of a body under a unit pressure that is distributed as a
  * spherical harmonic of the given degree; 0 for degree 1 of the head, which is a rigid motion. NaN
- * if the layers give no solution. */
+ * if the equations of the layers have no solution. */
 double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree);
 
 /* --- gaits ------------------------------------------------------------------------------------ */
@@ -86,15 +87,15 @@ arc_status arc_gait_from_rotations(int n, const double *rotation, const double *
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
-/* Makes a built-in gait: "iso", "prosim", "flexion" or "rocking". "iso" is walking with the extreme
- * values of the standard and approximate curves between them. `angle` [degree] and `load` [N] apply
- * to "flexion" and "rocking". */
+/* Computes a built-in gait: "iso", "prosim", "flexion" or "rocking". "iso" is walking with the
+ * ranges of motion of ISO 14242-1 and approximate curves. `angle` [degree] and `load` [N] apply to
+ * "flexion" and "rocking". */
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
-/* The first function returns the length of the path of the load over the surface of the head in a
- * cycle [mm]. The second one returns the friction work of a cycle divided by the coefficient of
- * friction [N mm]. */
+/* arc_gait_track returns the length [mm] of the path of the load over the surface of the head in a
+ * cycle. arc_gait_work returns the friction work of a cycle divided by the coefficient of friction
+ * [N mm]. */
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
@@ -104,8 +105,8 @@ double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
  * once. */
 typedef struct arc_joint arc_joint;
 
-/* Creates an unworn joint. Errors: ARC_ARGUMENT, ARC_NUMERIC (the layers give no compliance),
- * ARC_MEMORY. On failure *made is NULL. */
+/* Creates an unworn joint. Errors: ARC_ARGUMENT, ARC_NUMERIC (the compliance of the layers cannot
+ * be computed), ARC_MEMORY. On failure *made is NULL. */
 arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_error *error);
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
@@ -122,9 +123,9 @@ const double *arc_joint_creep(const arc_joint *joint);
 /* Returns the pressures [MPa] of the last contact, in the frame of the cup; 0 before the first
  * contact. */
 const double *arc_joint_pressure(const arc_joint *joint);
-/* Writes the cross-shear ratio share [rows][2 rows]: for each cell of the cup, the fraction (0 to
- * 0.5) of the friction work of the last cycle that was done across the principal direction of
- * sliding. It is 0 without sliding. */
+/* Writes the cross-shear ratio of each cell of the cup to share [rows][2 rows]. It is the fraction
+ * (0 to 0.5) of the friction work in the last cycle that was done across the principal direction of
+ * sliding; 0 without sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* area of a cell [mm2] */
 
@@ -132,7 +133,8 @@ typedef struct arc_joint_contact {
   double p_max, p_center; /* [MPa] largest pressure; pressure in the direction of the load */
   double area,
       half_angle;      /* [mm2] contact area; [degree] half angle of a spherical cap of that area */
-  double normal_force; /* [N] integral of p, which is more than the load */
+  double normal_force; /* [N] integral of the pressure over the area, which exceeds the load because
+                          pressures are not parallel */
   double approach[3];  /* [mm] displacement u of the head */
   double rim_margin;   /* [degree] distance from the contact to the rim; negative if they overlap */
   int iterations;      /* number of iterations of conjugate gradients */
@@ -153,7 +155,7 @@ typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mea
  * update. */
 typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
 /* Returns the creep [mm] of a cell of the cup after `cycles` cycles; p_mean [MPa] > 0 is the mean
- * pressure since the first cycle. Creep opens the gap and is not wear volume. */
+ * pressure since the first cycle. Creep increases the gap but does not count as wear volume. */
 typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles);
 
 typedef struct arc_joint_wear_def {
@@ -169,7 +171,7 @@ typedef struct arc_joint_wear_def {
                           of each instant includes the wear of this instant */
 } arc_joint_wear_def;
 
-/* Sums over all updates, and results of the last cycle. */
+/* Results of a joint: sums over all updates, and values of the last cycle. */
 typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
@@ -179,27 +181,31 @@ typedef struct arc_joint_record {
   double rim_margin; /* [degree] smallest distance from the contact to the rim in the last cycle */
   double
       penetration[3]; /* [mm] displacement of the head under the largest load of the last cycle */
-  double work;        /* [N mm] sum of p |s| dA over the last cycle, with the sliding distance s */
-  double loss;        /* [mm3] sum over updates of cycles k p |s| dA, the volume of both bodies */
+  double work; /* [N mm] pressure times sliding distance, integrated over the contact area and the
+                  last cycle */
+  double loss; /* [mm3] wear volume of both bodies from k times pressure times sliding distance,
+                  over all cycles */
 } arc_joint_record;
 
-/* Makes one update of `cycles` cycles. The update is explicit, or solves the instants one after
- * another, in reverse order in every second update. On failure joint and record are unchanged. */
+/* Makes one update of `cycles` cycles. The update is explicit, or it solves the instants one after
+ * another, in every second update in reverse order. On failure joint and record are unchanged. */
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
 /* Makes a step of at most `most` cycles with error control. The depths after two updates of half
  * the length must differ from the depths after one update by at most a limit. This limit is
  * `tolerance` times the wear that all cycles so far would cause at the rate of this step. *step
- * [cycles] is the length to try, and on return the length for the next step. ARC_NOT_CONVERGED: the
- * error exceeds the tolerance at every step length. On failure joint and record are unchanged. */
+ * [cycles] is the length of the first attempt; on return it is the length for the next step.
+ * ARC_NOT_CONVERGED: the error exceeds the tolerance at every step length. On failure joint and
+ * record are unchanged. */
 arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
 
-/* Write the state of a joint to an array of arc_joint_state_count numbers, and restore it. A
- * restored joint of the same definition gives the same results to the bit. Errors of
- * arc_joint_set_state: ARC_FORMAT (invalid numbers), ARC_MEMORY (initial pressures may be lost). */
+/* arc_joint_state writes the state of a joint to an array of arc_joint_state_count numbers, and
+ * arc_joint_set_state restores it. A restored joint of the same definition gives the same results
+ * to the bit. Errors of arc_joint_set_state: ARC_FORMAT (invalid numbers), ARC_MEMORY (initial
+ * pressures may be lost). */
 size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,

@@ -13,18 +13,18 @@ extern "C" {
 
 typedef enum arc_lock_kind {
   ARC_LOCK_SYSTEM,  /* locks of the operating system */
-  ARC_LOCK_BY_NAME, /* a file FILE.lock, as the disk has no locks (NFS without lock daemon, Lustre
-                       by default) */
-  ARC_LOCK_NONE     /* no lock, as the disk has no locks and the folder is read-only */
+  ARC_LOCK_BY_NAME, /* a lock file FILE.lock, because the disk supports no locks (NFS without a lock
+                       daemon, Lustre by default) */
+  ARC_LOCK_NONE     /* no lock, because the disk supports no locks and the folder is read-only */
 } arc_lock_kind;
 
 /* Determines the kind of lock that the disk of a file supports. `path` is absolute; `name` is used
  * in messages. ARC_IO: the disk does not respond. */
 arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind, arc_error *error);
 
-/* Create and remove a lock file. It is a symbolic link whose target is a text that identifies the
- * program that owns the lock. The lock of a killed program of this system is replaced. Like mkdir
- * and rmdir, the functions return 0, or -1 and set errno. */
+/* The first function creates a lock file, and the second removes it. The lock file is a symbolic
+ * link whose target is the name of the program that owns the lock. A lock of a killed program on
+ * this computer is replaced. Like mkdir and rmdir, both functions return 0, or -1 and set errno. */
 int arc_lock_take(const char *lock, mode_t ignored);
 int arc_lock_leave(const char *lock);
 

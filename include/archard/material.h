@@ -1,4 +1,4 @@
-/* archard/material.h - elastic materials that wear. */
+/* archard/material.h - materials: elastic constants and wear coefficient. */
 #ifndef ARCHARD_MATERIAL_H
 #define ARCHARD_MATERIAL_H
 
@@ -13,8 +13,8 @@ extern "C" {
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
   NUMBER(k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                     \
-         "Wear coefficient of this body alone, not of the pair. wear{} uses it if k and alpha "    \
-         "are not given there. A body without k does not wear if the other body has a k.")         \
+         "Wear coefficient of this body alone, not of the pair. wear{} uses it unless k or alpha " \
+         "is set there. A body without k does not wear if the other body has a k.")                \
   TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL,                                        \
        "Name of the material in printed "                                                          \
        "output.")
@@ -25,8 +25,8 @@ typedef struct arc_material {
 
 extern const arc_setting arc_material_settings[];
 
-/* Row of a settings list for a material that is part of another definition: the setting is called
- * `name_`, and the material is at `offset_` in the struct. */
+/* Row of a settings list for a material that is part of another definition. The setting is called
+ * `name_`, and the material is at the offset `offset_` [bytes] in the struct. */
 #define ARC_MATERIAL_TABLE "{ E=, nu=, k=, name= }"
 #define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
@@ -35,7 +35,7 @@ extern const arc_setting arc_material_settings[];
     .type = "a material object or a table " ARC_MATERIAL_TABLE, .text = text_                      \
   }
 
-/* Returns the steel of the paper's case: E = 200e3 MPa, nu = 0.3. */
+/* Returns the steel of the reference paper: E = 200e3 MPa, nu = 0.3. */
 arc_material arc_material_default(void);
 
 /* Returns the plane-strain modulus E / (1 - nu^2) [MPa]. */

@@ -1,5 +1,5 @@
-/* archard/measure.h - measures of profiles and depths, computed from arrays of runs or files. The
- * functions neither fail nor allocate. */
+/* archard/measure.h - measures of worn profiles, computed from arrays. The functions cannot fail
+ * and allocate no memory. */
 #ifndef ARCHARD_MEASURE_H
 #define ARCHARD_MEASURE_H
 
@@ -15,13 +15,13 @@ extern "C" {
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
 
-/* Returns the sawtooth part of y [n] in the units of y: root mean square of the fourth differences
- * divided by 16, at the points with from <= x <= to. A pure sawtooth of amplitude 1 gives 1.
- * Returns 0 if there are no such points. */
+/* Returns the amplitude of the sawtooth (oscillation from point to point) in y [n], in the units of
+ * y. It is the root mean square of the fourth differences of y divided by 16, over the points with
+ * from <= x <= to; 0 if there are none. For a pure sawtooth of amplitude 1 it is 1. */
 double arc_measure_sawtooth(const double *x, const double *y, size_t n, double from, double to);
 
-/* Returns the wear depth partition factor alpha-tilde (Eq. 29) [-], the cylinder's share of the sum
- * of both depths. Returns NaN if neither body is worn. */
+/* Returns the depth partition factor alpha-tilde (Eq. 29 of the reference paper) [-]: the
+ * cylinder's share of the sum of both depths. Returns NaN if neither body is worn. */
 double arc_depth_partition(double cylinder, double plate);
 
 /* A measured or simulated depth profile. The caller owns the arrays. */
@@ -31,12 +31,14 @@ typedef struct arc_depths {
   const double *h; /* [count] depths [mm] */
 } arc_depths;
 
-/* Writes the sum of both depths (Eq. 31) at the points of the plate, with the plate at x = 0, to
- * sum [plate.count] [mm]. Beyond its points the cylinder counts as unworn. */
+/* Computes the sum of the depths of both bodies (Eq. 31 of the reference paper) at the points of
+ * the plate, with the plate at x = 0. The result is sum [plate.count] [mm]. Beyond its last points
+ * the cylinder is unworn. */
 void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
 
-/* Writes the cylinder's share of the sum of both depths (Eq. 30) at the worn points of the plate to
- * x and share [plate.count]. Returns the number of these points. */
+/* Computes the cylinder's share of the sum of both depths (Eq. 30 of the reference paper) at those
+ * points of the plate where the sum is > 0. Writes the positions of these points to x [plate.count]
+ * and the shares to share [plate.count]. Returns the number of points. */
 size_t arc_measure_local_partition(arc_depths cylinder, arc_depths plate, double *x, double *share);
 
 #pragma GCC visibility pop

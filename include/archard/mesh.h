@@ -1,8 +1,8 @@
 /* archard/mesh.h - finite element meshes of the two bodies.
  *
- * Coordinates refer to both bodies as they just touch without load, with the plate at x = 0. The
- * origin is the first point of contact. x is along the plate's surface, and y points upwards. The
- * cylinder (a half cylinder with a fixed flat top) lies above the plate. Generated meshes of
+ * Coordinates are those of both bodies when they just touch without load, with the plate at x = 0.
+ * The origin is the first point of contact. x is along the plate's surface, and y points upwards.
+ * The cylinder (a half cylinder with a fixed flat top) lies above the plate. Generated meshes of
  * symmetric bodies are exactly symmetric about x = 0. */
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
@@ -16,7 +16,7 @@ extern "C" {
 
 /* Formulation of the elements. CPE4: fully integrated bilinear elements. CPE4I: bilinear elements
  * with incompatible modes, which do not lock in bending or for nu near 1/2; triangles of one cell
- * then have one common dilatation. Auto: CPE4 or CPE4I, by the nu of each body
+ * then have one common dilatation. Auto: CPE4 or CPE4I, chosen from Poisson's ratio nu of each body
  * (arc_element_for). */
 #define ARC_ELEMENT_LIST(X)                                                                        \
   X(ELEMENT_AUTO, "auto")                                                                          \
@@ -25,10 +25,10 @@ extern "C" {
 typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
 extern const char *const arc_element_names[];
 
-/* Meaning of the section in x and y. Axisymmetric: bodies of revolution about the vertical axis at
- * x = -axis, with forces on the whole circumference. If the axis is at x = 0, the two halves of the
- * section are the same ring, and each counts half. Springs: there is no section, see core/springs.
- * 3-D: see archard/space.h. */
+/* Geometry of a model, whose meshes are sections of the bodies in x and y. Axisymmetric: bodies of
+ * revolution about the vertical axis at x = -axis, with forces on the whole circumference. If the
+ * axis is at x = 0, both halves of the section describe the same rings, and each half counts half.
+ * Springs: layers of springs without meshes, see core/springs. 3-D: see archard/space.h. */
 #define ARC_SPACE_LIST(X)                                                                          \
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
@@ -38,8 +38,7 @@ extern const char *const arc_element_names[];
 typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
 extern const char *const arc_space_names[];
 
-/* Sizes of a mesh. The plate is twice the radius wide and one radius high. "auto" is stored as 0,
- * which arc_model_fit replaces by a number. */
+/* Settings of a mesh. "auto" is stored as 0, which arc_model_fit replaces by a number. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
   NUMBER(                                                                                          \
       size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                      \
@@ -72,44 +71,44 @@ extern const char *const arc_space_names[];
 
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
-  double zone[ARC_BODIES]; /* [mm] full width of the candidate contact zone with fine elements. The
-                              depth and the margins of both nested partitions of the mesh are
-                              proportional to the cylinder's zone. The plate's zone is wider than
-                              the cylinder's by the stroke */
+  double zone[ARC_BODIES]; /* [mm] full width of the candidate contact zone, where elements are
+                              finest. The depth of the fine mesh is proportional to the cylinder's
+                              zone. The plate's zone is wider than the cylinder's by the stroke */
 } arc_mesh_def;
 
 extern const arc_setting arc_mesh_settings[];
 
-/* Returns the mesh of the paper's case: elements of 0.020 x 0.025 mm at the contact and up to 1 mm
- * elsewhere, and zones of 1.0 and 1.2 mm. */
+/* Returns the mesh for the case of the reference paper: elements of 0.020 x 0.025 mm at the contact
+ * and up to 1 mm elsewhere, and zones of 1.0 and 1.2 mm. */
 arc_mesh_def arc_mesh_default(void);
 
-/* A constant mesh, owned by the caller of arc_mesh_build. Indices are 0-based. Corners of elements
- * are in counter-clockwise order. */
+/* A mesh, which does not change and is owned by the caller of arc_mesh_build. Indices begin at 0.
+ * Corners of elements are in counter-clockwise order. */
 typedef struct arc_mesh {
   arc_body body;
   arc_body_def solid; /* shape of the body with all dimensions set; the model owns its profile */
   double
       radius; /* [mm] radius of a cylinder; for other bodies the dimension that limits the mesh */
-  arc_mesh_def def; /* sizes of the mesh; in a model, def.element is the formulation of this body,
-                       never auto */
+  arc_mesh_def def; /* settings of the mesh; in a model, def.element is the formulation for this
+                       body, never auto */
   arc_space space;  /* geometry of the model; plane strain for a mesh without a model */
   double axis;      /* [mm] distance of the axis of revolution, which is at x = -axis */
   int nodes;        /* number of nodes */
-  double *xy;       /* [2 * nodes] x, y of each node [mm] */
+  double *xy;       /* [2 * nodes] coordinates x, y of each node [mm] */
   int elements;     /* number of elements = quads + triangles */
-  int *element;     /* [4 * elements] corners; the fourth of a triangle is -1. Triangles of one cell
-                       begin with the same corner and are two positions apart; between them are
-                       their mirror images */
+  int *element; /* [4 * elements] corner nodes of each element; the fourth of a triangle is -1. The
+                   two triangles of a cell begin with the same corner and are two positions apart;
+                   between them are their mirror images */
   int quads, triangles;
   int surface; /* number of candidate contact nodes; it is odd, and the middle node is at x = 0 */
   int *surface_node; /* [surface] numbers of the candidate contact nodes by increasing x */
   int *layer;    /* [elements] index of the layer of each element; an index equal to the number of
                     layers means the body's own material */
   int rows;      /* number of element rows in the wear box */
-  int *box_node; /* [surface * (rows + 1)] nodes of the wear box by columns, which are in the order
-                    of surface_node; each column is from the surface inwards */
-  int box_elements;  /* the first box_elements elements are the wear box, column by column */
+  int *box_node; /* [surface * (rows + 1)] nodes of the wear box, column by column in the order of
+                    surface_node; each column begins at the surface */
+  int box_elements;  /* number of elements in the wear box, which are the first ones in the list,
+                        column by column */
   int fixed;         /* number of nodes that are tied to the rigid base or fixed */
   int *fixed_node;   /* [fixed] numbers of the nodes that are tied to the rigid base or fixed */
   int outline;       /* number of nodes of the boundary polygon */
@@ -124,7 +123,7 @@ typedef struct arc_mesh {
 /* Returns the number of corners of an element, 3 or 4. */
 int arc_mesh_corners(const arc_mesh *mesh, int element);
 
-/* Builds the mesh of one body of the paper's pair. Errors: ARC_ARGUMENT (a size is not positive or
+/* Builds the mesh of the cylinder or the plate. Errors: ARC_ARGUMENT (a size is not positive or is
  * larger than the body, or there are no rows), ARC_ZONE (the zone is too wide for the body or too
  * narrow for the contact), ARC_GEOMETRY (an inverted element), ARC_MEMORY. On failure *mesh is
  * NULL. */
@@ -135,7 +134,7 @@ arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius,
 arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                                 arc_mesh **mesh, arc_error *error);
 
-/* Largest number of named materials of one body in an imported mesh, where each material is a
+/* Largest number of named materials of one body in an imported mesh. Each material counts as a
  * layer. */
 enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
 
@@ -143,9 +142,9 @@ enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
  * 4.1 or 2.2 in mm, with triangles and quadrilaterals of first order in the plane z = 0. Physical
  * groups of the upper body are the surfaces "upper", and "upper.NAME" for its part of material
  * NAME, and the curves "upper.contact" (x increases from one end to the other) and "upper.fixed";
- * the lower body has the same groups. The rest of the file is ignored. Such a mesh has no wear box:
- * rows and box_elements are 0, and only frozen geometry is possible. `radius` is the radius of the
- * parabola that best fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is
+ * the lower body has the same groups. The rest of the file is ignored. An imported mesh has no wear
+ * box: rows and box_elements are 0, and only frozen geometry is possible. `radius` is the radius of
+ * the parabola that best fits the unworn gap over the candidate contact zone, 1e6 mm if the gap is
  * flat. The member def of a mesh gets its element sizes and the widths of the contact curves as
  * zones. Errors: ARC_IO; ARC_FORMAT (the message has the line, the expected and the actual text);
  * ARC_GEOMETRY (groups, nodes or elements do not form two bodies); ARC_MEMORY. On failure both
@@ -156,7 +155,7 @@ arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_e
 arc_status arc_mesh_parse_msh(const char *name, const char *text, size_t length,
                               arc_mesh *mesh[ARC_BODIES], arc_error *error);
 
-/* Returns the name of the mesh's elements with 3 or 4 corners, such as "CPE4", "CPS4I" or
+/* Returns the name of the element type with 3 or 4 corners in a mesh, such as "CPE4", "CPS4I" or
  * "CAX3". */
 const char *arc_mesh_element(const arc_mesh *mesh, int corners);
 
@@ -168,8 +167,8 @@ typedef struct arc_quality {
   double smallest_angle; /* [degree] smallest corner angle of all elements */
   double largest_angle;  /* [degree] largest corner angle of all elements */
   double aspect;         /* [-] longest edge / shortest edge of the worst element */
-  double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad; 1 for a
-                            parallelogram */
+  double jacobian_ratio; /* smallest divided by largest corner Jacobian of the worst quadrilateral;
+                            1 for a parallelogram */
   double
       smallest_jacobian; /* [mm2] smallest corner Jacobian (twice a corner triangle's area); > 0 */
 } arc_quality;

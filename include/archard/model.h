@@ -1,10 +1,10 @@
-/* archard/model.h - the two elastic bodies, condensed to their wear boxes (the regular elements
- * below the contact surface), shared by runs.
+/* archard/model.h - models: two elastic bodies, condensed to their wear boxes (the regular elements
+ * below the contact surface). Several runs can share a model.
  *
- * For each body the stiffness K is assembled from elements, and all unknowns outside the wear box
- * are eliminated with CHOLMOD. A worn shape then needs only a small dense update: the condensed
- * stiffness is S = S_far + K_box, and the compliance F of the surface is the normal block of
- * S^-1. */
+ * For each body the stiffness is assembled from elements, and all unknowns outside the wear box are
+ * eliminated with CHOLMOD. The result is the stiffness S_far, to which a worn shape only adds the
+ * stiffness K_box of its wear box: S = S_far + K_box. The compliance F of the surface is the block
+ * of S^-1 for the normal displacements of its nodes. */
 #ifndef ARCHARD_MODEL_H
 #define ARCHARD_MODEL_H
 
@@ -29,8 +29,8 @@ extern "C" {
       "field thickness, for wear{} only; \"3-D\": half-spaces that touch in a small area and "     \
       "slide along x, with wear depths as maps over x and z.")                                     \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
-         "For geometry \"axisymmetric\": distance from the axis of revolution, on the left, to x " \
-         "= 0. For a thrust ring it is the mean radius. 0: the bodies touch on the axis.")         \
+         "For geometry \"axisymmetric\": distance of x = 0 from the axis of revolution, which is " \
+         "on the left. For a thrust ring it is the mean radius. 0: the bodies touch on the axis.") \
   CHOICE(periodic, switch, ARC_OFF, 0,                                                             \
          "true: each map of geometry \"3-D\" is one period of a periodic rough surface. The load " \
          "acts on one period, and the cells are the points of the map. In runs the lower body is " \
@@ -47,7 +47,7 @@ typedef struct arc_model_def {
 
 extern const arc_setting arc_model_settings[];
 
-/* Returns the paper's case with the mesh of arc_mesh_default. */
+/* Returns the model of the reference paper, with the mesh of arc_mesh_default. */
 arc_model_def arc_model_default(void);
 
 /* Returns one body with all dimensions set (arc_body_resolve). */
@@ -59,13 +59,14 @@ arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
 const char *arc_model_body_name(const arc_model_def *def, arc_body body);
 /* Returns the name of a body's role, "upper" or "lower". */
 const char *arc_model_role_name(arc_body body);
-/* Searches for the body whose name, role or kind is the given word ("cylinder" also means the upper
- * and "plate" the lower body). Returns 1 if the word matches one body, 0 if it matches none, and -1
- * if it matches both. *body is always written. */
+/* Searches for the body whose name, role or kind is `word`. "cylinder" also means the upper and
+ * "plate" the lower body. Returns 1 if the word matches one body, 0 if it matches none, and -1 if
+ * it matches both. *body is always written. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
-/* Returns the contact modulus of both bodies [MPa], which is 1 / (1/E*_c + 1/E*_p) with the
- * plane-strain moduli E* (arc_material_E_star), in plane stress with E instead of E*. */
+/* Returns the contact modulus of a pair [MPa], which is 1 / (1/E*_c + 1/E*_p) with the plane-strain
+ * moduli E* of cylinder and plate (arc_material_E_star). In plane stress Young's moduli replace
+ * E*. */
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]);
 
 /* Returns the line load [N/mm] that causes about the same pressure as a load [N]. It is the load
@@ -96,13 +97,13 @@ double arc_model_arc_length(const arc_model_def *def, double degrees);
 int arc_model_slides_along(const arc_model_def *def);
 
 /* Returns the width [mm] of the lower body along its surface. A stroke of this length wears the
- * whole surface evenly. */
+ * whole surface by the same depth. */
 double arc_model_width(const arc_model_def *def);
 
 /* Returns the half width [mm] of the unworn contact under a load [N]. It is computed by Hertz'
- * formula, by Persson's for a pin in a hole, and by an integral over the gap for other shapes, such
- * as punches. For bodies of revolution it is the radius of a round contact, or half the width of a
- * ring. */
+ * formula, by Persson's formula for a pin in a hole, and by an integral over the gap for other
+ * shapes, such as punches. For bodies of revolution it is the radius of a round contact, or half
+ * the width of a ring. */
 double arc_model_half_width(const arc_model_def *def, double load);
 
 /* Closed-form Hertz contact of a cylinder on a half-space, or of a ball, with the load L, the
@@ -120,7 +121,7 @@ typedef struct arc_hertz {
 #define ARC_HERTZ_SETTINGS(NUMBER, CHOICE)                                                         \
   NUMBER(radius, "mm", 10, ABOVE(0), 0, "Radius of the cylinder.")                                 \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
-         "Radius across the motion, with geometry \"3-D\". Default: radius, a ball.")              \
+         "Radius across the motion, with geometry \"3-D\". Default: radius (a ball).")             \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N over the whole thickness.")                 \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0, "Thickness of both bodies; unused for a ball.")          \
   CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
@@ -147,19 +148,19 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
 
-/* Computes Hertz' contact of a model's pair with its relative radius. The contact of a ring is
- * computed as a straight line contact of the same length. */
+/* Computes Hertz' contact of the bodies of a model, from their relative radius. The contact of a
+ * ring is computed as a straight line contact of the same length. */
 arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
 /* A model. Opaque, reference counted, constant after arc_model_build. Two threads must not use the
  * same model at once, because stress fields share the workspace of the factorisation. */
 typedef struct arc_model arc_model;
 
-/* Meshes, assembles, factorises and condenses both bodies. arc_model_fit_alone sets "auto" sizes.
- * Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (a stiffness is not positive
- * definite), ARC_MEMORY. On failure *model is NULL. */
+/* Builds a model: meshes, assembles, factorises and condenses both bodies. "auto" values are set as
+ * by arc_model_fit_alone. Errors: those of arc_mesh_build, ARC_ARGUMENT, ARC_NUMERIC (a stiffness
+ * is not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
-/* Checks a definition for arc_model_build. Errors: ARC_ARGUMENT (the message has the field, the
+/* Checks a definition before arc_model_build. Errors: ARC_ARGUMENT (the message has the field, the
  * expected and the actual value), ARC_GEOMETRY. */
 arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
@@ -170,16 +171,16 @@ arc_status arc_model_build_with_callbacks(const arc_model_def *def, const arc_ca
 
 /* Builds a model like arc_model_build from two existing meshes, given[arc_body]
  * (arc_mesh_read_msh). The function becomes the owner of the meshes, also on failure, and sets the
- * pointers to NULL. def->radius is the radius of the pair for Hertz' formulas and the width of the
- * plate. Only the member `element` of def->mesh is used. ARC_ARGUMENT: def->body gives a shape
- * other than the radii of a hole. Meshes without a wear box allow only frozen geometry (else
- * ARC_ARGUMENT in arc_shape_create). With CPE4I, triangles of such meshes do not share a
- * dilatation. A named material of a mesh is the layer of the body with the same name. The mesh
- * determines the depths of layers. */
+ * pointers to NULL. def->radius is the radius for Hertz' formulas and determines the width of the
+ * plate. Of def->mesh only the member `element` is used. ARC_ARGUMENT: def->body has a shape other
+ * than the radii of a hole. Meshes without a wear box allow only frozen geometry (else ARC_ARGUMENT
+ * in arc_shape_create). With CPE4I, triangles of such meshes do not share a dilatation. A named
+ * material of a mesh is the layer of the body with the same name. The depth of a layer follows from
+ * the mesh. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);
-/* Checks a definition and two meshes for arc_model_build_given. Errors: ARC_ARGUMENT. */
+/* Checks a definition and two meshes before arc_model_build_given. Errors: ARC_ARGUMENT. */
 arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                                  arc_error *error);
 /* Returns true if the model was built from meshes without a wear box. */
@@ -208,7 +209,7 @@ double arc_model_seconds(const arc_model *model);
 void arc_model_fit(arc_model_def *def, double load);
 /* Sets sizes like arc_model_fit for a contact with friction, whose slip zones are narrower than the
  * contact. Automatic elements are a fifth as wide, which is 27 elements in the half width of an
- * unworn cylinder. They are wider if edges are sharp or if the user gives wide zones (at most 320
+ * unworn cylinder. They are wider if edges are sharp or if the user sets wide zones (at most 320
  * elements in all). */
 void arc_model_fit_friction(arc_model_def *def, double load);
 /* Sets "auto" zones to the needed widths [mm], rounded up to ten elements, within the limits of the
@@ -219,10 +220,10 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
  * default load (100 N), and zones in proportion to the sizes. */
 void arc_model_fit_alone(arc_model_def *def);
 
-/* Computes the full widths [mm] of the candidate zones of both bodies for contacts of half_width
- * [mm] (plus 30 %) about the axis of the cylinder, with the plate at |x| <= reach [mm]. They are at
- * least 50 (upper body) and 60 (lower body) elements of `size` [mm] wide, as the zones of
- * arc_mesh_default. */
+/* Computes the full widths [mm] of the candidate zones of both bodies. The zones cover contacts of
+ * the half width half_width [mm], plus 30 %, about the axis of the cylinder, with the plate at |x|
+ * <= reach [mm]. They are at least 50 (upper body) and 60 (lower body) elements of `size` [mm]
+ * wide, like the zones of arc_mesh_default. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #pragma GCC visibility pop

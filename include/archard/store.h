@@ -1,20 +1,19 @@
 /* archard/store.h - the run file, an SQLite database of cases. Each case has its settings and,
  * after it has run, its definition, history, profiles and state.
  *
- * A file has an application id and a format number. A file that is newer, foreign or damaged is
- * refused and not changed. A file of an older format is converted when it is opened for writing; a
- * reader converts a temporary copy. Each change is one synchronous transaction, so a killed program
- * loses only data that it had not stored. Several processes may use one file; they wait for each
- * other.
+ * A file has an application id and a format number. A file of a newer format, a file of another
+ * program, or a damaged file is refused and not changed. A file of an older format is converted
+ * when it is opened for writing; a reader converts a temporary copy. Each change is one synchronous
+ * transaction, so a killed program loses only data that it had not stored. Several processes may
+ * use one file; they wait for each other.
  *
  * Files are not trusted: all data is checked against the lists of settings and columns before use.
- * A finished case, or one with a run, has a checksum. Views and triggers are not executed, and
- * reading stops if it needs more work than for any valid file of this size. All these errors are
- * ARC_FORMAT, "PATH: the file is damaged: " with the reason. Labels and messages are filtered by
+ * A case that is finished or has a run has a checksum. Views and triggers are not executed. Reading
+ * stops if it needs more work than any valid file of this size. Each of these errors is ARC_FORMAT
+ * with the message "PATH: the file is damaged: REASON". Labels and messages are filtered by
  * arc_show_text.
  *
- * archard-file(5) describes the tables. All doubles are restored to the same bits (a NaN as a
- * NaN). */
+ * archard-file(5) describes the tables. All doubles except NaN are restored bit for bit. */
 #ifndef ARCHARD_STORE_H
 #define ARCHARD_STORE_H
 
@@ -37,16 +36,17 @@ typedef enum arc_store_mode {
   ARC_STORE_CREATE /* a missing file is created without cases */
 } arc_store_mode;
 
-/* Opens a run file. Errors: ARC_IO (the file cannot be opened, created or written), ARC_FORMAT (it
- * is foreign, newer or damaged). On failure *store is NULL and the file is unchanged. */
+/* Opens a run file. Errors: ARC_IO (the file cannot be opened, created or written), ARC_FORMAT (the
+ * file is damaged, of a newer format, or of another program). On failure *store is NULL and the
+ * file is unchanged. */
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **store,
                           arc_error *error);
 
-/* Creates a new file, which arc_store_publish later renames to `path`. `path` must be a missing
- * file or a run file of the same kind (note "kind", arc_store_info); other files are refused.
- * Closing the store before it is published discards the new file. For a store that
- * arc_store_replace did not create, arc_store_publish returns ARC_ARGUMENT, and the store stays
- * open. In all other cases it sets *store to NULL. */
+/* arc_store_replace creates a new file, and arc_store_publish renames this file to `path`. An
+ * existing file at `path` must be a run file of the same kind (note "kind", arc_store_info); other
+ * files are refused. If the store is closed before it is published, the new file is discarded. If
+ * arc_store_replace did not create the store, arc_store_publish returns ARC_ARGUMENT, and the store
+ * stays open. In all other cases it sets *store to NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);
@@ -68,10 +68,11 @@ void arc_store_rollback(arc_store *store);
 
 /* --- notes on the whole file ------------------------------------------------------------------ */
 
-/* Sets a note; text NULL removes it. */
+/* Sets a note of the file. If `text` is NULL, the note is removed. */
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
                               arc_error *error);
-/* Reads a note. *text is NULL if there is no such note; else the caller releases it with free(). */
+/* Reads a note. *text is NULL if there is no such note; otherwise the caller frees it with
+ * free(). */
 arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error);
 
 /* --- cases ------------------------------------------------------------------------------------ */
@@ -118,12 +119,12 @@ typedef struct arc_case {
 /* Adds a waiting case. ARC_ARGUMENT: a case with this id exists. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
-/* Returns all cases in the order of their ids. The caller releases *cases [*count] with free(). */
+/* Returns all cases in the order of their ids. The caller frees *cases [*count] with free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
-/* Sets the status of a case, with `message` (NULL: none) and `seconds` as in arc_case. A case that
- * is done stays done, as another program may have finished it. ARC_ARGUMENT: there is no such
- * case. */
+/* Sets the status of a case, with `message` (NULL: none) and `seconds` as in arc_case. A case whose
+ * status is "done" is not changed, because another program may have finished it. ARC_ARGUMENT:
+ * there is no such case. */
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
                           double seconds, arc_error *error);
 
@@ -145,10 +146,10 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 /* Stores a run under an existing case and replaces the old data of the case. The data are the
  * definition, the history, the state, and `count` arrays of surfaces (arc_wear_check_surfaces),
  * which include the present surfaces (arc_wear_surfaces). If several arrays have the same body,
- * update and name, the last one is stored. Imported meshes are stored as Gmsh text. For a setting
- * that is a function, the file only records that it was a function; the user must give the function
- * again to continue the run. The call is a transaction of its own unless arc_store_begin started
- * one. ARC_ARGUMENT: the data could not be read back. */
+ * update and name, the last one is stored. Imported meshes are stored as Gmsh text. A setting that
+ * is a function is stored without the function; to continue the run, the caller must set the
+ * function again. The call is a transaction of its own unless arc_store_begin started one.
+ * ARC_ARGUMENT: the data are invalid and would be refused when read. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
@@ -159,26 +160,26 @@ typedef struct arc_stored_run {
   arc_mesh
       *given[ARC_BODIES]; /* imported meshes, or NULL; arc_model_build_given becomes their owner */
   char functions[ARC_WEAR_SETTINGS_COUNT]; /* [setting] 1 if the setting was a function, else 0 */
-  void *memory;                            /* memory of the arrays of `def` */
+  void *memory;                            /* block of memory of the arrays in `def` */
 } arc_stored_run;
 
-/* Reads and checks a definition without its functions. ARC_ARGUMENT: no run is stored for this
- * case. ARC_FORMAT: an unknown field or an invalid value. On failure *run needs no
+/* Reads and checks the definition of a stored run. Its functions are NULL. ARC_ARGUMENT: no run is
+ * stored for this case. ARC_FORMAT: an unknown field or an invalid value. On failure *run needs no
  * arc_stored_run_free. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
-/* Builds the model of a stored run, from the imported meshes if there are any; the model then owns
- * these meshes. Errors: those of arc_model_build. */
+/* Builds the model of a stored run. If the run has imported meshes, the model is built from them
+ * and becomes their owner. Errors: those of arc_model_build. */
 arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
                                 arc_model **model, arc_error *error);
 
-/* Restores the run on a model of the stored definition and meshes; `def` is the stored definition
- * with its functions set. The restored run gives the same results to the bit. Errors: ARC_FORMAT
- * (incomplete state) and those of arc_wear_resume. */
+/* Restores a run on a model of the stored definition and meshes. `def` is the stored definition
+ * with its functions set. The restored run gives the same results as the original one, to the bit.
+ * Errors: ARC_FORMAT (incomplete state) and those of arc_wear_resume. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
-/* Reads the stored history. The caller releases *history [*count] with free(). *count is 0 if no
+/* Reads the stored history. The caller frees *history [*count] with free(). *count is 0 if no
  * history is stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
@@ -192,7 +193,7 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, si
 
 /* Copies the finished cases of the file `from` to `store`. Both must have the same cases with the
  * same settings. A case that is finished in both files is not changed. ARC_ARGUMENT: the files have
- * different results, or are different studies. */
+ * different results for a case, or belong to different studies. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
 #pragma GCC visibility pop
