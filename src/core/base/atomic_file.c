@@ -1,4 +1,4 @@
-/* Atomic writing of files (POSIX). A temporary file is named ".archard-part-SYSTEM-PID-TIME", so
+/* Writes files atomically (POSIX). A temporary file is named ".archard-part-SYSTEM-PID-TIME", so
  * that files of killed programs are recognised without locks, which network disks may not
  * support. */
 #include "archard/atomic_file.h"
@@ -23,7 +23,7 @@ struct arc_atomic_file {
   char name[PATH_MAX];   /* name given by the user, for messages */
   char target[PATH_MAX]; /* path of the final file without symbolic links; "" for a scratch file */
   char path[PATH_MAX];   /* path of the temporary file */
-  size_t folder;         /* length of the folder in `path`, with the final slash */
+  size_t folder;         /* length of the folder part of `path`, with the final slash */
   int stream;            /* 1: the target is a device, a pipe, or a file that is already open */
   int own;               /* N if the target is "/proc/PID/fd/N" of this process, else -1 */
 };
@@ -48,8 +48,8 @@ static void remove_temporary(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Age [s] from which files of other computers count as abandoned: ten days, the age at which
- * systemd removes files in /tmp (tmpfiles.d). */
+/* Age [s] from which temporary files of other computers count as abandoned: ten days, as systemd
+ * removes files in /tmp after ten days (tmpfiles.d). */
 static const double longest = 10 * 86400.0;
 
 static int is_abandoned(const char *name, const struct stat *facts) {
@@ -84,8 +84,8 @@ static int check_descriptor(arc_atomic_file *file) {
   return (flags & O_ACCMODE) == O_RDONLY ? EACCES : 0;
 }
 
-/* Checks that an existing target is writable and writes its permissions to *mode (0: no such file).
- * Returns 0 or an errno. */
+/* Checks that the target, if it exists, is writable, and writes its permissions to *mode (0: no
+ * such file). Returns 0 or an errno. */
 static int check_target(arc_atomic_file *file, mode_t *mode) {
   struct stat facts;
   *mode = 0;
@@ -144,8 +144,8 @@ static arc_atomic_file *new_file(const char *name) {
   return file;
 }
 
-/* Sets *result to `file` if `why` is 0. If `why` is an errno, discards the file, sets *result to
- * NULL and fails. */
+/* Sets *result to `file` and returns ARC_OK if `why` is 0. If `why` is an errno, discards the file,
+ * sets *result to NULL and returns an error. */
 static arc_status finish(arc_atomic_file *file, int why, arc_atomic_file **result,
                          arc_error *error) {
   arc_status status = why ? failed(file->name, why, error) : ARC_OK;

@@ -1,4 +1,4 @@
-/* Calls the user's callbacks, any of which may be NULL. */
+/* Declares functions that call the user's callbacks, any of which may be NULL. */
 #ifndef BASE_CALLBACKS_H
 #define BASE_CALLBACKS_H
 

@@ -1,4 +1,4 @@
-/* Allocation of several arrays of doubles in one block of memory. */
+/* Allocates several arrays of doubles in one block of memory. */
 #include "core/base/carve.h"
 
 #include <stdlib.h>

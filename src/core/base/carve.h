@@ -1,10 +1,10 @@
-/* Allocation of several arrays of doubles in one block of memory. */
+/* Declares a function that allocates several arrays of doubles in one block of memory. */
 #ifndef BASE_CARVE_H
 #define BASE_CARVE_H
 
 #include <stddef.h>
 
-/* One array: the address of the pointer to set, and the number of doubles. */
+/* One array to allocate: the address of its pointer, and its number of doubles. */
 typedef struct carve_part {
   double **at;
   size_t count;

@@ -1,5 +1,5 @@
-/* Small dense linear algebra on LAPACK and BLAS, through their Fortran symbols, so that any
- * implementation can be used. */
+/* Implements linear algebra with small dense matrices. LAPACK and BLAS are called by their Fortran
+ * names, so that any implementation can be used. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 
@@ -29,8 +29,8 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
-/* Subtracts four columns of L, multiplied by by[0] .. by[3], from `to`. Four columns are processed
- * at once, as memory access limits the speed of these loops. */
+/* Subtracts four columns of L, multiplied by by[0] .. by[3], from `to`. Processing four columns at
+ * once reduces memory accesses, which limit the speed of the loop. */
 static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
   const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
 #pragma omp simd
@@ -38,8 +38,8 @@ static void subtract_columns(int n, const double *l, int ld, const double by[4],
     to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
 }
 
-/* Replaces b [count] by l^-1 b for a diagonal block l of L with at most four rows. All divisions
- * are made first, as independent divisions are faster. */
+/* Replaces b [count] by l^-1 b for a diagonal block l of L with at most four rows. The divisions
+ * are made first, because independent divisions are faster. */
 static inline void forward_block(const double *l, int ld, double *b, int count) {
   double scale[4];
   for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
@@ -58,8 +58,8 @@ static inline void backward_block(const double *l, int ld, double *b, int count)
   }
 }
 
-/* Subtracts the scalar products of four columns of L with b [n] from the four values `from`. Even
- * and odd rows have separate sums, which is faster. */
+/* Subtracts the scalar products of four columns of L with b [n] from the four values from[0] ..
+ * from[3]. Even and odd rows are summed separately, which is faster. */
 static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
   double sum[4][2] = {{0}};
   for (int i = 0; i + 2 <= n; i += 2)
@@ -71,8 +71,8 @@ static void subtract_products(int n, const double *l, int ld, const double *b, d
   }
 }
 
-/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of a contact problem,
- * dtrsm is half as fast. */
+/* Replaces b by (L L')^-1 b for one right-hand side. For matrices of the size of contact problems,
+ * this function is twice as fast as dtrsm. */
 static void solve_one(int n, const double *l, int ld, double *b) {
   const int blocks = n - n % 4;
   for (int j = 0; j < blocks; j += 4) {
@@ -107,9 +107,9 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Number of right-hand sides that are solved together; LAPACK solves them one by one. x[sides * i +
- * c] is row i of right-hand side c. Outside the nonzero rows of the right-hand sides, solutions
- * decay within a few band widths. Values smaller than `negligible` times the largest one count as
+/* Number of right-hand sides that are solved together (LAPACK solves them one by one); x[sides * i
+ * + c] is row i of right-hand side c. Outside the nonzero rows of the right-hand sides, solutions
+ * decay within a few band widths. Values smaller than `negligible` times the largest value count as
  * zero. */
 enum { sides = ARC_DENSE_BAND_SIDES };
 static const double negligible = 1e-16;
@@ -118,7 +118,7 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* Returns the largest absolute value in rows from .. to - 1. */
+/* Returns the largest absolute value in rows `from` to `to` - 1 of x. */
 ARC_WIDE static double row_peak(int from, int to, const double *x) {
   double most[sides] = {0}, largest = 0;
   for (int j = from; j < to; j++)
@@ -130,7 +130,8 @@ ARC_WIDE static double row_peak(int from, int to, const double *x) {
   return largest;
 }
 
-/* Returns true if rows from .. to - 1 are negligible relative to the largest value so far. */
+/* Returns true if rows `from` to `to` - 1 of x are negligible relative to the largest value so far,
+ * *peak, which is updated. */
 static int fades(int from, int to, const double *x, double *peak) {
   const double largest = row_peak(from, to, x);
   *peak = fmax(*peak, largest);
@@ -161,8 +162,8 @@ ARC_WIDE static void band_backward(int from, int to, int band, const double *res
   }
 }
 
-/* Substitutes forward, then backward, in steps of `band` + 1 rows. If all values of a step are
- * negligible, the remaining values count as zero. */
+/* Solves by forward and backward substitution in blocks of `band` + 1 rows. Each substitution ends
+ * when all values of a block are negligible. */
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
   int j = *from, over = 0;
   for (double peak = 0; j < n && !over;) {
@@ -183,7 +184,7 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
   *from = j;
 }
 
-/* Adds the columns of a times x to y, four columns at a time. */
+/* Adds columns of a, multiplied by x, to y, four columns at a time. */
 ARC_WIDE static void add_columns(int first, int last, int n, const int *at, const double *a,
                                  int lda, const double *x, double *y) {
   int s = 0;

@@ -1,15 +1,17 @@
-/* Small dense linear algebra, column-major. Only dense.c calls LAPACK and BLAS. */
+/* Declares linear algebra with small dense matrices, stored column by column. Only dense.c calls
+ * LAPACK and BLAS. */
 #ifndef BASE_DENSE_H
 #define BASE_DENSE_H
 
 #include <stddef.h>
 
-/* Replaces the lower triangle of a [n x n, leading dimension ld] by its Cholesky factor L, with a =
- * L L'. Returns 0, or k > 0 if the leading k x k block is not positive definite. */
+/* Computes the Cholesky factor L of the matrix a [n x n, leading dimension ld], a = L L'. L
+ * replaces the lower triangle of a. Returns 0, or k > 0 if the leading k x k block is not positive
+ * definite. */
 int arc_dense_cholesky(int n, double *a, int ld);
 /* Replaces b [n x count, leading dimension ldb] by (L L')^-1 b. */
 void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb);
-/* Replaces b by L^-1 b (forward substitution only). */
+/* Replaces b [n x count, leading dimension ldb] by L^-1 b (forward substitution only). */
 void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb);
 
 /* Replaces a band matrix by its Cholesky factor. The matrix has `band` sub-diagonals in lower band
@@ -17,10 +19,10 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
  * does. */
 int arc_dense_band_cholesky(int n, int band, double *a);
 /* Replaces x by A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides, where A is the band matrix with
- * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]; on entry, only rows
- * *from .. *to - 1 differ from zero. x points to row 0 of an array with `band` additional rows
- * after the last one. Sets *from and *to so that rows *from .. *to - 1 contain all values above
- * rounding; all other rows are zero. */
+ * the factor l. Row i of right-hand side c is x[i * ARC_DENSE_BAND_SIDES + c]. On entry, only rows
+ * *from .. *to - 1 may differ from zero. The array x has `band` additional rows after the last one.
+ * On return, rows *from .. *to - 1 contain all values of the solution above rounding errors, and
+ * all other rows are zero. */
 enum { ARC_DENSE_BAND_SIDES = 16 };
 void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 
@@ -30,17 +32,17 @@ void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const doub
 /* Replaces c by beta c + alpha a b, with a [m x k], b [k x n], c [m x n]. */
 void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
                         const double *b, int ldb, double beta, double *c, int ldc);
-/* Adds a x to y in rows first .. last - 1. x[k], k < n, is the factor of column at[k] of a, or of
- * column k if `at` is NULL. */
+/* Adds columns of a, multiplied by x, to y in rows first .. last - 1. x[k], k < n, is the factor on
+ * column at[k] of a, or on column k if `at` is NULL. */
 void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a, int lda,
                            const double *x, double *y);
 /* Computes the lower triangle of c = a a', with a [n x k], c [n x n]. */
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* Adds a' a to the lower triangle of c, with a [k x n], c [n x n]. */
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
-/* Solution with a general matrix in two steps. arc_dense_factor replaces a [n x n] by its LU
- * factors and writes pivots [n]. It returns 0, or k > 0 if the matrix is singular.
- * arc_dense_factor_solve replaces b [n x count] by a^-1 b; it can be called any number of times. */
+/* Two steps of solving equations with a general matrix a. arc_dense_factor replaces a [n x n] by
+ * its LU factors and writes pivots [n]; it returns 0, or k > 0 if the matrix is singular.
+ * arc_dense_factor_solve replaces b [n x count] by a^-1 b, any number of times. */
 int arc_dense_factor(int n, double *a, int *pivots);
 void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b);
 /* Computes inverse = (L L')^-1 as a full matrix, with l and inverse [n x n]. */

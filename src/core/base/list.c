@@ -1,4 +1,4 @@
-/* Lists of items that grow on demand. */
+/* Implements lists whose memory grows as items are added. */
 #include "core/base/list.h"
 
 #include <stdlib.h>

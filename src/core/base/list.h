@@ -1,4 +1,4 @@
-/* Lists of items that grow on demand. */
+/* Declares lists whose memory grows as items are added. */
 #ifndef BASE_LIST_H
 #define BASE_LIST_H
 

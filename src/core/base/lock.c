@@ -15,14 +15,14 @@
 
 /* --- kinds of locks */
 
-/* A query of the disk. It runs on a separate thread, because the system waits forever for a dead
- * lock daemon. */
+/* A query whether the disk of a file supports locks. It runs on a separate thread, because the
+ * system waits forever for a dead lock daemon. */
 typedef struct question {
   work_progress progress;
   int file, answer; /* descriptor of the file; result of the query: 0 or an errno */
 } question;
 
-/* Queries the lock on one of the bytes that SQLite locks in a database file. */
+/* Queries the lock on a byte that SQLite locks in database files. */
 static arc_status ask(void *job) {
   question *q = job;
   struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
@@ -45,8 +45,8 @@ static int has_waited(void *context) {
   return now.tv_sec >= *(const time_t *)context;
 }
 
-/* Queries the locks of a file. Returns 0 or an errno, which is ETIMEDOUT if the disk does not
- * respond. */
+/* Queries the locks of a file. Returns 0 if the disk supports locks, ETIMEDOUT if it does not
+ * respond, or another errno. */
 static int locks_of(const char *path) {
   struct timespec now;
   question *q = calloc(1, sizeof *q);
@@ -116,7 +116,8 @@ int arc_lock_take(const char *lock, mode_t ignored) {
     remove_left(lock);
     return make(lock);
   }
-  errno = EEXIST; /* readlink sets ENOENT if the owner releases the lock meanwhile */
+  errno =
+      EEXIST; /* restores errno, which readlink changes if the owner meanwhile removes the lock */
   return -1;
 }
 

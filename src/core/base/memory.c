@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Returns the number that follows `key` on a line of the file that begins with `key`, or NaN if
- * there is none. With an empty key, returns the first number of the file. */
+/* Returns the number after `key` in the first line of a file that begins with `key`, or NaN if
+ * there is none. With an empty key, returns the first number in the file. */
 static double number_in(const char *path, const char *key) {
   FILE *file = fopen(path, "r");
   char line[200];
@@ -40,7 +40,7 @@ static double of_limits(void) {
 
 double arc_memory_free(void) {
   return fmin(fmin(INFINITY, of_machine()),
-              fmin(of_group(), of_limits())); /* NaN is an unknown value, which fmin ignores */
+              fmin(of_group(), of_limits())); /* unknown values are NaN, which fmin ignores */
 }
 
 void arc_memory_release(const void *array) {

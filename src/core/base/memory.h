@@ -1,4 +1,4 @@
-/* Available memory, and release of const arrays. */
+/* Declares functions that return the available memory and free const arrays. */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
@@ -6,8 +6,8 @@
  * machine, the control group and the process limits, or INFINITY if all are unknown. */
 double arc_memory_free(void);
 
-/* Frees an allocated array that is const in a public struct. Only the owner of the array calls this
- * function. */
+/* Frees an allocated array to which a public struct has a const pointer. Only the owner of the
+ * array may call this function. */
 void arc_memory_release(const void *array);
 
 #endif

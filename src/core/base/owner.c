@@ -1,4 +1,5 @@
-/* Identifies the program that made a file, by computer and process. */
+/* Makes and reads the names of running programs, which consist of a number of the computer and one
+ * of the process. */
 #include "core/base/owner.h"
 
 #include <errno.h>
@@ -18,7 +19,7 @@ static unsigned long long add(unsigned long long sum, const void *bytes, size_t 
 }
 
 /* Returns a number that identifies the computer, its last boot and the process namespace. This
- * program can check whether another process exists only if both have the same number. */
+ * program can check whether another process still runs only if both have the same number. */
 static unsigned long long this_system(void) {
   struct utsname name = {0};
   struct stat processes = {0};

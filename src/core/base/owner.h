@@ -1,4 +1,4 @@
-/* Identification of programs in file names, for shared disks. */
+/* Declares names of running programs, which identify the owners of files on shared disks. */
 #ifndef CORE_OWNER_H
 #define CORE_OWNER_H
 
@@ -11,11 +11,12 @@ void arc_owner_name(char name[ARC_OWNER]);
 typedef enum arc_owner_state {
   ARC_OWNER_GONE,
   ARC_OWNER_LIVES,
-  ARC_OWNER_ELSEWHERE /* unknown: the program is on another computer, or the text is no name */
+  ARC_OWNER_ELSEWHERE /* unknown, because the program is on another computer or the text is not a
+                         name */
 } arc_owner_state;
 
-/* Returns the state of the program whose name is at the beginning of a text. The name ends with the
- * last digit of PID. */
+/* Returns the state of the program whose name is at the beginning of a text. Characters after the
+ * last digit of the PID are ignored. */
 arc_owner_state arc_owner_look(const char *name);
 
 #endif

@@ -143,8 +143,8 @@ static int within(const arc_setting *s, double value) {
          (s->multiple == 0 || fmod(value, s->multiple) == 0);
 }
 
-/* Fails with ARC_ARGUMENT. The message has the valid range of the number; other forms that the
- * setting accepts, such as "auto", are not listed. */
+/* Returns ARC_ARGUMENT. The message has the valid range of the number, but not the other forms that
+ * the setting accepts, such as "auto". */
 static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
                                 double value, arc_error *error) {
   char expected[160];

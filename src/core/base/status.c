@@ -42,7 +42,8 @@ static int turns(const unsigned char *at) {
   return at[1] == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae));
 }
 
-/* Returns the length [bytes] of a displayable character; 0 if its first byte is not displayable. */
+/* Returns the length [bytes] of the UTF-8 character at `at`, or 0 if it is invalid or not
+ * displayable. */
 static size_t showable(const unsigned char *at) {
   static const unsigned char lead[] = {0xc0, 0xe0, 0xf0, 0xf8};
   if (at[0] < 0x80) return (at[0] >= 0x20 && at[0] != 0x7f) || at[0] == '\n' || at[0] == '\t';

@@ -1,4 +1,4 @@
-/* A team of threads that share the tasks of loops. */
+/* Implements a team of threads that share the tasks of loops. */
 #include "core/base/team.h"
 
 #include <pthread.h>
@@ -14,7 +14,7 @@ struct work_team {
   pid_t process; /* process that created the threads */
   int threads;   /* number of threads besides the caller */
   int loop;      /* number of loops started so far */
-  int busy;      /* number of threads still in the loop */
+  int busy;      /* number of threads that have not finished the loop */
   int closing;
   team_task task;
   void *context;

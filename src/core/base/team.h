@@ -1,6 +1,6 @@
-/* A team of threads that share the tasks of a loop. Each worker executes the next free task, in no
- * fixed order. Tasks must write to separate memory, so that results do not depend on the number of
- * workers. */
+/* Declares a team of threads (workers) that share the tasks of a loop. Each worker repeatedly
+ * executes the next task that no other worker has begun. Tasks must write to separate memory, so
+ * that results do not depend on the number of workers. */
 #ifndef BASE_TEAM_H
 #define BASE_TEAM_H
 
@@ -13,8 +13,8 @@ typedef struct work_team work_team;
 typedef void (*team_task)(void *context, int task, int worker);
 
 /* Creates a team of `workers` threads, including the caller. If `workers` is 1, *team is NULL,
- * which is a valid argument of all functions below. ARC_MEMORY: out of memory, or the system cannot
- * create threads. */
+ * which all functions below accept. ARC_MEMORY: out of memory, or the system cannot create
+ * threads. */
 arc_status arc_team_create(int workers, work_team **team, arc_error *error);
 /* Ends the threads and sets the handle to NULL. */
 void arc_team_destroy(work_team **team);

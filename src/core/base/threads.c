@@ -15,7 +15,7 @@ const char *arc_single_threaded(void) {
   return openblas_get_config ? openblas_get_config() : NULL;
 }
 
-/* Calls BLAS routines that copy blocks of matrices, as these allocate the workspace of BLAS even
+/* Calls BLAS routines that copy blocks of matrices, because these allocate BLAS's workspace even
  * for small matrices. */
 void arc_reserve_blas(void) {
   enum { N = 64 };

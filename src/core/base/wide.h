@@ -1,8 +1,8 @@
 /* ARC_WIDE marks a function that consists of loops over arrays. The function is compiled for
- * AVX-512, for AVX2 and for any processor, and the program selects the fastest usable version when
- * it starts. All versions give identical results, as no multiplication and addition are fused and
- * every sum keeps its order. With ARC_NARROW the function is compiled once, as tests run only one
- * version and the others would count as uncovered lines. */
+ * AVX-512, for AVX2 and for any processor, and the fastest usable version is selected when the
+ * program starts. All versions have identical results, because multiplications and additions are
+ * not fused and the order of each sum is fixed. With ARC_NARROW, for measuring test coverage, the
+ * function is compiled once. */
 #ifndef BASE_WIDE_H
 #define BASE_WIDE_H
 

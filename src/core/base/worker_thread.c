@@ -1,4 +1,4 @@
-/* Runs a computation on its own thread while the caller waits. */
+/* Runs a computation on a separate thread while the caller's thread calls the callbacks. */
 #include "core/base/worker_thread.h"
 
 #include <omp.h>
@@ -9,14 +9,14 @@
 
 static const long interval = 50000000; /* [ns] interval between two calls of callbacks */
 
-/* Data shared by the caller's thread and the worker thread. The thread that ends last frees
- * them. */
+/* Data shared by the caller's thread and the worker thread. They are freed by the thread that uses
+ * them last. */
 typedef struct worker {
   pthread_t thread;
   pthread_mutex_t lock;
   pthread_cond_t changed;
   int done, abandoned;
-  int levels; /* limit of nested OpenMP levels of the caller, copied to the thread */
+  int levels; /* limit of nested OpenMP levels, copied from the caller's thread */
   arc_status status;
   worker_task work;
   void *job;

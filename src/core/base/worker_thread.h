@@ -7,14 +7,15 @@
 
 #include <stdatomic.h>
 
-/* Progress of a computation, and a flag that abandons it. The computation updates `stage` and reads
- * `abandoned` at each stage. */
+/* Progress of a computation, and a flag that requests its end. At each stage the computation
+ * increases `stage` and checks `abandoned`. */
 typedef struct work_progress {
   _Atomic int stage, stages;
   _Atomic int abandoned;
 } work_progress;
 
-/* Counts a finished stage. Returns ARC_STOPPED if the work was abandoned. `p` may be NULL. */
+/* Counts a finished stage. Returns ARC_STOPPED if the computation was abandoned, otherwise ARC_OK.
+ * `p` may be NULL. */
 arc_status arc_work_stage(work_progress *p);
 
 /* Functions of a job. `work` performs the computation and returns its status; `discard` frees the

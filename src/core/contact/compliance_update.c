@@ -19,8 +19,8 @@ static double thinned(const shape_side *side, int i) {
   return (now - then) / (bottom - then);
 }
 
-/* Returns the weight of column i: for bodies of revolution the circumference of its ring, to which
- * the element stiffness refers; 1 in the plane. */
+/* Returns the weight of column i: the circumference of its ring in bodies of revolution, whose
+ * forces act on whole rings; 1 in the plane. */
 static double weight_of(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   if (!side->body->chart.revolved.on) return 1;
@@ -36,7 +36,7 @@ static void add_column(shape_side *side, int at, double share) {
   }
 }
 
-/* Computes the change of the compliance of one side. Bodies with layers are not corrected: wear
+/* Computes the change of the compliance of one body. Bodies with layers are not corrected: wear
  * changes their true stiffness too, so they are condensed again earlier. */
 void arc_shape_find_compliance_change(const arc_shape *shape, shape_side *side) {
   side->compliance_changed = 0;
@@ -58,7 +58,9 @@ static void compliance_change_times(const shape_side *side, const double *f, dou
     if (f[j] == 0) continue;
     const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
     const int high = last < reach ? last : reach;
-    const double *row = &side->compliance_change[j * span + reach]; /* row j equals column j */
+    const double *row =
+        &side->compliance_change[j * span +
+                                 reach]; /* the matrix is symmetric: row j equals column j */
     for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
   }
 }

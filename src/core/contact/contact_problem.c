@@ -135,8 +135,8 @@ void arc_contact_problem_forces(const contact_problem *p, double *f) {
 }
 
 /* Removes negative forces of plate nodes next to the contact, which are caused by negative parts of
- * the dual basis. Each negative force is added to the neighbour towards the largest force, so that
- * the sum is unchanged. */
+ * the dual basis (mortar.c). Each negative force is added to the neighbour towards the largest
+ * force, so that the sum is unchanged. */
 static void push_only(double *f, int n) {
   int peak = 0;
   for (int l = 1; l < n; l++)
@@ -196,8 +196,8 @@ double arc_contact_problem_ripple(const contact_problem *p, const arc_shape *sha
   return sum > 0 ? largest * count / sum : 0;
 }
 
-/* Returns the integral of the pressure along x over the candidates' cells between from and to
- * [N/mm]. */
+/* Returns the integral of the pressure [N/mm] along x over the candidates' cells between the
+ * positions `from` and `to` [mm]. */
 static double force_between(const contact_problem *p, const double *cyl, double from, double to) {
   double sum = 0;
   for (int k = 0; k < p->count; k++) {

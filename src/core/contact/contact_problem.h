@@ -2,11 +2,11 @@
  * warm start.
  *
  * All quantities are in the cylinder's frame and per mm of thickness. B [candidates x plate nodes]
- * maps plate nodal values to cylinder nodes; plate forces are B'f, so that forces balance to
- * rounding. The gap under load is g = gap - approach + A f with A = F_c + B F_p B', where F_c and
- * F_p are the compliances of cylinder and plate. f are the y components of the forces along the
- * plate's normals, so that their sum is the load; pressures are f divided by the widths along x
- * (mortar.c). */
+ * maps plate nodal values to cylinder nodes. The forces on the plate are B'f, so the forces on both
+ * bodies balance except for rounding errors. The gap under load is g = gap - approach + A f with A
+ * = F_c + B F_p B', where F_c and F_p are the compliances of cylinder and plate. f are the y
+ * components of the forces along the plate's normals, so that their sum is the load; pressures are
+ * f divided by the widths along x (mortar.c). */
 #ifndef CONTACT_CONTACT_PROBLEM_H
 #define CONTACT_CONTACT_PROBLEM_H
 
@@ -14,34 +14,38 @@
 
 typedef struct contact_problem {
   double x;     /* [mm] position of the plate */
-  double angle; /* [rad] angle of the load, positive towards +s; 0 except in holes */
+  double angle; /* [rad] angle of the load, positive along the arc length s; 0 except for pins in
+                   holes */
   int aimed;    /* 1: `down` is up to date */
   const arc_shape
       *shape; /* shape of the last arc_contact_problem_update, used by the next solution */
-  const revolution *revolved; /* section of the bodies of revolution */
-  long version;  /* version of the compliance at the last coupling, see arc_shape; 0: not coupled */
-  int nc, np;    /* numbers of surface nodes of cylinder and plate */
-  int lo, count; /* candidates are the cylinder nodes lo .. lo + count - 1 */
-  int width;     /* row length of B */
-  int *first;    /* [nc] first plate node of each row of B, by candidate */
-  double *b;     /* [nc * width] rows of B */
+  const revolution
+      *revolved;   /* axis of bodies of revolution (chart.h); inactive for other bodies */
+  long version;    /* version of the compliance (see arc_shape) at the last coupling; 0: not coupled
+                      yet */
+  int nc, np;      /* numbers of surface nodes of cylinder and plate */
+  int lo, count;   /* candidates are the cylinder nodes lo .. lo + count - 1 */
+  int width;       /* row length of B */
+  int *first;      /* [nc] first plate node of each row of B, by candidate */
+  double *b;       /* [nc * width] rows of B */
   double *wc, *wp; /* [nc], [np] tributary widths along x [mm] */
-  double *slope;   /* [nc] slope dy/dx of the surface at each candidate, else 0; forces along x are
-                      -slope f */
-  double *down; /* [nc] component of a candidate's unit force along the load, also the decrease of
-                   its gap per approach; 1 except on polar charts */
-  double *a;    /* [count x count] contact matrix A [mm2/N] */
-  double *gap;  /* [nc] initial gap by candidate [mm] */
-  double *f;    /* [nc] solution: nodal forces by candidate [N/mm] */
-  double *open; /* [nc] solution: remaining gap by candidate [mm] */
+  double *slope;   /* [nc] slope dy/dx of the plate's surface at each candidate, 0 at other nodes;
+                      forces along x are -slope f */
+  double
+      *down;   /* [nc] component along the load of a unit force at each candidate, which is also the
+                  decrease of its gap per approach; 1 except for pins in holes (polar charts) */
+  double *a;   /* [count x count] contact matrix A [mm2/N] */
+  double *gap; /* [nc] initial gap by candidate [mm] */
+  double *f;   /* [nc] solution: nodal forces by candidate [N/mm] */
+  double *open;    /* [nc] solution: remaining gap by candidate [mm] */
   double approach; /* [mm] solution: approach of the bodies */
   int iterations;  /* number of iterations of the last solution */
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
   int *joined;     /* [nc] workspace for the next active set */
-  int *made, of;   /* [nc] active set of `factor` and `ones`; its size */
+  int *made, of;   /* [nc] active set for which `factor` and `ones` were computed; its size */
   double *factor;  /* [of x of] Cholesky factor of A on the set `made` */
-  double *ones;    /* [nc] A^-1 `down` on the set `made` */
+  double *ones;    /* [nc] solution of A ones = down on the set `made` */
   int factored;    /* 1: `factor` and `ones` are valid for A */
   /* workspaces, each used by one function and its callees */
   double *column;   /* [np] workspace for the assembly of A */
@@ -64,23 +68,24 @@ size_t arc_contact_problem_bytes(const contact_problem *p);
 arc_status arc_contact_problem_update(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
 
-/* Sets the angle of the load [rad]. It applies from the next arc_contact_problem_update on. */
+/* Sets the angle of the load [rad], which applies from the next arc_contact_problem_update on. */
 void arc_contact_problem_set_angle(contact_problem *p, double angle);
 
-/* arc_contact_problem_update calls this function and the next three. Computes B and the tributary
- * widths for the plate at x [mm] from the positions along x at the last condensation, so that
- * coupling and compliance match. Errors: ARC_ZONE (fewer than three candidates), ARC_MEMORY. */
+/* Computes B and the tributary widths for the plate at x [mm] from the node positions at the last
+ * condensation, so that coupling and compliance match. This function and the next three are steps
+ * of arc_contact_problem_update. Errors: ARC_ZONE (fewer than three candidates), ARC_MEMORY. */
 arc_status arc_contact_problem_couple(contact_problem *p, const arc_shape *shape, double x,
                                       arc_error *error);
-/* Computes `down`, the components of the candidates' unit forces along the load. */
+/* Computes `down`, the component along the load of a unit force at each candidate. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape);
 /* Computes the contact matrix from the present compliance of the shape. */
 void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape);
 /* Computes the initial gaps along y from the present heights of the shape. */
 void arc_contact_problem_update_gaps(contact_problem *p, const arc_shape *shape);
 
-/* Solves the contact problem for `line`, the load per thickness [N/mm]. On ARC_ZONE (contact at the
- * edge of the candidates) and ARC_NUMERIC only the warm start is dropped. */
+/* Solves the contact problem for `line`, the load per thickness [N/mm]. After ARC_ZONE (the contact
+ * reaches the edge of the candidates) or ARC_NUMERIC the next solution begins without a warm
+ * start. */
 arc_status arc_contact_problem_solve(contact_problem *p, double line, arc_error *error);
 
 /* Copies the active set of a problem at a neighbouring position to an unsolved problem as its warm
@@ -95,14 +100,15 @@ arc_status arc_contact_problem_check_zone(contact_problem *p, arc_error *error);
  * ARC_NUMERIC. */
 arc_status arc_contact_problem_fail(contact_problem *p, arc_error *error);
 
-/* Adds the change of both compliances times the forces to the gaps (compliance_update.c). Returns 0
- * if the compliances have not changed. */
+/* Adds to the gaps the forces times the changes of both bodies' compliances since their last
+ * condensation (compliance_update.c). Returns 0 if there is no change. */
 int arc_contact_problem_add_compliance_change(contact_problem *p);
 
 /* Writes the nodal forces of the solution at all surface nodes of the cylinder to f [nc] [N/mm]. */
 void arc_contact_problem_forces(const contact_problem *p, double *f);
 /* Writes the forces of the solution on a body's surface nodes [N/mm], force [2 * surface], first
- * along x at all nodes, then along y. The forces on both bodies balance to rounding. */
+ * along x at all nodes, then along y. The forces on both bodies balance except for rounding
+ * errors. */
 void arc_contact_problem_forces_on(const contact_problem *p, arc_body body, double *force);
 /* Writes the pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_contact_problem_pressures(const contact_problem *p, double *pc, double *pp);
@@ -146,8 +152,9 @@ void arc_contact_problem_edges(const contact_problem *p, const arc_shape *shape,
  * The sum of the forces is not conserved. */
 void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
 /* Adds a correction [MPa] of the normal stress along the surface to cusp [n]. A shear traction of
- * `share` times the pressure causes a cusp of this stress at the edge. The correction is the value
- * of the cusp at a node minus its mean under the node's hat function. */
+ * `share` times the pressure causes a cusp of this stress at the contact edge, which nodal means
+ * smooth out. The correction at a node is the value of the cusp minus its mean under the node's hat
+ * function. */
 void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
                        double *cusp);
 

@@ -41,7 +41,8 @@ typedef struct edge_law {
 } edge_law;
 
 /* Returns the position of the edge between the last node in contact (pressure q) and the next node,
- * which is h away and has the gap g. The laws of pressure and gap have the same constant c. */
+ * at the distance h and with the gap g. At this position the laws of pressure and gap give the same
+ * constant c. */
 static double edge_between(const ending *e) {
   const double q = pressure(e, 0), g = gap(e, 1), h = node_x(e, 1) - node_x(e, 0);
   double low = 0, high = h;
@@ -57,15 +58,15 @@ static double edge_between(const ending *e) {
 
 /* --- the law ---------------------------------------------------------------------------------- */
 
-/* Value of a quantity at a node, and the derivatives of its prediction with respect to the edge
- * parameters. */
+/* Value of a pressure or gap at a node, and the derivatives of its value in the edge law with
+ * respect to the parameters c and x. */
 typedef struct equation {
   double of_c[2], of_x, value;
 } equation;
 
-/* Computes second differences of d^(3/2), d^(5/2) and d^(7/2). Nodal forces are means of the
- * pressure under hat functions, which are second differences of the double integral of the
- * pressure. */
+/* Computes second differences of d^(3/2), d^(5/2) and d^(7/2), with the distance d from the edge.
+ * Nodal pressures are means under hat functions, and therefore second differences of the double
+ * integral of the pressure. */
 static void find_differences(const ending *e, double edge, int step, double difference[3]) {
   double at[3], power[3][3];
   for (int i = 0; i < 3; i++) {
@@ -98,7 +99,8 @@ static equation equation_outside(const ending *e, const edge_law *law, int step)
   return q;
 }
 
-/* Nodes used in the fit: `first` to `last_inside` in contact, `from` to `to` outside. */
+/* Nodes used in the fit, in steps from the last node in contact: `first` to `last_inside` in
+ * contact, `from` to `to` outside. */
 typedef struct stencil {
   int first, from, to;
 } stencil;
@@ -166,11 +168,11 @@ static int has_nodes(const ending *e, const stencil *at) {
   return 1;
 }
 
-/* Fits the edge law at nodes so far from the edge that the position of the edge between nodes has
- * no influence, or at nearer nodes if the law is not valid so far inside. Returns the weight of the
- * fitted edge: 1 if the law fits as well as in unworn contacts, 0 if it does not fit, and an
- * intermediate value between these limits. On finer meshes of worn contacts, the edge of a law that
- * fits proved more accurate than the interpolated edge. */
+/* Fits the edge law at nodes so far from the edge that its position between nodes has no influence.
+ * If the law does not fit there, fits it at nearer nodes. Returns the weight of the fitted edge: 1
+ * if the law fits as well as in unworn contacts, 0 if it does not fit, and an intermediate value
+ * between these limits. Tests with finer meshes of worn contacts showed that the edge of a law that
+ * fits is more accurate than the interpolated edge. */
 static double find_law(const ending *e, double start, edge_law *law) {
   static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
   static const double holds = 0.018, fails = 0.024;
@@ -213,9 +215,9 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double s
   }
 }
 
-/* Returns the tangential stress [MPa] at the surface of a half-plane for share = 1, which is 2 (c0
- * sqrt(s) - c1 s sqrt(s)) at the distance s outside the edge. Also computes the integral of this
- * stress. */
+/* Returns the stress along the surface of a half-plane [MPa] under a shear traction equal to the
+ * pressure: 2 (c0 sqrt(s) - c1 s sqrt(s)) at the distance s outside the edge. Also computes the
+ * integral of this stress. */
 static double cusp_at(const contact_edge *edge, double x, double *integral) {
   const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
   *integral = root * s * (edge->c[0] / 0.75 - edge->c[1] * s / 1.25);

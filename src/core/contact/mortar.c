@@ -11,7 +11,7 @@
  * The opposite forces act on the plate, distributed by B'. The gap is measured along y at a fixed x
  * and is 1 / cos times the gap along the normal. A displacement u changes the gap by u_y - m u_x,
  * which is the work of the force (-m, 1), so A is symmetric. With m_k = (B m)_k forces along x
- * balance to rounding too. */
+ * balance as well, except for rounding errors. */
 #include "core/contact/contact_problem.h"
 #include "core/base/dense.h"
 #include "core/base/wide.h"
@@ -51,8 +51,8 @@ static int plate_segment(const contact_problem *p, const double *plate, double x
 }
 
 /* Adds the integrals of psi phi over the part [u, v] of the plate segment [left, right] to entry[0]
- * and entry[1], for the hat functions phi of its two ends. psi is linear from at_a to at_b over [a,
- * b]. */
+ * and entry[1], for the hat functions phi of the segment's two ends. The dual function psi is
+ * linear over [a, b], from at_a to at_b. */
 static void add_overlap(double left, double right, double a, double b, double at_a, double at_b,
                         double u, double v, double *entry) {
   static const double gauss = 0.57735026918962576451;
@@ -66,7 +66,7 @@ static void add_overlap(double left, double right, double a, double b, double at
 }
 
 /* Adds to `row` the integrals over [a, b], one of the two segments beside a candidate node, where
- * its shape function psi is linear from at_a to at_b. */
+ * the node's dual function psi is linear from at_a to at_b. */
 static void add_segment(const contact_problem *p, const double *plate, double a, double b,
                         double at_a, double at_b, int first, double *row) {
   for (int l = plate_segment(p, plate, a); l < p->np - 1 && at(p, plate, l) + p->x < b; l++) {
@@ -113,7 +113,6 @@ static void fill_row(contact_problem *p, int k, const double *cyl, const double 
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Computes `down`, the component along the load of a unit force at each candidate. */
 void arc_contact_problem_compute_down(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
@@ -210,7 +209,7 @@ ARC_WIDE static void stiffen_column(const contact_problem *p, const compliance *
   }
 }
 
-/* Copies the lower triangle to the upper one, tile by tile. */
+/* Copies the lower triangle of a [n x n] to the upper one, tile by tile. */
 static void mirror(int n, double *a) {
   enum { tile = 16 };
   for (int left = 0; left < n; left += tile)
@@ -230,8 +229,8 @@ void arc_contact_problem_assemble(contact_problem *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-/* Converts the gaps, which are computed for a pin at s = 0, to the gaps of a pin that touches the
- * hole in the direction of the load and has rotated about its centre. */
+/* Converts gaps that were computed for a pin touching the hole at the arc length s = 0 to those of
+ * a pin that touches the hole in the direction of the load and has rotated about its centre. */
 static void rest(contact_problem *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;

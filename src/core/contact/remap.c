@@ -114,7 +114,7 @@ static double share_beyond(const track *t, int edge, int outside, double at) {
 static void track_at(const track *t, double at, double value[QUANTITIES]) {
   memset(value, 0, QUANTITIES * sizeof *value);
   if (at < t->x[0] || at > t->x[t->n - 1]) return;
-  int i = 0, high = t->n - 1; /* x lies in [i, i + 1] */
+  int i = 0, high = t->n - 1; /* `at` lies between nodes i and i + 1 */
   while (high - i > 1) {
     const int middle = (i + high) / 2;
     if (t->x[middle] <= at)
@@ -150,8 +150,8 @@ static double area_under(const shape_side *side, const track *t, double scale) {
   return area;
 }
 
-/* Scales displacements and depths so that they remove a given area [mm2], which is nearly linear in
- * the scale. */
+/* Scales displacements and depths so that they remove a given area [mm2]. The area is nearly
+ * proportional to the scale, so six iterations suffice. */
 static void scale_to(const shape_side *side, track *t, double wanted) {
   enum { sweeps = 6 };
   const double forth = area_under(side, t, 1), back = area_under(side, t, -1);

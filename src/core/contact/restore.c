@@ -1,4 +1,5 @@
-/* Writes the state of worn surfaces, and restores surfaces from it with checks of all numbers. */
+/* Writes the state of worn surfaces to arrays, and restores surfaces from such arrays after checks
+ * of all numbers. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@ typedef struct surface_state {
   const double *h, *xy, *settled, *even, *condensed;
 } surface_state;
 
-/* Arrays of a side with n nodes: X(name, number of rows, numbers per row). */
+/* List of the arrays of a body with n surface nodes: X(name, number of rows, numbers per row). */
 #define ARRAYS(X)                                                                                  \
   X(h, n, 1)                                                                                       \
   X(xy, n, 2)                                                                                      \
@@ -51,8 +52,8 @@ static arc_status check_depths(const shape_side *side, const surface_state *stat
   return ARC_OK;
 }
 
-/* Checks that nodes increase along x, and that no node has moved farther than its wear depth, with
- * a tolerance for remeshed surfaces. */
+/* Checks that x increases from node to node, and that no node has moved farther than twice its wear
+ * depth plus an element size, which allows for remeshed surfaces. */
 static arc_status check_nodes(const shape_side *side, const surface_state *state, const double *xy,
                               arc_error *error) {
   for (int i = 0; i < side->n; i++) {

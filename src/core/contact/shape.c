@@ -148,10 +148,10 @@ static double left_of_layer(const shape_side *side, int i) {
   return end - side->h[i];
 }
 
-/* Returns true if node i has moved too far since the last condensation. The limits are `share`
- * times the element's height and a fifth of `share` times the remaining layer thickness for motion
- * in depth, and a hundredth of `share` times the element's width for motion along the surface.
- * Motions at these limits have similar effects on the pressure at the edge of a scar. */
+/* Returns true if node i has moved too far since the last condensation. Limit in depth: `share`
+ * times the element's height, or times a fifth of the remaining layer thickness if that is less.
+ * Limit along the surface: `share` / 100 times the element's width. Both limits have similar
+ * effects on the pressure at the edge of a scar. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
@@ -176,7 +176,7 @@ static int refresh_is_due(const arc_shape *shape, const shape_side *side, const 
   static const double turn =
       0.002; /* accepted relative change of the pressure, divided by `refresh` */
   if (shape->geometry == ARC_FROZEN) return 0;
-  /* relative change of pressure per change of slope */
+  /* `beta` is the relative change of the pressure per change of slope */
   const arc_model_def *def = arc_model_definition(shape->handle.model);
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0 && !side->body->chart.polar;
@@ -194,9 +194,10 @@ static int is_unworn(const shape_side *side) {
 }
 
 /* Sets the slopes of the surface in a compliance and, unless all slopes are zero, computes the
- * response along the normals. On polar charts pressures act along z on any worn surface. A pin that
- * sinks into a hole rotates relative to the surfaces, so slopes from its total displacement would
- * not be more accurate, and they would change suddenly at a condensation. */
+ * response along the normals. On polar charts (pins in holes) slopes remain 0: pressures act along
+ * the radius on any worn surface. A pin that sinks into a hole rotates relative to the surfaces, so
+ * slopes from its total displacement would not be more accurate, and they would change suddenly at
+ * a condensation. */
 static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
   if (side->body->chart.polar) return;
@@ -280,8 +281,8 @@ arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *d
   return status;
 }
 
-/* Computes the compliance of one side for a geometry and writes it to *renewed (n = 0: the unworn
- * compliance is used). */
+/* Computes the compliance of one body for a geometry. *renewed is empty (n = 0) if the unworn
+ * compliance applies. */
 static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
                                  arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};

@@ -1,4 +1,5 @@
-/* Defines arc_shape, the worn surfaces of a pair and their compliance, and its functions. */
+/* Defines arc_shape, which contains the worn surfaces of a pair of bodies and their compliance, and
+ * its functions. */
 #ifndef CONTACT_SHAPE_H
 #define CONTACT_SHAPE_H
 
@@ -13,20 +14,21 @@
 typedef struct shape_side {
   const elastic_body *body;
   int n;
-  double *h;                 /* [n] wear depth, the sum of all depths along the normals [mm] */
-  double *x0, *y;            /* [n] unworn x; present height, including even wear [mm] */
-  double *xy;                /* [2 n] present surface nodes, without even wear [mm] */
-  double *settled;           /* [2 n] surface nodes at the last condensation [mm] */
-  double *x, *shift;         /* [n] present x; distance from the unworn position [mm] */
-  double *level;             /* [n] present height of the surface at the x of `settled` [mm] */
+  double *h;         /* [n] wear depth, the sum of all depths along the normals [mm] */
+  double *x0, *y;    /* [n] x of the unworn nodes; present heights, including even wear [mm] */
+  double *xy;        /* [2 n] present surface nodes, without even wear [mm] */
+  double *settled;   /* [2 n] surface nodes at the last condensation [mm] */
+  double *x, *shift; /* [n] present x; distance of a node from its unworn position [mm] */
+  double *level;     /* [n] present height of the surface at the x of each node in `settled` [mm] */
   double *compliance_change; /* [n x ARC_THINNING_SPAN] change of the compliance since the last
                                 condensation, between node i and the nodes up to ARC_THINNING_REACH
                                 away */
   double *work;              /* [4 n] workspace */
   int compliance_changed;    /* 1: compliance_change is not zero */
-  double even;    /* [mm] even wear, a depth that all nodes have in common; h includes it */
-  int ahead;      /* 1: the compliance belongs to the middle of the present update */
-  compliance own; /* compliance of the worn box; n = 0: the unworn compliance is used */
+  double even; /* [mm] even wear, a depth that all nodes have in common; h includes it */
+  int ahead;   /* 1: the compliance was computed for the middle of the present update */
+  compliance
+      own; /* compliance of the worn wear box; if its n is 0, the unworn compliance is used */
 } shape_side;
 
 struct arc_shape {
@@ -34,7 +36,7 @@ struct arc_shape {
   arc_geometry geometry;
   double refresh;
   arc_corrections corrections;
-  long version; /* version of both compliances; for all shapes of a model, compliances with equal
+  long version; /* version of both compliances; among all shapes of a model, compliances with equal
                    versions are identical */
   shape_side side[ARC_BODIES];
 };
@@ -43,7 +45,8 @@ static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
 
-/* Returns the sign of the direction into the material: up for the cylinder, down for the plate. */
+/* Returns the sign of y in the direction into the material: 1 (up) for the cylinder, -1 (down) for
+ * the plate. */
 static inline double shape_inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
@@ -66,11 +69,11 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  * [mm2]. */
 double arc_shape_width(const shape_side *side, int i);
 
-/* Computes level, x, y and shift from the nodes. Wear along the normals also moves nodes along x,
- * but the coupling and `level` use the x of the last condensation. */
+/* Computes level, x, y and shift from the present nodes. Wear along the normals also moves nodes
+ * along x, but the coupling and `level` use their x at the last condensation. */
 void arc_shape_read_nodes(shape_side *side);
 
-/* Computes the compliance of the wear box with its surface at xy [2 n]. */
+/* Computes the compliance of the wear box with the surface nodes xy [2 n]. */
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
@@ -78,9 +81,9 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
 double arc_shape_box_depth(const shape_side *side);
 
 /* Returns the displacement of node `row` of column i of the wear box [mm] for a displacement `sunk`
- * of the surface [mm] and even wear [mm]. Rows on interfaces of layers stay on the interfaces until
- * the surface reaches them. Even wear moves the interfaces toward the surface. Between these rows
- * the displacement is linear (wear_box.c). */
+ * of the surface [mm] and even wear [mm]. Rows on interfaces of layers remain on the interfaces
+ * until the surface reaches them. Even wear moves the interfaces toward the surface. Between these
+ * rows the displacement is linear (wear_box.c). */
 double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
 /* Returns the even wear [mm] that changes the stiffness: the even wear of a body with layers if its
@@ -90,13 +93,13 @@ double arc_shape_even_stiffening(const shape_side *side);
 /* Largest number of rows of a deepened wear box. */
 enum { ARC_SHAPE_MOST_ROWS = 100 };
 
-/* Returns the total number of rows with which the wear box of an evenly worn body reaches below all
+/* Returns the number of rows that the wear box of an evenly worn body needs to extend below all
  * layers, at most ARC_SHAPE_MOST_ROWS and within the body. Returns 0 if the present rows suffice or
  * no more are possible (wear_box.c). */
 int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
-/* Checks the elements of the wear box with the surface at xy: every column must retain a tenth of
- * the box depth, and the nodes must increase along x. Otherwise returns ARC_GEOMETRY
+/* Checks the elements of the wear box with the surface nodes xy: every column must retain a tenth
+ * of the box depth, and x must increase from node to node. Otherwise returns ARC_GEOMETRY
  * (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
@@ -105,8 +108,8 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
  * large. */
 #define ARC_SHAPE_DEEPEST 1e6
 
-/* Checks that no depth exceeds ARC_SHAPE_DEEPEST after wear by depth [n] [mm]; the uniform part of
- * the wear does not count. Errors: ARC_GEOMETRY (wear_box.c). */
+/* Checks that no depth, apart from even wear, exceeds ARC_SHAPE_DEEPEST after wear by depth [n]
+ * [mm]. Errors: ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
 
 /* Computes down [n], the vertical lowering of the surface at fixed x per depth of wear along its
@@ -117,9 +120,9 @@ void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
  * geometry, along x. For bodies of revolution it is an area [mm2]. */
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
-/* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span, as
- * the length of a curved surface changes with depth. It is not used for surfaces of revolution,
- * where the effect is of second order in the depth of an update. */
+/* Corrects depths so that the polygon of the surface loses exactly the areas depth[i] * span,
+ * although the length of a curved surface changes with depth. Surfaces of revolution are not
+ * corrected: the effect is of second order in the depth of an update. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* --- compliance_update.c ---------------------------------------------------------------------- */
@@ -138,7 +141,8 @@ void arc_meshed_discard(arc_shape **shape);
 arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body);
 double arc_meshed_depth(const arc_shape *shape, arc_body body);
 
-/* Computes wear-box nodes [2 * box_count] for a surface at surface_xy [2 n] and an even wear. */
+/* Computes the wear-box nodes [2 * box_count] for the surface nodes surface_xy [2 n] and an even
+ * wear [mm]. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy);
 
 /* Returns the even wear [mm] included in the stiffness; 0 with frozen geometry. */
@@ -155,9 +159,9 @@ static inline int shape_is_corrected(const arc_shape *shape) {
   return shape->corrections == ARC_CORRECTIONS_ALL;
 }
 /* Prepares an update that wears the surface of one body. If the surface will move too far for its
- * present compliance, computes the compliance of the surface worn by `depth` [n] [mm], which is the
- * middle of the update. The end of the update then uses this compliance. If the worn surface is not
- * valid, the compliance is unchanged. Errors: ARC_MEMORY, ARC_NUMERIC. */
+ * present compliance, computes the compliance in the middle of the update, for the surface worn by
+ * `depth` [n] [mm]. This compliance also applies to the end of the update. If the worn surface is
+ * not valid, the compliance is unchanged. Errors: ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_look_ahead(arc_shape *shape, arc_body body, const double *depth,
                                 arc_error *error);
 

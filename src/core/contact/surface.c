@@ -16,7 +16,7 @@ double arc_shape_width(const shape_side *side, int i) {
   return width_at(side, side->settled, i);
 }
 
-/* Computes the inward normal at a node; with frozen geometry it is straight up or down. */
+/* Computes the inward unit normal at a node; with frozen geometry it is vertical. */
 static void normal_at(const shape_side *side, arc_geometry geometry, int i, double normal[2]) {
   const double in = shape_inward(side);
   normal[0] = 0;
@@ -39,9 +39,9 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
-/* Returns turn_i in arc_shape_conserve, the cross product n_i x n_i+1 of the normals at
- * neighbouring nodes, times -inward. It is twice the area between both nodes that unit depths
- * remove in addition to the areas h_i span_i. */
+/* Returns turn_i of arc_shape_conserve: the cross product n_i x n_i+1 of the normals at
+ * neighbouring nodes, with the sign for which it is twice the area between both nodes that unit
+ * depths remove in addition to the areas h_i span_i. */
 static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   double here[2], next[2];
   if (i + 1 == side->n) return 0;
@@ -51,11 +51,11 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
 }
 
 /* Corrects the depths by iteration, so that the polygon loses the area depth times span at each
- * node. If the nodes move by depth h_i times inward normal, the polygon loses
- * sum (h_i span_i + t_i / 2), where t_i = h_i h_i+1 turn_i. Half of t_i / 2 is assigned to node i,
- * the other half to node i + 1. */
+ * node. If the nodes move by the depths h_i along their inward normals, the polygon loses sum (h_i
+ * span_i + t_i / 2), where t_i = h_i h_i+1 turn_i. Half of t_i / 2 is assigned to node i, the other
+ * half to node i + 1. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
-  enum { sweeps = 4 }; /* a sweep multiplies the error by depth / radius of curvature */
+  enum { sweeps = 4 }; /* each sweep multiplies the error by about depth / radius of curvature */
   const shape_side *side = &shape->side[body];
   if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;

@@ -14,7 +14,7 @@ double arc_shape_box_depth(const shape_side *side) {
 }
 
 /* Returns the number of rows of a wear box that is `needed` [mm] deep, or as deep as the bodies
- * allow. Returns 0 if the box cannot be deeper than it is. */
+ * allow. Returns 0 if the box cannot become deeper. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->handle.model)) return 0;
   const arc_model_def *def = arc_model_definition(shape->handle.model);

@@ -1,4 +1,4 @@
-/* Builds one condensed body: numbers its unknowns, assembles the stiffness outside the wear box,
+/* Builds a condensed body: numbers its unknowns, assembles the stiffness outside the wear box,
  * and computes the Schur complement. */
 #include "core/elastic/body.h"
 #include "core/base/dense.h"
@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of nodes in a cell of triangles: a cell with a hanging node in each edge has eight
- * triangles around its middle node. */
+/* Largest number of nodes in a cell of triangles: a cell with a hanging node on each edge has
+ * eight triangles around its middle node. */
 enum { most_cell_nodes = 9 };
 
 static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
@@ -20,7 +20,7 @@ static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
 }
 
 /* Numbers the nodes of the wear box: the rim nodes, which also belong to an element outside the
- * box, and the inner nodes. */
+ * box, and all other nodes, the inner nodes. */
 static void number_box(elastic_body *b) {
   const arc_mesh *m = b->mesh;
   for (int n = 0; n < m->nodes; n++) b->node_box[n] = -1;
@@ -39,9 +39,8 @@ static void number_box(elastic_body *b) {
     else
       b->box_inner[k] = b->inner++;
   }
-  b->band =
-      2 * (m->rows + 1) +
-      1; /* difference of the numbers of a node and its diagonal neighbour in the next column */
+  b->band = 2 * (m->rows + 1) + 1; /* difference between the numbers of a node and of its diagonal
+                                      neighbour in the next column */
 }
 
 static void number_far(elastic_body *b) {
@@ -56,8 +55,9 @@ static void number_far(elastic_body *b) {
     if (b->far_at[n] == 0) b->far_at[n] = b->far_count++;
 }
 
-/* Adds the stiffness k [2 count x 2 count] of `count` nodes to `stiffness`, in which rim unknowns
- * follow the far unknowns. Entries between far and rim unknowns are also added to the coupling. */
+/* Adds the stiffness k of an element or cell with `count` nodes to `stiffness`, in which the rim
+ * unknowns follow the far unknowns. Entries between far and rim unknowns are also added to the
+ * coupling. */
 static arc_status add_block(elastic_body *b, const int *nodes, int count, const double *k,
                             sparse_entries *stiffness) {
   const int n = 2 * count;
@@ -109,7 +109,8 @@ int arc_body_cell(const elastic_body *b, int e) {
   return count;
 }
 
-/* Returns the index of the node in the list `nodes`. A node that is not in the list is appended. */
+/* Returns the index of the node in the list `nodes`. If the node is not in the list, it is
+ * appended. */
 static int enter_node(int node, int *nodes, int *count) {
   int at = 0;
   while (at < *count && nodes[at] != node) at++;
@@ -117,8 +118,8 @@ static int enter_node(int node, int *nodes, int *count) {
   return at;
 }
 
-/* Adds the stiffness of all triangles of one cell. The deviatoric part is computed for each
- * triangle, the dilatation is common to all triangles. */
+/* Adds the stiffness of all triangles in a cell. The deviatoric part is computed for each
+ * triangle; the dilatation is the same in all triangles. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
   const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
   int nodes[most_cell_nodes], count = 0;
@@ -156,8 +157,8 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-/* Factorises the stiffness and computes its Schur complement S_far = K_rr - K_rf K_ff^-1 K_fr, with
- * f for far and r for rim unknowns. */
+/* Factorises the stiffness and computes its Schur complement S_far = K_rr - K_rf K_ff^-1 K_fr,
+ * where f stands for the far and r for the rim unknowns. */
 static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
@@ -191,15 +192,15 @@ static arc_status allocate(elastic_body *b) {
   return arc_compliance_create(&b->unworn, m->surface);
 }
 
-/* Returns the representative column of the wear box: the centre, or the column halfway to the edge
- * if the centre is on an axis of revolution. */
+/* Returns the representative column of the wear box: the centre or, if the centre is on an axis
+ * of revolution, the column halfway to the edge. */
 static int usual_column(const elastic_body *b) {
   const revolution *r = &b->chart.revolved;
   return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
 }
 
-/* Computes `thinning`, the change of the compliance per fraction of thickness lost, from the
- * compliance `thinner` of a body whose representative column has lost the fraction `share` of its
+/* Computes `thinning`, the change of the compliance per lost fraction of thickness. `thinner` is
+ * the compliance of a body whose representative column has lost the fraction `share` of its
  * thickness. */
 static void take_difference(elastic_body *b, const compliance *thinner, double share) {
   const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
@@ -216,7 +217,7 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  /* a body without a wear box, or with layers, has no `thinning` */
+  /* a body without a wear box, or with layers, does not use `thinning` */
   if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);

@@ -1,8 +1,7 @@
-/* One elastic body, condensed to its wear box.
- *
- * The unknowns outside the wear box (`far`) are eliminated once. `rim` are the box nodes that also
- * belong to far elements, and `inner` are the other box nodes, which include the contact surface.
- * The inner unknowns are numbered column by column, so K_box is a narrow band matrix in them. */
+/* An elastic body, condensed to its wear box. The unknowns outside the wear box (`far`) are
+ * eliminated once. `rim` nodes are box nodes that also belong to elements outside the box;
+ * `inner` nodes are all other box nodes, including the contact surface. The inner unknowns are
+ * numbered column by column, so that the stiffness of the box is a narrow band matrix. */
 #ifndef ELASTIC_BODY_H
 #define ELASTIC_BODY_H
 
@@ -13,7 +12,7 @@
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
-/* A layer below a node of the surface. It ends at the depth `end` [mm] along the chart's z, which
+/* A layer below a surface node. It ends at the coordinate `end` [mm] along z of the chart, which
  * is INFINITY for the last layer. */
 typedef struct stratum {
   double end;
@@ -23,50 +22,51 @@ typedef struct stratum {
 typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
-  elasticity d; /* elasticity of the body's own material, below all layers */
-  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of all layers, then of the body's material */
+  elasticity d; /* elasticity of the body's own material below all layers */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* elasticity of each layer, and then of the body's own
+                                            material */
   arc_space space;
   chart chart;
-  double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
-  int *node_box;  /* [nodes] index of the node in box_node; -1 outside the wear box */
-  int *far_at;    /* [2 nodes] number of the far unknown of each nodal displacement x, y, or -1 */
+  double *box_at; /* unworn positions of the wear-box nodes in the chart [mm] */
+  int *node_box;  /* index of each node in box_node; -1 outside the wear box */
+  int *far_at;    /* number of the far unknown for the displacements x and y of each node, or -1 */
   int far_count;  /* number of far unknowns */
   int box_count;  /* number of nodes in the wear box */
-  int *box_inner; /* [box_count] number of the node among the inner nodes, or -1 */
-  int *box_rim;   /* [box_count] number of the node among the rim nodes, or -1 */
+  int *box_inner; /* number of each box node among the inner nodes, or -1 */
+  int *box_rim;   /* number of each box node among the rim nodes, or -1 */
   int inner, rim; /* numbers of inner and rim nodes */
   int band;       /* half band width of the inner unknowns */
   factor *far;
   sparse_entries coupling; /* stiffness between far (row) and rim (column) unknowns */
-  double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
+  double *s_far;           /* Schur complement of the far part over the rim unknowns */
   compliance unworn;
-  double *thinning; /* [ARC_THINNING_SPAN^2] change of the compliance, see arc_body_thinning */
+  double *thinning; /* change of the compliance, see arc_body_thinning */
   stratum *stratum; /* layers below each surface node of an imported mesh; NULL for other bodies */
-  int *stratum_start; /* [surface] index in `stratum` of the first layer below a node */
+  int *stratum_start; /* index in `stratum` of the first layer below each surface node */
 } elastic_body;
 
-/* Returns the change of the normal compliance between the nodes that are `a` and `b` columns away
- * from a column of the wear box, per fraction of its thickness that this column has lost. The
- * change is limited to ARC_THINNING_REACH columns, because wear hardly changes the true stiffness
- * of the box; only the discretisation error changes. The change is computed at the unworn centre.
- * If the centre is on an axis of revolution, it is computed halfway between the axis and the edge;
- * for bodies of revolution it is given per 1 mm of circumference. */
+/* Returns the change of the normal compliance between the nodes that are `a` and `b` columns
+ * away from a column of the wear box, per fraction of its thickness that this column has lost.
+ * The change is limited to ARC_THINNING_REACH columns, because wear hardly changes the true
+ * stiffness of the box, only the discretisation error. It is computed at the unworn centre or,
+ * if the centre is on an axis of revolution, halfway between the axis and the edge. For bodies
+ * of revolution it refers to 1 mm of circumference. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises and condenses a body. Unless `seen` is NULL, it counts the
- * ARC_BODY_STAGES stages. If *given is not NULL, this imported mesh is used. The body then owns the
- * mesh and *given becomes NULL, also on failure. On failure *body is NULL. */
+/* Meshes, assembles, factorises and condenses a body. Counts its ARC_BODY_STAGES stages in
+ * `seen` unless `seen` is NULL. If *given is not NULL, it is an imported mesh, which the body
+ * uses and owns; *given becomes NULL, also on failure. On failure *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
                            work_progress *seen, elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* Return the position (s, z) [mm] in the chart of surface node i in the unworn state, and of the
- * bottom of the wear box below this node. */
+/* These functions return the unworn position (s, z) [mm] of surface node i in the chart, and the
+ * position of the bottom of the wear box below this node. */
 static inline const double *arc_body_top(const elastic_body *body, int i) {
   return &body->box_at[2 * i * (body->mesh->rows + 1)];
 }
@@ -74,9 +74,9 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
   return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
 }
 
-/* Returns the displacement of row `row` in column i of the wear box relative to the surface's
- * displacement. This ratio decreases in equal steps from row to row, or in proportion to the depth
- * if the body has layers of uniform thickness. */
+/* Returns the displacement of the node in row `row` and column i of the wear box, divided by the
+ * displacement of the surface. The result decreases in equal steps from row to row or, if the
+ * body has layers of uniform thickness, in proportion to the depth. */
 static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   const int rows = body->mesh->rows;
   if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
@@ -84,7 +84,7 @@ static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
 }
 
-/* Returns the n-th layer (from 0) below node i of the surface; the last one ends at INFINITY. */
+/* Returns the n-th layer (from 0) below surface node i. The last layer ends at INFINITY. */
 static inline stratum arc_body_stratum(const elastic_body *body, int i, int n) {
   if (body->stratum) return body->stratum[body->stratum_start[i] + n];
   const arc_body_def *solid = &body->mesh->solid;
@@ -96,13 +96,13 @@ static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];
 }
 
-/* If e is the first triangle of a cell, returns the number of triangles e, e + 2, ... of this cell,
- * which have a common dilatation so that they do not lock. Returns 0 for the other triangles of a
- * cell and 1 for single elements, as in imported meshes. */
+/* If e is the first triangle of a cell, returns the number of triangles e, e + 2, ... of this
+ * cell. They have a common dilatation, which prevents locking. Returns 0 for the other triangles
+ * of a cell, and 1 for single elements, as in imported meshes. */
 int arc_body_cell(const elastic_body *body, int e);
 
-/* Returns the element of the body with the corners corner[4] among nodes xy; corner[3] is -1 for a
- * triangle. */
+/* Returns the element of the body with the corners corner[4] among the nodes at xy; corner[3] is
+ * -1 for a triangle. */
 element arc_body_element(const elastic_body *body, const double *xy, const int corner[4]);
 
 #endif

@@ -32,7 +32,7 @@ int arc_model_slides_along(const arc_model_def *def) {
   return arc_model_is_hole(def) || arc_body_is_flat(&lower);
 }
 
-/* Computes z as side (2 side R y - x^2 - y^2) / (R + r), because R - r would lose digits by
+/* The formula z = side (2 side R y - x^2 - y^2) / (R + r) is used because R - r loses digits by
  * cancellation near the surface. */
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz) {
   if (!c->polar) {
@@ -78,8 +78,8 @@ double arc_chart_rest(const chart *c, double s, double angle) {
   return off * cos(at) + sqrt(c->pin * c->pin - off * off * sin(at) * sin(at));
 }
 
-/* Computes the position of a body. A pin rotates about its own centre, a body with a hole about the
- * centre of the hole. */
+/* Computes the position of a body. A pin rotates about its own centre, and a body with a hole
+ * about the centre of the hole. */
 placing arc_chart_placing(const chart *c, arc_body body, double x, double angle) {
   placing p = {.cos = 1};
   const int is_pin = (body == ARC_UPPER) == (c->side > 0);

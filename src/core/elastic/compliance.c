@@ -1,5 +1,4 @@
-/* Implements compliances: allocation, references, response along the normals, and compliance for
- * shear. */
+/* Compliances: allocation, references, response along the normals, and compliance under shear. */
 #include "core/elastic/compliance.h"
 #include "core/base/dense.h"
 
@@ -7,8 +6,8 @@
 
 enum { blocks = 5 };
 
-/* Returns the number of doubles in the block of a compliance. The last double is the reference
- * count. */
+/* Returns the number of doubles in the memory block of a compliance. The last double contains
+ * the reference count. */
 static size_t compliance_numbers(int n) {
   return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
@@ -21,7 +20,8 @@ size_t arc_compliance_bytes(int n) {
   return compliance_numbers(n) * sizeof(double);
 }
 
-/* Allocates all five matrices, slopes and levels as one block. On a flat surface `along` is yy. */
+/* Allocates all five matrices, the slopes and the levels as one block. On a flat surface `along`
+ * is the matrix yy. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){0};
@@ -61,8 +61,8 @@ void arc_compliance_incline(compliance *c) {
   }
 }
 
-/* Returns yy - xx between node k and the nodes `columns` columns to its left and right, as the mean
- * over those that exist. */
+/* Returns the difference yy - xx between node k and the nodes `columns` columns to its left and
+ * right. The result is the mean over the nodes that exist. */
 static double difference_at(const compliance *c, int k, int columns) {
   double sum = 0;
   int sides = 0;
@@ -75,8 +75,8 @@ static double difference_at(const compliance *c, int k, int columns) {
   return sum / sides;
 }
 
-/* Computes `level` by extrapolation of yy - xx from two distances between nodes, as the
- * discretisation error decreases with the square of this distance. */
+/* Computes `level` by extrapolation of yy - xx from two distances between nodes. The
+ * discretisation error decreases with the square of the distance. */
 void arc_compliance_level(compliance *c) {
   if (c->n <= 2 * ARC_SHEAR_REACH) return;
   c->level = c->slope + c->n;

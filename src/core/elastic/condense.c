@@ -1,12 +1,21 @@
-/* Computes the compliance of a worn shape by a dense update: S = S_far + K_box(current nodes), and
- * F consists of the surface's blocks of S^-1.
+/* Computes the compliance of a worn shape by a dense update of the stiffness
  *
- * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim), the matrices X = K_ii^-1 K_ir, Z = K_ii^-1 E, T
- * = K_rr + S_far - K_ri X = L L' and W = E_r - X' E_i give u_rim = T^-1 W f, u_inner = K_ii^-1 (E_i
- * f - K_ir u_rim), F = E' Z + V' V with V = L^-1 W, where E, with inner rows E_i and rim rows E_r,
- * selects the surface unknowns (x and y of each node in turn). K_ii is a narrow band, so most of
- * the cost is in the factor of T, in V and in V' V. Rim nodes that are far away have no influence
- * on the surface. On wide boxes the columns of W and V therefore begin with zeros. */
+ *   S = S_far + K_box(current nodes),
+ *
+ * where K_box = [K_ii K_ir; K_ri K_rr] is the stiffness of the wear box (i: inner, r: rim
+ * unknowns). The compliance F consists of the blocks of S^-1 that belong to the surface. The
+ * matrix E, with inner rows E_i and rim rows E_r, selects the surface unknowns, x and y of each
+ * node in turn. With
+ *
+ *   X = K_ii^-1 K_ir,  Z = K_ii^-1 E_i,  T = K_rr + S_far - K_ri X = L L',  W = E_r - X' E_i,
+ *
+ * the results are
+ *
+ *   u_rim = T^-1 W f,  u_inner = K_ii^-1 (E_i f - K_ir u_rim),  F = E_i' Z + V' V,  V = L^-1 W.
+ *
+ * K_ii is a narrow band matrix, so most of the cost is in the factor of T, in V and in V' V.
+ * Distant rim nodes have no influence on the surface; on wide boxes the columns of W and V
+ * therefore begin with zeros. */
 #include "core/elastic/condense.h"
 #include "core/base/dense.h"
 
@@ -16,18 +25,19 @@
 
 enum {
   together = ARC_DENSE_BAND_SIDES, /* number of right-hand sides of K_ii that are solved together */
-  panel = 64                       /* number of columns of W processed together: 32 surface nodes */
+  panel = 64                       /* number of columns of W that are processed together: those
+                                      of 32 surface nodes */
 };
 
 typedef struct condensation {
   int ni, nr, ns;     /* numbers of inner unknowns, rim unknowns and surface nodes */
-  double even;        /* [mm] even wear */
-  double *band;       /* [(band + 1) * ni] factor of K_ii */
-  double *side;       /* [(ni + band) x together] right-hand sides of K_ii; zero between calls */
-  double *t;          /* [nr x nr] factor of T, lower triangle */
-  double *w;          /* [nr x 2 ns] matrix W */
-  int *first;         /* [2 ns] first nonzero row of each column of W */
-  double *f;          /* [2 ns x 2 ns] matrix E' Z, later F, lower triangle */
+  double even;        /* uniform wear [mm] */
+  double *band;       /* factor of the band matrix K_ii */
+  double *side;       /* right-hand sides of K_ii; zero between calls */
+  double *t;          /* lower triangle of the factor of T */
+  double *w;          /* matrix W, one row per rim unknown and one column per surface unknown */
+  int *first;         /* first nonzero row of each column of W */
+  double *f;          /* lower triangle of E_i' Z, and later of F */
   sparse_entries rim; /* matrix K_ri */
 } condensation;
 
@@ -55,15 +65,15 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   return ARC_MEMORY;
 }
 
-/* Returns the depth of a wear-box node under the unworn surface [mm]. */
+/* Returns the depth of a wear-box node below the unworn surface [mm]. */
 static double depth_of(const elastic_body *b, const double *box_at, int k) {
   const double up = b->mesh->body == ARC_UPPER ? 1 : -1;
   return up * (box_at[2 * k + 1] - arc_body_top(b, k / (b->mesh->rows + 1))[1]);
 }
 
-/* Returns the elasticity of a wear-box element between two depths [mm]. It is a mean over the
- * layers inside the element, which act in series across the element and in parallel along it. With
- * the thickness fractions s of the layers and their constants c, the constants of the element are
+/* Returns the elasticity of a wear-box element between two depths [mm]: the mean over the layers
+ * inside the element, which act in series across the element and in parallel along it. With the
+ * thickness fractions s of the layers and their constants c, the constants of the element are
  *
  *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
  *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22 */
@@ -87,8 +97,8 @@ static elasticity mix_layers(const elastic_body *b, double from, double to) {
                       .nu = b->d.nu};
 }
 
-/* Returns the elasticity of a wear-box element. The surface moves through the fixed layers; even
- * wear [mm] shifts the layers toward the surface. */
+/* Returns the elasticity of a wear-box element. The surface moves through the fixed layers; a
+ * uniform wear `even` [mm] shifts the layers toward the surface. */
 static elasticity box_elasticity(const elastic_body *b, const double *box_at, double even,
                                  const int corner[4]) {
   const int rows = b->mesh->rows + 1;
@@ -106,8 +116,8 @@ static elasticity box_elasticity(const elastic_body *b, const double *box_at, do
   return mix_layers(b, from, to);
 }
 
-/* Adds the stiffness of one wear-box element. Its nodes are at box_xy in space and at box_at in the
- * chart. */
+/* Adds the stiffness of one wear-box element. box_xy contains the positions of the box nodes in
+ * space, box_at their positions in the chart. */
 static arc_status add_box_element(const elastic_body *b, int e, const double *box_xy,
                                   const double *box_at, condensation *c) {
   int corner[4], inner[8], rim[8];
@@ -136,19 +146,20 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
   return status;
 }
 
-/* Returns the inner index of surface unknown j, or -1 if it belongs to the rim. */
+/* Returns the index of surface unknown j among the inner unknowns, or -1 if it is a rim unknown. */
 static int inner_unknown(const elastic_body *b, int j) {
   const int at = b->box_inner[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Returns the rim index of surface unknown j, or -1 if it is an inner unknown. */
+/* Returns the index of surface unknown j among the rim unknowns, or -1 if it is an inner
+ * unknown. */
 static int rim_unknown(const elastic_body *b, int j) {
   const int at = b->box_rim[j / 2 * (b->mesh->rows + 1)];
   return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Range of rows, from .. to - 1, in which the right-hand sides of K_ii are not zero. */
+/* Range of rows, from `from` to `to` - 1, in which the right-hand sides of K_ii are not zero. */
 typedef struct reach {
   int from, to;
 } reach;
@@ -172,14 +183,14 @@ static void clear_sides(condensation *c, const reach *r) {
            (size_t)(together * (r->to - r->from)) * sizeof(double));
 }
 
-/* Subtracts times * x[k] from to[k] for the first n right-hand sides, at most `together` (the
- * number that is solved at once). */
+/* Subtracts times * x[k] from to[k] for the first n right-hand sides. n is at most `together`,
+ * the number of right-hand sides that are solved at once. */
 static void subtract(int n, double times, const double *x, double *to) {
   for (int k = 0; k < together && k < n; k++) to[k] -= times * x[k];
 }
 
-/* Computes columns q .. q + together - 1 of X. Subtracts K_ri X from T, row by row below the
- * diagonal, and X' E_i from W. */
+/* Computes the columns q .. q + together - 1 of X. Subtracts K_ri X from T, row by row below the
+ * diagonal, and subtracts X' E_i from W. */
 static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   reach r = {c->ni, 0};
   for (size_t k = 0; k < c->rim.count; k++) {
@@ -201,7 +212,7 @@ static void reduce_rim(const elastic_body *b, condensation *c, int q) {
   clear_sides(c, &r);
 }
 
-/* Adds E_r to W, for the unknowns of the surface that belong to the rim. */
+/* Adds E_r to W, for the surface unknowns that are rim unknowns. */
 static void fill_rim_of_w(const elastic_body *b, condensation *c) {
   for (int j = 0; j < 2 * c->ns; j++) {
     c->first[j] = rim_unknown(b, j) < 0 ? c->nr : rim_unknown(b, j);
@@ -253,8 +264,8 @@ static arc_status condense(const elastic_body *b, const double *box_at, double e
   return status;
 }
 
-/* Computes columns q .. q + together - 1 of E' Z, and adds them, transposed, to rows of the lower
- * triangle of F. */
+/* Computes the columns q .. q + together - 1 of E_i' Z, and adds their transposes to rows of the
+ * lower triangle of F. */
 static void add_z(const elastic_body *b, condensation *c, int q) {
   const int n = 2 * c->ns;
   reach r = {c->ni, 0};
@@ -273,7 +284,7 @@ static void add_z(const elastic_body *b, condensation *c, int q) {
   clear_sides(c, &r);
 }
 
-/* Returns the first nonzero row of a panel of W with `count` columns from column j on. */
+/* Returns the first nonzero row of the `count` columns of W from column j on. */
 static int first_of_panel(const condensation *c, int j, int count) {
   int first = c->nr;
   for (int k = j; k < j + count; k++)
@@ -281,7 +292,7 @@ static int first_of_panel(const condensation *c, int j, int count) {
   return first;
 }
 
-/* Replaces the panel of W from column j on by V = L^-1 W, and adds the products V' V of this panel
+/* Replaces the panel of W from column j on by V = L^-1 W. Adds the products V' V of this panel
  * with itself and with the previous panels to F. */
 static void add_panel(condensation *c, int j) {
   const int n = 2 * c->ns, count = n - j < panel ? n - j : panel;
@@ -298,7 +309,7 @@ static void add_panel(condensation *c, int j) {
                        &c->f[dense_at(j, j, n)], n);
 }
 
-/* Copies F, which is stored node by node, to the four blocks of the compliance. */
+/* Copies F, which has x and y of each node in turn, to the four matrices of the compliance. */
 static void split(const condensation *c, compliance *result) {
   const int n = c->ns;
   for (int q = 0; q < n; q++)
@@ -312,8 +323,8 @@ static void split(const condensation *c, compliance *result) {
     }
 }
 
-/* Converts the displacement of node r under a force at node k to the directions of the chart: ss,
- * sz, zs, zz. */
+/* Converts the displacement of node r under a force at node k to the directions ss, sz, zs and
+ * zz of the chart. */
 static void turn_pair(const compliance *c, const double *axes, int r, int k, double turned[4]) {
   const size_t at = dense_at(r, k, c->n);
   const double *u = &axes[4 * r], *v = &axes[4 * k];
@@ -364,7 +375,7 @@ arc_status arc_body_condense(const elastic_body *b, const double *box_at, double
   return status;
 }
 
-/* Computes the far displacements -K_ff^-1 K_fr u_rim and writes them to u. */
+/* Computes the displacements -K_ff^-1 K_fr u_rim of the far unknowns and writes them to u. */
 static arc_status far_displacements(const elastic_body *b, const double *rim, double *u,
                                     arc_error *error) {
   double *far = calloc((size_t)b->far_count, sizeof *far);
@@ -378,8 +389,8 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   return status;
 }
 
-/* Computes rim and inner displacements of the wear box under surface forces f, first along x at all
- * nodes, then along y. */
+/* Computes the displacements of the rim and inner nodes under the forces f on the surface, first
+ * along x at all nodes and then along y. */
 static void box_displacements(const elastic_body *b, const condensation *c, const double *f,
                               double *rim, double *inner) {
   memset(rim, 0,
@@ -400,7 +411,7 @@ static void box_displacements(const elastic_body *b, const condensation *c, cons
   for (int i = 0; i < c->ni; i++) inner[i] = c->side[together * i];
 }
 
-/* Converts forces [2 n] from the chart's directions to x and y. */
+/* Converts the forces on n nodes from the directions of the chart to x and y. */
 static void turn_forces(const elastic_body *b, const double *box_at, const double *f, double *to) {
   const int n = b->mesh->surface;
   for (int i = 0; i < n; i++) {

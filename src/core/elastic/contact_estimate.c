@@ -1,8 +1,8 @@
-/* Estimates the contact width of unworn bodies, which determines the element sizes. For half-planes
- * there is a closed form: Hertz' for arcs, Persson's for pins in holes. For other shapes with one
- * contact zone the load is an integral over the gap. The effect of layers and of a base close to
- * the surface is included by the modulus of the bodies under a pressure wave of about the contact's
- * length. */
+/* Estimates the contact width of unworn bodies, from which the element sizes are chosen. For
+ * half-planes there are closed forms: the formulas of Hertz for arcs, and of Persson for pins in
+ * holes. For other shapes with one contact zone, the load is an integral over the gap. For
+ * layers and a base close to the surface, the contact modulus is computed for a pressure wave of
+ * about the contact's length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
 #include "core/mesh/body_shape.h"
@@ -17,14 +17,14 @@ int arc_model_is_round(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
 }
 
-/* Returns the length of a line contact, straight or circular [mm]. */
+/* Returns the length of a straight or circular line contact [mm]. */
 static double line_length(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
 }
 
-/* Returns the wave number times the half width [-] for which layers are as compliant under a
- * pressure wave as under the contact. The value is exact for layers so thin that they act like
- * independent springs. */
+/* Returns the product of wave number and half width at which layers are as compliant under a
+ * pressure wave as under the contact. The value is exact for layers that are so thin that they
+ * act like independent springs. */
 static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
@@ -48,7 +48,7 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
 
 /* --- the gap ---------------------------------------------------------------------------------- */
 
-/* Returns the depth [mm] of the surface at x [mm] below its outermost point. */
+/* Returns the depth [mm] of the surface at x [mm] below the outermost point of the surface. */
 static double inset_at(const contact_pair *g, int b, double x) {
   const arc_body_def *s = &g->solid[b];
   const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
@@ -63,15 +63,15 @@ static double gap_at(const contact_pair *g, double x) {
   return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
 }
 
-/* Returns the gap [mm] at a distance s from the first point of contact, as the mean of both
+/* Returns the gap [mm] at a distance s from the first point of contact, averaged over both
  * sides. */
 static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* Sets g->at to the position where the gap of smooth profiles is smallest: a point, or the middle
- * of a flat, whose half width is also stored. If there are several such positions, the first one is
- * used. */
+/* Sets g->at to the position where the gap of smooth profiles is smallest. This is a point, or
+ * the middle of a flat; the half width of the flat is also stored. If there are several such
+ * positions, the first one is used. */
 static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
@@ -123,25 +123,25 @@ contact_pair arc_model_pair(const arc_model_def *def) {
 
 /* --- load for a given contact width */
 
-/* Returns the contact modulus [MPa] of the pair for a given half width of the contact [mm]. */
+/* Returns the contact modulus [MPa] of the pair for a half width of the contact [mm]. */
 static double modulus_at(const contact_pair *g, double half_width) {
   const arc_model_def *def = g->def;
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
 }
 
-/* Returns the load P / E* [mm] for Persson's contact of a pin in a hole, for equal materials and
- * the radial clearance c. His formula for 2 E* c / P is a function of b = tan(e / 2), where e is
- * the half angle of the contact. */
+/* Returns the load P / E* [mm] of Persson's contact of a pin in a hole, for equal materials and
+ * the radial clearance c. Persson's formula for 2 E* c / P is a function of b = tan(e / 2),
+ * where e is the half angle of the contact. */
 static double press_into_hole(const contact_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
   const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
   return c > 0 ? 2 * g->clearance / c : INFINITY;
 }
 
-/* Returns the load P / E* for a contact over s < a, with the gap g(s). For half-planes it is the
- * integral of s g' / sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g' / sqrt(a^2 -
- * s^2) ds. Both integrands are smooth over t = sqrt(a^2 - s^2). `wide` is a minus the half width of
- * the part that touches without load. */
+/* Returns the load P / E* of a contact with the half width a and the gap g(s). For half-planes
+ * it is the integral of s g' / sqrt(a^2 - s^2) ds, for round spots twice the integral of s^2 g'
+ * / sqrt(a^2 - s^2) ds. Both integrands are smooth functions of t = sqrt(a^2 - s^2). `wide` is a
+ * minus the half width of the part that touches without load. */
 static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
@@ -159,9 +159,9 @@ static double press(const contact_pair *g, double wide) {
   return sum;
 }
 
-/* Returns the half width [mm] under a load, minus the half width of the part that touches without
- * load, by bisection of its logarithm. For loads above that of the largest contact, returns the
- * value of the largest contact. */
+/* Returns the half width [mm] under a load, minus the half width of the part that touches
+ * without load. The logarithm of this difference is computed by bisection. If the load is above
+ * the load of the largest contact, the result is the value for the largest contact. */
 static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
@@ -177,8 +177,8 @@ static double width_under(const contact_pair *g, double load) {
   return exp(high) * (g->most - g->least);
 }
 
-/* Returns the half width [mm] of the contact of a cylinder (or ball) that grows with the load as
- * fast as the given contact, so that the pressures fall as steeply at the edges. The load of a
+/* Returns the half width [mm] of a cylinder's (or ball's) contact that grows with the load as
+ * fast as the given contact, so that the pressure falls as steeply at its edges. The load of a
  * cylinder (ball) is proportional to the square (cube) of the half width. */
 static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
@@ -190,8 +190,8 @@ static double edge_at(const contact_pair *g, double wide) {
 
 /* --- estimates */
 
-/* Waves on a surface change the pressure by their amplitude times pi E* / wavelength. Waves that
- * change it by less than `felt` times the mean pressure are neglected. */
+/* Waves on a surface change the pressure by their amplitude times pi E* / wavelength. Waves are
+ * neglected if this change is less than `felt` times the mean pressure. */
 static const double felt = 1e-3;
 
 static double mean_pressure(const contact_pair *g, double half_width, double load) {
@@ -200,16 +200,16 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
 }
 
 /* Returns the width [mm] of the contact on each crest of waves under the mean pressure p, by
- * Westergaard. */
+ * Westergaard's formula. */
 static double spot_width(const body_waves *w, double modulus, double p) {
   const double flat = pi * modulus * w->height / 2 /
                       w->length; /* [MPa] mean pressure at which the contact becomes complete */
   return p < flat ? 2 * w->length / pi * asin(sqrt(p / flat)) : w->length;
 }
 
-/* Determines which profiles count as rough under the load, from the contact of their smooth forms.
- * For these profiles the contact width is computed from the form. Sets the length of the shortest
- * waves and the width of the spots in contact. */
+/* Determines which profiles are rough under the load, based on the contact of their smooth
+ * forms. For rough profiles the contact width is computed from the form. Sets the length of the
+ * shortest waves and the width of the contact spots. */
 static void find_waves(contact_pair *g, double load, contact_estimate *e) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;

@@ -1,6 +1,6 @@
-/* Element stiffness and stress. CPE4I adds Wilson's two bubble modes, whose gradients use the
- * Jacobian at the centre so that the patch test is satisfied (Taylor's correction), and condenses
- * them. */
+/* Element stiffness and stress. CPE4I adds Wilson's two incompatible modes (bubbles) and
+ * condenses them. The gradients of the bubbles use the Jacobian at the centre, which satisfies
+ * the patch test (Taylor's correction). */
 #include "core/elastic/element.h"
 #include "core/base/dense.h"
 
@@ -63,8 +63,8 @@ static void add_product(int modes, double g[][2], elasticity d, double weight, d
   }
 }
 
-/* Computes the stiffness of a quadrilateral with `modes` = 4 corner functions, or 6 with the
- * bubbles. */
+/* Computes the stiffness of a quadrilateral. `modes` is 4 (corner functions) or 6 (corner
+ * functions and bubbles). */
 static void quad_stiffness(const element *e, elasticity d, int modes, double *k) {
   const double at = 1 / sqrt(3);
   memset(k, 0, (size_t)(4 * modes * modes) * sizeof *k);
@@ -77,8 +77,8 @@ static void quad_stiffness(const element *e, elasticity d, int modes, double *k)
   }
 }
 
-/* Eliminates the four bubble unknowns of full [12 x 12], beginning with the last one, and writes
- * the stiffness of the corners to k [8 x 8]. */
+/* Eliminates the four bubble unknowns of the 12 x 12 matrix `full`, beginning with the last one.
+ * Writes the 8 x 8 stiffness of the corners to k. */
 static void condense_bubbles(double *full, double *k) {
   for (int m = 11; m >= 8; m--)
     for (int r = 0; r < m; r++)
@@ -104,7 +104,8 @@ void arc_element_stiffness(const element *e, elasticity d, double *k) {
   }
 }
 
-/* Uses the same formula for CPE4 and CPE4I, as the bubbles have no gradient at the centre. */
+/* The same formula is used for CPE4 and CPE4I, because the bubbles have no gradient at the
+ * centre. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
   double g[4][2], exx = 0, eyy = 0, gxy = 0;
   if (e->revolved.on) {

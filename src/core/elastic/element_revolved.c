@@ -1,21 +1,21 @@
-/* Elements of revolution: rings about x = -axis, where the strain around the axis is u_x / r.
- * Triangles and quadrilaterals are fully integrated. A quadrilateral with one dilatation for the
- * whole element (B-bar) does not lock if nu is near 1/2. */
+/* Elements of revolution: rings about the axis x = -axis with the hoop strain u_x / r. Triangles
+ * and quadrilaterals are fully integrated. With the same dilatation in the whole element
+ * (B-bar), quadrilaterals do not lock if Poisson's ratio is near 1/2. */
 #include "core/elastic/element.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { components = 4, most_points = 4 }; /* strain components rr, zz, circumferential, rz */
+enum { components = 4, most_points = 4 }; /* strain components: rr, zz, hoop, rz */
 
-/* An integration point, with the strains caused by unit displacements of the corners. */
+/* An integration point and the strains there under unit displacements of the corners. */
 typedef struct point {
   double weight; /* [mm3] volume that the point represents */
   double strain[8][components];
 } point;
 
-/* Computes the strains at a point from the shape functions n of u_x, their gradients ux, and the
- * gradients uy of the shape functions of u_y. */
+/* Computes the strains at a point. n are the shape functions of u_x and ux their gradients; uy
+ * are the gradients of the shape functions of u_y. */
 static void fill_strains(const element *e, const double *n, double ux[][2], double uy[][2],
                          double area, point *p) {
   double x = 0;
@@ -35,21 +35,21 @@ static void fill_strains(const element *e, const double *n, double ux[][2], doub
 
 static const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-/* Returns the correction of u_y along the edge from corner a to b, where u_y is linear in r^2
- * rather than in r. The result [-] is four times the deviation in the middle of the edge divided by
- * the difference of u_y between the ends. It is 0 on steep edges, where u_y also depends on y. */
+/* Returns the correction that makes u_y linear in r^2 instead of r along the edge from corner a
+ * to b. The result is four times the deviation in the middle of the edge, divided by the
+ * difference of u_y between the ends. It is 0 on steep edges, on which u_y also depends on y. */
 static double dip_of(const element *e, int a, int b) {
-  static const double level = 0.2,
-                      steep = 0.4; /* slopes between which the correction decreases to 0 */
+  static const double level = 0.2, steep = 0.4; /* slopes of the edge between which the correction
+                                                   decreases to 0 */
   const double dr = e->xy[b][0] - e->xy[a][0], dy = e->xy[b][1] - e->xy[a][1];
   const double sum = 2 * e->revolved.axis + e->xy[a][0] + e->xy[b][0];
   if (fabs(dy) >= steep * fabs(dr)) return 0;
   return fmin(1, (steep - fabs(dy / dr)) / (steep - level)) * (dr / sum);
 }
 
-/* Adds the correction along the edge from corner a to b to the derivatives `slope` of the corner
- * functions by xi and eta. `along` is the direction of the edge (0: xi, 1: eta). The correction
- * decreases to zero at the opposite edge. */
+/* Adds the correction along the edge from corner a to b to `slope`, the derivatives of the
+ * corner functions by xi and eta. `along` is the direction of the edge (0: xi, 1: eta). The
+ * correction decreases to zero at the opposite edge. */
 static void bend_edge(const element *e, int a, int b, int along, const double at[2],
                       double slope[4][2]) {
   const double s = at[along], far = side[a][1 - along], share = (1 + far * at[1 - along]) / 2;
@@ -63,9 +63,9 @@ static void bend_edge(const element *e, int a, int b, int along, const double at
   }
 }
 
-/* Computes an integration point of a quadrilateral. u_x is bilinear. u_y is even in r and is
- * therefore linear in r^2 along the edges. With u_y linear in r the element would be up to 5 % too
- * stiff under a pressure at the axis. */
+/* Computes an integration point of a quadrilateral. u_x is bilinear. u_y is an even function of
+ * r and therefore linear in r^2 along the edges. With u_y linear in r, the element would be up
+ * to 5 % too stiff under a pressure at the axis. */
 static void quad_point(const element *e, double xi, double eta, point *p) {
   const double at[2] = {xi, eta};
   double n[4], ux[4][2], uy[4][2], slope[4][2];
@@ -84,8 +84,9 @@ static void quad_point(const element *e, double xi, double eta, point *p) {
   fill_strains(e, n, ux, uy, det, p);
 }
 
-/* Computes an integration point of a triangle, with the same correction of u_y. At this point the
- * shape function of corner c is `own`; the other two are equal. */
+/* Computes an integration point of a triangle, with the same correction of u_y as in
+ * quadrilaterals. At this point the shape function of corner c is `own`; the shape functions of
+ * the other corners are equal. */
 static void triangle_point(const element *e, int c, double own, double area, point *p) {
   double n[3], ux[3][2], uy[3][2];
   arc_triangle_gradients(e, ux);
@@ -119,8 +120,8 @@ static double dilatation(const double strain[components]) {
   return strain[0] + strain[1] + strain[2];
 }
 
-/* Computes mean [n], the mean dilatation of the element under a unit of each of the n
- * displacements. Returns the volume [mm3]. */
+/* Computes the mean dilatation of the element under a unit of each of n displacements and writes
+ * it to `mean`. Returns the volume of the element [mm3]. */
 static double mean_dilatation(int n, int points, const point *p, double mean[8]) {
   double volume = 0;
   memset(mean, 0, 8 * sizeof *mean);
@@ -136,7 +137,7 @@ static int shares_dilatation(const element *e) {
   return e->corners == 4 && e->kind == ARC_CPE4I;
 }
 
-/* Replaces the dilatation of the strains at a point by the mean dilatation. */
+/* Replaces the dilatation at a point by the mean dilatation. */
 static void take_mean(int n, const double mean[8], point *p) {
   for (int k = 0; k < n; k++) {
     const double add = (mean[k] - dilatation(p->strain[k])) / 3;

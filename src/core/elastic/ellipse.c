@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* Computes the complete elliptic integrals K(m) and E(m) for the parameter m = e^2, with the
- * eccentricity e. */
+/* Computes the complete elliptic integrals K(m) and E(m) for the parameter m = e^2, where e is
+ * the eccentricity. */
 static void elliptic(double m, double *K, double *E) {
   double a = 1, b = sqrt(1 - m), sum = m / 2, power = 0.5;
   for (int k = 0; k < 40 && a - b > 1e-16 * a; k++) {
@@ -19,16 +19,16 @@ static void elliptic(double m, double *K, double *E) {
   *E = *K * (1 - sum);
 }
 
-/* Returns the ratio of the larger radius to the smaller one for a contact ellipse whose smaller
- * half width is s times the larger one. */
+/* Returns the ratio of the larger to the smaller radius of curvature at which the contact
+ * ellipse has the ratio s of its smaller to its larger half width. */
 static double ratio_of(double s) {
   double K, E;
   elliptic(1 - s * s, &K, &E);
   return (E / (s * s) - K) / (K - E);
 }
 
-/* Returns the ratio of the smaller half width to the larger one for a ratio of the radii, by
- * bisection of its logarithm. */
+/* Returns the ratio of the smaller to the larger half width for a ratio of the radii of
+ * curvature. The logarithm of the result is computed by bisection. */
 static double slimness(double ratio) {
   double low = log(1e-8), high = log(1 - 1e-9);
   if (ratio < 1 + 1e-7) return 1;
@@ -57,13 +57,13 @@ arc_status arc_hertz_ellipse_of(double radius_x, double radius_z, double E_star,
     if (check(name[k], value[k], error) != ARC_OK) return ARC_ARGUMENT;
   const double pi = acos(-1), large = fmax(radius_x, radius_z), small = fmin(radius_x, radius_z);
   const double s = slimness(large / small);
-  double K = pi / 2, E, share = pi / 4; /* K and share = (K - E) / m of a circle */
+  double K = pi / 2, E, share = pi / 4; /* K and share = (K - E) / m for a circle */
   if (s < 1) {
     elliptic(1 - s * s, &K, &E);
     share = (K - E) / (1 - s * s);
   }
-  /* the half width a follows from 1 / (2 large) = p0 b / E* / a^2 share, with b = s a, p0 = 3 load
-   * / (2 pi a b) */
+  /* The half width a is computed from 1 / (2 large) = p0 b / E* / a^2 share, with b = s a and p0
+   * = 3 load / (2 pi a b). */
   const double a = cbrt(3 * load * large * share / (pi * E_star)), b = s * a;
   hertz->p_max = 3 * load / (2 * pi * a * b);
   hertz->approach = hertz->p_max * b / E_star * K;

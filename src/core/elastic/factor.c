@@ -1,6 +1,7 @@
 /* Sparse Cholesky factors by CHOLMOD, supernodal with AMD ordering. A supernodal factorisation
- * fails on an indefinite matrix (a missing support), where the simplicial LDL' would continue. The
- * status of CHOLMOD is read directly after each call, because the next call resets it. */
+ * fails for an indefinite matrix (a missing support), for which the simplicial LDL' would
+ * continue. The status of CHOLMOD is read directly after each call, because the next call resets
+ * it. */
 #include "core/elastic/factor.h"
 #include "core/base/dense.h"
 
@@ -16,7 +17,7 @@ struct factor {
   cholmod_common common;
   cholmod_factor *l;
   int last;                 /* number of unknowns of the Schur complement */
-  cholmod_dense *x, *y, *e; /* workspace that is reused by later solutions */
+  cholmod_dense *x, *y, *e; /* workspace that later solutions use again */
 };
 
 arc_status arc_sparse_add(sparse_entries *s, int row, int column, double value) {
@@ -72,8 +73,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-/* Computes a permutation that reduces the fill-in and keeps the last unknowns last, so that their
- * part of the factor gives the Schur complement. Returns 0 on failure. */
+/* Computes a permutation that reduces the fill-in and keeps the last unknowns last, so that the
+ * last part of the factor determines the Schur complement. Returns 0 on failure. */
 static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
   const int n = (int)a->nrow;
   int *group = malloc((size_t)n * sizeof *group);
@@ -87,8 +88,8 @@ static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *
   return done;
 }
 
-/* Returns true if the last unknowns stay last. The analysis may reorder unknowns that are not
- * connected to the rest. */
+/* Returns true if the last unknowns are still last. The analysis may reorder unknowns that are
+ * not connected to the rest. */
 static int kept_last(const factor *f) {
   const int *permutation = f->l->Perm, n = (int)f->l->n;
   for (int k = n - f->last; k < n; k++)
@@ -189,14 +190,14 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-/* Solves one of the systems of cholmod_solve with the right-hand side `from` and writes the
+/* Solves one of the systems of cholmod_solve for the right-hand side `from` and writes the
  * solution to f->x. */
 static int solve_system(factor *f, int system, cholmod_dense *from) {
   return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
 }
 
-/* Solves with L and then with L'. The last unknowns are excluded by setting their rows to zero
- * between the two solutions. */
+/* Solves with L and then with L'. The rows of the last unknowns are set to zero between both
+ * solutions, which excludes these unknowns. */
 arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
   const size_t n = f->l->n, first = n - (size_t)f->last;
   double *rhs_values = calloc(n, sizeof *rhs_values);

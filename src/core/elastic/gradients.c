@@ -1,11 +1,11 @@
-/* Computes gradients of the elements' shape functions in space. */
+/* Computes the gradients of the shape functions of elements in space. */
 #include "core/elastic/element.h"
 
 #include <string.h>
 
 static const double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1};
 
-/* Computes the Jacobian of the bilinear map and returns its determinant. */
+/* Computes the Jacobian of the bilinear map of a quadrilateral and returns its determinant. */
 static double jacobian(const element *e, double xi, double eta, double j[2][2]) {
   memset(j, 0, 4 * sizeof(double));
   for (int c = 0; c < 4; c++) {
@@ -40,8 +40,8 @@ void arc_quad_to_space(const element *e, double xi, double eta, int n, double sl
   for (int c = 0; c < n; c++) to_space(j, det, slope[c][0], slope[c][1], g[c]);
 }
 
-/* Computes gradients of the bubbles 1 - xi^2 and 1 - eta^2, transformed by the Jacobian at the
- * centre. */
+/* Computes the gradients of the bubbles 1 - xi^2 and 1 - eta^2, transformed by the Jacobian at
+ * the centre of the element. */
 void arc_bubble_gradients(const element *e, double xi, double eta, double det, double g[][2]) {
   double j[2][2];
   const double det0 = jacobian(e, 0, 0, j);

@@ -1,5 +1,5 @@
-/* Determines the layers below the surface of an imported mesh: for each node of the surface, the
- * range of each layer along the chart's z. */
+/* Determines the layers below the surface of an imported mesh: for each surface node, the range
+ * of each layer along z of the chart. */
 #include "core/elastic/imported_layers.h"
 #include "core/base/list.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Part of an element below a node of the surface, as a range of depths [mm]. */
+/* Part of an element below a surface node, as a range of depths [mm]. */
 typedef struct piece {
   int node, layer;
   double from, to;
@@ -15,7 +15,7 @@ typedef struct piece {
 
 typedef struct search {
   const elastic_body *body;
-  double *sz; /* [2 * nodes] positions of the nodes in the chart */
+  double *sz; /* positions of all nodes of the mesh in the chart */
   double tiny;
   item_list pieces;
 } search;
@@ -33,7 +33,7 @@ static const double *corner(const search *f, int e, int k) {
   return &f->sz[2 * f->body->mesh->element[4 * e + k]];
 }
 
-/* Computes the range of an element along s [mm]. */
+/* Computes the extent of an element along s [mm]. */
 static void reach(const search *f, int e, double *low, double *high) {
   *low = *high = corner(f, e, 0)[0];
   for (int k = 1; k < arc_mesh_corners(f->body->mesh, e); k++) {
@@ -42,8 +42,8 @@ static void reach(const search *f, int e, double *low, double *high) {
   }
 }
 
-/* If the edge from p to q crosses the position s, extends the range low .. high to the z of the
- * edge at s. */
+/* If the edge from p to q crosses the position s, extends the range from low to high to include
+ * z of the edge at s. */
 static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
   if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;
   const double z = p[0] == q[0] ? p[1] : p[1] + (q[1] - p[1]) * ((s - p[0]) / (q[0] - p[0]));
@@ -51,8 +51,8 @@ static void cut_edge(const double *p, const double *q, double s, double *low, do
   *high = fmax(*high, z);
 }
 
-/* Adds the part of element e below surface node i to the list of parts. Returns 0 if out of
- * memory. */
+/* Adds the part of element e below surface node i to the list of parts. Returns 0 if memory is
+ * exhausted. */
 static int cut_element(search *f, int e, int i) {
   const arc_mesh *m = f->body->mesh;
   const int corners = arc_mesh_corners(m, e);
@@ -67,7 +67,7 @@ static int cut_element(search *f, int e, int i) {
   return found != NULL;
 }
 
-/* Returns the index of the first surface node whose position is not less than s. */
+/* Returns the index of the first surface node whose position is at least s. */
 static int first_from(const search *f, double s) {
   int low = 0, high = f->body->mesh->surface;
   while (low < high) {
@@ -80,8 +80,9 @@ static int first_from(const search *f, double s) {
   return low;
 }
 
-/* Collects the parts of all elements below surface nodes. Skips elements on the opposite side of a
- * hole, where s jumps, as they are far from the surface. Returns 0 if out of memory. */
+/* Collects the parts of all elements below the surface nodes. Skips elements on the opposite
+ * side of a hole, at which s is discontinuous, because they are far from the surface. Returns 0
+ * if memory is exhausted. */
 static int find_pieces(search *f) {
   const arc_mesh *m = f->body->mesh;
   for (int e = 0; e < m->elements; e++) {
@@ -96,8 +97,8 @@ static int find_pieces(search *f) {
 
 /* --- layers -------------------------------------------------------------------------------- */
 
-/* Merges the parts below each node into layers, and removes parts that occur twice on common edges
- * of elements. */
+/* Merges the parts below each node into layers. Parts on a common edge of two elements occur
+ * twice; the duplicates are removed. */
 static void join_pieces(const search *f, elastic_body *b) {
   const piece *list = f->pieces.data;
   int at = 0, count = 0;

@@ -1,5 +1,5 @@
-/* Checks imported meshes against the definition of a model, and sets the values of the definition
- * that follow from the meshes. */
+/* Checks imported meshes against the definition of a model, and sets those values of the
+ * definition that the meshes determine. */
 #include "core/elastic/imported_mesh.h"
 #include "core/elastic/chart.h"
 #include "core/elastic/pair.h"
@@ -105,8 +105,8 @@ static double area_of(const arc_mesh *mesh, int e) {
   return twice / 2;
 }
 
-/* Returns the bulk material of a mesh: the unnamed material if any element has it, else the named
- * material with the largest area. */
+/* Returns the bulk material of a mesh: the unnamed material if any element consists of it,
+ * otherwise the named material with the largest area. */
 static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
   const arc_body_def *solid = &def->body[mesh->body];
   double area[ARC_MESH_MATERIALS] = {0};
@@ -123,7 +123,7 @@ static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Checks that no element extends across the axis x = 0. */
+/* Checks that no element crosses the axis x = 0. */
 static arc_status check_across(const arc_mesh *mesh, double width, arc_error *error) {
   for (int e = 0; e < mesh->elements; e++) {
     const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
@@ -141,7 +141,7 @@ static arc_status check_across(const arc_mesh *mesh, double width, arc_error *er
   return ARC_OK;
 }
 
-/* Checks that a body of revolution lies on one side of its axis or symmetrically about it. */
+/* Checks that a body of revolution is on one side of its axis, or symmetric about it. */
 static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
   double least = INFINITY, most = -INFINITY;
   if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
@@ -162,10 +162,11 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
                   arc_body_name(mesh->body), least, most);
 }
 
-/* For a hole, checks that the surface nodes of a mesh are near the arc of the given radius, as the
- * chart follows this arc. */
+/* Checks for a hole that the surface nodes of a mesh are near the arc of the given radius,
+ * because the chart follows this arc. */
 static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
-  static const double most = 0.05; /* largest distance from the arc, relative to the radius */
+  static const double most = 0.05; /* largest distance of a node from the arc, divided by the
+                                      radius */
   const chart c = arc_chart_of(def);
   const arc_body_def solid = arc_model_solid(def, mesh->body);
   const double radius = fabs(arc_body_radius(&solid));
@@ -191,7 +192,7 @@ static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
   fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* 0: the mesh is not adapted to the contact */
+  fit.mesh.fineness = 0; /* 0: the element sizes are not chosen from the contact */
   for (int b = 0; b < ARC_BODIES; b++) {
     fit.mesh.zone[b] = given[b]->def.zone[b];
     fit.material[b] = bulk_of(def, given[b]);

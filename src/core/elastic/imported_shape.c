@@ -1,5 +1,4 @@
-/* Checks that no shape fields are given for a body with an imported mesh, as the mesh defines the
- * shape. */
+/* Checks that the definition of a body with an imported mesh does not define the shape as well. */
 #include "core/elastic/imported_mesh.h"
 
 #include <string.h>

@@ -1,10 +1,10 @@
-/* Computes wear coefficients of layered bodies as a function of depth. */
+/* Computes the wear coefficients of layered bodies as functions of depth. */
 #include "core/elastic/layer_wear.h"
 
 #include <math.h>
 
-/* Returns the wear coefficient of a layer divided by the largest coefficient of the body, or 1 if
- * no material has a coefficient. */
+/* Returns the wear coefficient of a layer divided by the largest coefficient of the body, or 1
+ * if no material of the body has a coefficient. */
 static double share_of(const arc_model_def *def, arc_body body, int layer) {
   const double largest = arc_model_wear_k(def, body);
   const arc_material own = def->material[body];

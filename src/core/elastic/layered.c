@@ -1,9 +1,10 @@
-/* Computes the compliance of layered bodies for waves of pressure in closed form, layer by layer
- * from the base upwards. Under a pressure cos(q x), displacements are u sin(q x) and v cos(q x),
- * and stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x). Within a layer
- * s = (u, v, tau, sigma), a function of the depth in units of 1 / q, satisfies s' = A s with (A^2 -
- * 1)^2 = 0, so exp(A d) has four terms. The relation of displacements to stresses is propagated
- * from the lower to the upper face of each layer. */
+/* Computes the compliance of layered bodies under pressure waves in closed form, layer by layer
+ * from the base upwards. Under a pressure cos(q x), the displacements are u sin(q x) and v cos(q
+ * x), and the stresses on planes of constant depth are q tau sin(q x) and q sigma cos(q x).
+ * Within a layer the vector s = (u, v, tau, sigma), a function of the depth in units of 1 / q,
+ * satisfies s' = A s. The matrix A satisfies (A^2 - 1)^2 = 0, so exp(A d) has four terms. The
+ * ratio of displacements to stresses is computed at the lower face and then at the upper face of
+ * each layer. */
 #include "core/elastic/layered.h"
 #include "core/base/dense.h"
 #include "core/mesh/body_shape.h"
@@ -11,15 +12,18 @@
 #include <math.h>
 #include <string.h>
 
-enum { half = 2, whole = 4 }; /* half: number of displacements or stresses; whole: of both */
+enum {
+  half = 2,
+  whole = 4
+}; /* half: number of displacements, and of stresses; whole: number of
+      both */
 
-/* Depth [1 / q] below which layers have no influence. */
+/* Depth below which layers have no influence, in units of 1 / q. */
 static const double deep = 20;
 
 typedef double square[whole * whole];
 
-/* Computes the matrix A of a material. Plane stress uses E and nu instead of E* and nu / (1 -
- * nu). */
+/* Computes the matrix A of a material. In plane stress, E and nu replace E* and nu / (1 - nu). */
 static void find_rates(arc_space space, arc_material m, square a) {
   const double G = m.E / (2 * (1 + m.nu));
   const double across = space == ARC_PLANE_STRESS ? m.nu : m.nu / (1 - m.nu);
@@ -33,7 +37,7 @@ static void find_rates(arc_space space, arc_material m, square a) {
   a[dense_at(3, 2, whole)] = -1;
 }
 
-/* Computes exp(-A d) divided by exp(d), as the complete matrix could overflow. */
+/* Computes exp(-A d) divided by exp(d). Without this division the matrix could overflow. */
 static void find_transfer(const square a, double d, square up) {
   const double e = exp(-2 * d), cosh = (1 + e) / 2, sinh = -expm1(-2 * d) / 2;
   const double c[whole] = {cosh - d * sinh / 2, -(3 * sinh - d * cosh) / 2, d * sinh / 2,
@@ -48,8 +52,8 @@ static void find_transfer(const square a, double d, square up) {
   }
 }
 
-/* Converts c [2 x 2], the compliance (displacements per stress) on the lower face of a layer of
- * depth d, to the compliance on its upper face. */
+/* Converts the compliance c (displacements per stress) on the lower face of a layer of depth d
+ * to the compliance on its upper face. */
 static void add_layer_above(arc_space space, arc_material m, double d, double c[half * half]) {
   square a, up;
   double displaced[half * half], pressed[half * half];
@@ -74,8 +78,8 @@ static void add_layer_above(arc_space space, arc_material m, double d, double c[
   }
 }
 
-/* Returns the depth of a body's rigid base [mm], or INFINITY for solid arcs, which are treated as
- * half-planes. */
+/* Returns the depth of a body's rigid base [mm]. Returns INFINITY for solid arcs, which are
+ * treated as half-planes. */
 static double depth_of(const arc_body_def *b) {
   return arc_body_is_core(b) ? INFINITY : arc_body_depth(b);
 }

@@ -1,6 +1,6 @@
-/* Computes the values of "auto" in a model's definition for its contact. All lengths of the
- * reference paper's mesh are scaled with the half width of the contact, so that the relative error
- * is the same for every contact. */
+/* Computes the "auto" values in the definition of a model for its contact. All lengths in the
+ * mesh of the reference paper are scaled with the half width of the contact, so that the
+ * relative error is the same for every contact. */
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
 #include "core/mesh/mesh.h"
@@ -14,7 +14,7 @@ double arc_model_size_for(double half_width) {
   return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
-/* Returns the smallest dimension of both bodies [mm], which limits the element sizes. */
+/* Returns the smallest dimension of the two bodies [mm], which limits the element sizes. */
 static double least_measure(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
@@ -30,8 +30,9 @@ double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
   return arc_body_widest_zone(&solid);
 }
 
-/* Returns the largest automatic element size [mm]. At this size, the height of a row is at most a
- * tenth of the smallest dimension, and the depth of the wear box at most a quarter. */
+/* Returns the largest automatic element size [mm]. With this size the height of a row is at most
+ * a tenth, and the depth of the wear box at most a quarter, of the smallest dimension of the
+ * bodies. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
@@ -39,25 +40,25 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
-/* Largest automatic number of columns for a contact with sharp edges. It is limited because
- * elements have the same size over the whole zone, which is as deep as wide. */
+/* Largest automatic number of columns for a contact with sharp edges. A limit is necessary
+ * because elements have the same size over the whole zone, which is as deep as it is wide. */
 static const double most_columns = 320;
 
 static double smallest_size(const contact_estimate *e) {
   return 2 * ARC_CONTACT_MARGIN * (e->half_width + e->edge) / most_columns;
 }
 
-/* Returns the element size [mm] that resolves the edges of the contact as finely as in the mesh of
- * the reference paper. For round spots the size is halved, as their pressure at the axis would be
- * 0.3 % low otherwise. A flat is divided so that its ends are nodes. */
+/* Returns the element size [mm] that resolves the edges of the contact as finely as the mesh of
+ * the reference paper. For round spots the size is halved; otherwise the pressure on the axis is
+ * 0.3 % too low. A flat is divided so that its ends are nodes. */
 static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
   const double size = fmax(fine, smallest_size(e)), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
-/* Returns the element size [mm] with eight elements per wave of a rough profile and five elements
- * in each spot in contact. */
+/* Returns the element size [mm] for a rough profile, which has eight elements per wave and five
+ * elements in each contact spot. */
 static double size_of_waves(const contact_estimate *e) {
   enum { a_wave = 8, a_spot = 5 };
   return fmin(e->wave / a_wave, fmax(e->spot / a_spot, smallest_size(e)));
@@ -70,7 +71,7 @@ static void fit_size(arc_model_def *def, const contact_estimate *e) {
       fmin(fmin(contact_size(def, e), size_of_waves(e)) / mesh->fineness, largest_size(def));
 }
 
-/* Limits the height of rows [mm] so that two rows fit into soft, nearly incompressible layers, as a
+/* Limits the height of rows [mm] so that soft, nearly incompressible layers contain two rows. A
  * single row locks where the layer is squeezed out sideways. Much thinner layers are ignored,
  * because they are as stiff as the material below them and would need very flat rows. */
 static double height_in_layers(const arc_model_def *def, double height) {
@@ -124,8 +125,8 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
   zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
-/* Rounds a zone [mm] up to a multiple of ten elements, so that similar computations can use the
- * same model. */
+/* Rounds the width of a zone [mm] up to a multiple of ten elements, so that similar computations
+ * can use the same model. */
 static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
   return fmin(rounded, arc_model_widest_zone(def, body));
@@ -149,9 +150,9 @@ void arc_model_fit_alone(arc_model_def *def) {
 
 /* --- cost */
 
-/* Returns the approximate memory of one body [bytes]: the stiffness and its factor, and dense
- * blocks over the wear box. The numerical factors were fitted to meshes with elements of 20 to 2.5
- * um. */
+/* Returns the approximate memory of one body [bytes]: its stiffness, the factor of the
+ * stiffness, and dense matrices over the wear box. The numerical factors were fitted to meshes
+ * with elements of 20 to 2.5 um. */
 static double body_memory(const arc_model_def *def, arc_body body) {
   const arc_body_def solid = arc_model_solid(def, body);
   const double nodes = arc_mesh_nodes(&def->mesh, body, &solid);

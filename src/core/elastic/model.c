@@ -1,4 +1,4 @@
-/* Models of two condensed bodies: settings, construction, warnings. */
+/* Models of two condensed bodies: settings, construction and warnings. */
 #include "core/elastic/model.h"
 #include "core/base/callbacks.h"
 #include "core/base/memory.h"
@@ -69,11 +69,11 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* A model under construction. The thread that builds it may run on after the caller has
- * returned. */
+/* A model under construction. The thread that builds the model may still run after the caller
+ * has returned. */
 typedef struct build {
   elastic_model *model;
-  arc_mesh *given[ARC_BODIES]; /* imported meshes; NULL: the body is meshed */
+  arc_mesh *given[ARC_BODIES]; /* imported meshes; NULL: the bodies are meshed */
   work_progress progress;
   arc_error error;
 } build;
@@ -131,7 +131,7 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
 
-/* Builds a model. The model then owns the imported meshes `given` (NULL: none). */
+/* Builds a model, which then owns the imported meshes `given` (NULL: no imported meshes). */
 static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                        const arc_callbacks *callbacks, arc_model **result,
                                        arc_error *error) {
@@ -155,7 +155,7 @@ static arc_status build_with_callbacks(const arc_model_def *def, arc_mesh *given
   return status;
 }
 
-/* Checks a definition and sets the "auto" values. */
+/* Checks a definition and replaces its "auto" values. */
 static arc_status settle(arc_model_def *def, arc_error *error) {
   arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status == ARC_OK) status = arc_model_check_pair(def, error);
@@ -227,8 +227,8 @@ double arc_model_apparent_modulus(const arc_model *m, double q) {
   return arc_pair_modulus(m->def.geometry, solid, own, q);
 }
 
-/* Warns if CPE4 elements of a body lock, which is assumed for nu above 0.45. At 20 um their error
- * of the pressure is 0.4 % at nu = 0.45 and 3 % at 0.49. */
+/* Warns if CPE4 elements of a body lock, which is assumed if Poisson's ratio is above 0.45. With
+ * elements of 20 um the error of the pressure is 0.4 % at a ratio of 0.45 and 3 % at 0.49. */
 static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
   const elastic_body *body = meshed(m)->body[which];
   if (m->def.geometry == ARC_PLANE_STRESS) return; /* elements do not lock in plane stress */
@@ -239,14 +239,14 @@ static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks
            body->material.nu, arc_body_name(body->mesh->body));
 }
 
-enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of its edges */
+enum { fewest = 4 }; /* smallest number of elements in a contact, or in one of its sharp edges */
 
-/* Smallest number of elements in a contact spot of a rough profile. With 1.9 and 2.1 elements the
- * errors of the pressure were 3 % and 4 %. */
+/* Smallest number of elements in a contact spot of a rough profile. The errors of the pressure
+ * were 3 % with 1.9 elements and 4 % with 2.1 elements. */
 static const double least_of_spot = 3;
 
-/* Warns if the spots or the sharp edges of the unworn contact have too few elements. In edges with
- * three elements the pressure peaks are 6 % too low, with two elements 16 %. */
+/* Warns if the spots or the sharp edges of the unworn contact have too few elements. The
+ * pressure peaks are 6 % too low with three elements in an edge, and 16 % with two elements. */
 static void warn_edges(const arc_model *m, double load, const arc_callbacks *callbacks) {
   const double size = m->def.mesh.size;
   if (!(load > 0) || arc_model_is_given(m)) return;
@@ -264,15 +264,15 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
            e.edge, fewest, size, arc_model_size_for(e.edge));
 }
 
-/* Returns the height of a body's surface at the node nearest to s [mm]. */
+/* Returns the height of a body's surface at the node nearest to position s [mm]. */
 static double height_at(const elastic_body *body, double s) {
   const arc_mesh *m = body->mesh;
   const int next = arc_chart_nearest(body->box_at, m->rows + 1, m->surface, s);
   return arc_body_top(body, next)[1];
 }
 
-/* Returns the slope of a hollow surface at the edges of a contact. The result is negative for other
- * surfaces. */
+/* Returns the slope of a hollow surface at the edges of a contact. For surfaces that are not
+ * hollow the result is negative. */
 static double hollow_slope(const arc_model *m, arc_body which, double half_width) {
   const elastic_body *body = meshed(m)->body[which];
   const double rise =
@@ -280,8 +280,8 @@ static double hollow_slope(const arc_model *m, arc_body which, double half_width
   return (which == ARC_PLATE ? rise : -rise) / half_width;
 }
 
-/* Warns if an imported mesh seems to be a hole, where slopes are not small. The pressure in the
- * middle is 0.3 % too low at a slope of 0.15 and 2 % at 0.4. */
+/* Warns if an imported mesh seems to be a hole, in which slopes are not small. The pressure in
+ * the middle is 0.3 % too low at a slope of 0.15, and 2 % at a slope of 0.4. */
 static void warn_hollow(const arc_model *m, double half_width, const arc_callbacks *callbacks) {
   const double steep = 0.15;
   if (!arc_model_is_given(m) || meshed(m)->body[ARC_PLATE]->chart.polar || !(half_width > 0))

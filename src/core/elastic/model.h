@@ -1,4 +1,4 @@
-/* Functions on models of meshed bodies, for contact and wear. */
+/* Functions on models of meshed bodies, used by contact and wear. */
 #ifndef ELASTIC_MODEL_H
 #define ELASTIC_MODEL_H
 
@@ -7,20 +7,20 @@
 /* Returns a body of the model. */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns if the model has fewer than four elements in a contact of the given half width [mm], or in
- * a sharp edge of the unworn contact under a load [N] (0: the contact is worn). Also warns if the
- * elements of a body lock. */
+/* Warns if a contact of the given half width [mm] has fewer than four elements. Also warns if a
+ * sharp edge of the unworn contact under a load [N] (0: the contact is worn) has too few
+ * elements, or if the elements of a body lock. */
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks);
 
 /* Version numbers of compliances, counted by the model. Compliances with equal numbers are
- * identical, for all shapes. The unworn compliance has the number ARC_UNWORN_VERSION; 0 is not
- * used. */
+ * identical for all shapes. The unworn compliance has the number ARC_UNWORN_VERSION; the number
+ * 0 is not used. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
-/* Returns the contact modulus of a model [MPa] for a pressure of wave number q [1/mm], see
- * arc_pair_modulus, including the layers of imported bodies. */
+/* Returns the contact modulus of a model [MPa] for a pressure wave of wave number q [1/mm],
+ * including the layers of imported bodies. See arc_pair_modulus. */
 double arc_model_apparent_modulus(const arc_model *model, double q);
 
 /* Implementations of arc_model_check, arc_model_build_with_callbacks, arc_model_release,

@@ -1,4 +1,4 @@
-/* Implements pairs of bodies: their names, and checks of the two shapes against each other. */
+/* Pairs of bodies: their names, and checks of the two shapes against each other. */
 #include "core/elastic/pair.h"
 #include "core/mesh/body_shape.h"
 
@@ -34,8 +34,8 @@ static const char *kind_of(const arc_model_def *def, arc_body body) {
   return arc_solid_names[arc_model_solid(def, body).kind];
 }
 
-/* Returns true if the kind of a body can be its name: the other body has another kind, and the body
- * is not a lower cylinder, as the word "cylinder" means the upper body. */
+/* Returns true if the kind of a body can be its name. The other body must have another kind, and
+ * a lower cylinder must not have its kind as its name, because "cylinder" means the upper body. */
 static int is_named_by_kind(const arc_model_def *def, arc_body body) {
   const char *kind = kind_of(def, body);
   if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
@@ -109,7 +109,7 @@ static double reach_of(const arc_body_def *b) {
   return arc_body_is_round(b) ? fabs(arc_body_radius(b)) : b->width / 2;
 }
 
-/* Checks that a profile is symmetric about the axis of revolution. */
+/* Checks that a profile is symmetric about its axis of revolution. */
 static arc_status check_profile_turns(const arc_body_def *b, const char *path, arc_error *error) {
   const arc_series *y = &b->y_series;
   for (int i = 0; i < y->count; i++) {
@@ -123,7 +123,7 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
-/* Function that checks one body of a pair of bodies of revolution. */
+/* Function that checks one of the two bodies of revolution of a pair. */
 typedef arc_status turn_check(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error);
 
@@ -219,7 +219,7 @@ int arc_model_is_hertzian(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
   if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0)
-    return 0; /* the contact of a ring is a circular line */
+    return 0; /* the contact of a ring is a circle */
   return arc_body_is_core(&upper) && arc_body_is_flat(&lower) && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
 }

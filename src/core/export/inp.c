@@ -1,8 +1,8 @@
-/* Writes input decks: one mesh with its sets for a preprocessor, or the complete problem of a
- * contact for CalculiX. Numbers start at 1; nodes and elements of the plate follow those of the
- * cylinder. The complete problem is a slab one element thick that is fixed along z on both faces,
- * which is plane strain with the model's elements. CalculiX also expands its plane elements to such
- * slabs, but it has no plane elements with incompatible modes. */
+/* Writes input decks: one mesh with its sets for a preprocessor, or the complete contact problem
+ * for CalculiX. Node and element numbers start at 1; the numbers of the plate follow the numbers
+ * of the cylinder. The complete problem is a slab of one layer of solid elements, fixed along z
+ * on both faces, which is equivalent to plane strain. CalculiX also expands plane elements to
+ * such slabs, but it has no plane elements with incompatible modes. */
 #include "core/elastic/model.h"
 #include "core/export/output.h"
 #include "core/mesh/body_shape.h"
@@ -12,13 +12,13 @@
 
 typedef struct numbering {
   int node, element; /* numbers of the first node and element of a body */
-  int layer; /* offset between the node numbers of the slab's two faces; 0: plane elements */
+  int layer; /* difference between the node numbers of the slab's two faces; 0: plane elements */
 } numbering;
 
 /* --- numbers ---------------------------------------------------------------------------------- */
 
-/* Largest width of a number. CalculiX reads 20 characters and ignores the rest, even an exponent. A
- * number of 13 digits fits with sign, point and any exponent. */
+/* Largest number of characters of a number. CalculiX reads 20 characters and ignores the rest,
+ * even an exponent. A number of 13 digits with sign, point and any exponent is not longer. */
 enum { DECK_WIDTH = 20 };
 
 static arc_number_text number(double value) {
@@ -42,8 +42,8 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
-/* Returns true if a node is in the deck. Decks of bodies of revolution have radii instead of x and
- * contain only the nodes on the right side of the axis. */
+/* Returns true if a node is in the deck. Decks of bodies of revolution contain radii instead of
+ * x, and only the nodes on the right side of the axis. */
 static int is_written(const arc_mesh *m, int node) {
   return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
 }
@@ -90,8 +90,9 @@ static void write_set(FILE *out, const arc_mesh *m, const char *name, const int 
   }
 }
 
-/* Writes the contact surface: the faces of the wear box's top elements between surface nodes. The
- * first two faces of a solid element are faces of the slab. */
+/* Writes the contact surface, which consists of the top faces of the wear box. Faces are
+ * identified by their two surface nodes. The first two faces of a solid element are on the faces
+ * of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
   for (int column = first_column(m); column + 1 < m->surface; column++) {
@@ -116,8 +117,8 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   write_surface(out, m, at, name);
 }
 
-/* Fails for a mesh without a wear box, because the contact surface of the deck consists of faces of
- * the box. */
+/* Returns an error for a mesh without a wear box, because the contact surface of the deck
+ * consists of faces of the box. */
 static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
   if (mesh->rows > 0) return ARC_OK;
   return arc_fail(
@@ -145,7 +146,7 @@ typedef struct deck {
   const arc_contact *contact;
   arc_model *model;
   const arc_model_def *def;
-  double *xy; /* coordinates of nodes [mm]; the array is large enough for either body */
+  double *xy; /* coordinates of nodes [mm]; the array has space for the larger body */
   int nodes;  /* number of nodes on one face of the slab */
 } deck;
 
@@ -153,8 +154,8 @@ static const arc_mesh *mesh_of(const deck *d, int body) {
   return arc_model_mesh(d->model, (arc_body)body);
 }
 
-/* Returns the number of the node of the plate's rigid base. It follows the numbers of all other
- * nodes. */
+/* Returns the number of the node that represents the plate's rigid base. It follows the numbers
+ * of all other nodes. */
 static int base_node(const deck *d) {
   return 2 * d->nodes + 1;
 }
@@ -173,8 +174,8 @@ static void write_material(FILE *out, const char *name, arc_material material) {
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
 }
 
-/* Writes one element set with its material for each layer, and one for the body below the
- * layers. */
+/* Writes one element set with its material for each layer, and one for the body's material below
+ * all layers. */
 static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
   const arc_body_def *solid = &d->def->body[m->body];
   const int layers = arc_body_layers(solid);
@@ -211,7 +212,7 @@ static void write_solid(const deck *d, int body, numbering at) {
     write_material(d->out, name, d->def->material[body]);
 }
 
-/* Writes the rigid base of the plate, which moves along y. */
+/* Writes the rigid base of the plate, which can move along y. */
 static void write_base(const deck *d) {
   const arc_mesh *m = mesh_of(d, ARC_PLATE);
   const int first = mesh_of(d, ARC_CYLINDER)->nodes + 1;
@@ -221,8 +222,8 @@ static void write_base(const deck *d) {
             m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
 }
 
-/* Returns the penalty stiffness [N/mm3]. At this stiffness the bodies overlap by only a small part
- * of the gap at the edge of the contact, for any element size. */
+/* Returns the penalty stiffness [N/mm3]. For any element size, it limits the overlap of the
+ * bodies to a small part of the gap at the edge of the contact. */
 static double penalty(const deck *d) {
   return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }
@@ -234,8 +235,8 @@ static void write_contact(const deck *d) {
                   "plate-contact, cylinder-contact\n");
 }
 
-/* Fixes the support of a body along x: the whole set of fixed nodes, or single nodes if only the
- * middle of the support is fixed. */
+/* Fixes the support of a body along x: the whole set of fixed nodes or, for a "free" support,
+ * only the nodes in its middle. */
 static void hold_sideways(const deck *d, const arc_mesh *m, int first) {
   if (m->solid.hold != ARC_HOLD_FREE) {
     fprintf(d->out, "%s-fixed, 1, 1\n", arc_body_name(m->body));
@@ -254,8 +255,8 @@ static void write_supports(const deck *d) {
   hold_sideways(d, lower, upper->nodes + 1);
 }
 
-/* Writes the load steps. At first the bodies are apart, so that a load would have no support. The
- * first step therefore prescribes the approach that the load causes. */
+/* Writes the load steps. The bodies do not touch at first, so a load would have no support. The
+ * first step therefore prescribes the approach that belongs to the load. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
   write_supports(d);

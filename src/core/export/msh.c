@@ -1,5 +1,5 @@
-/* Writes Gmsh files (4.1, text) of both bodies, with the physical groups that arc_mesh_read_msh
- * reads. */
+/* Writes Gmsh files (version 4.1, text) of both bodies, with the physical groups that
+ * arc_mesh_read_msh requires. */
 #include "core/export/output.h"
 
 #include <math.h>
@@ -10,20 +10,20 @@ enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3, CURVES = 2 };
 static const char *const role_names[] = {"upper", "lower"};
 static const char *const curve_names[] = {"contact", "fixed"};
 
-/* A surface of the file: the part of a body with one material. */
+/* A surface in the file, which is the part of a body with one material. */
 typedef struct msh_part {
   int body, material; /* material -1: the body's own material, which has no name */
 } msh_part;
 enum { PARTS = ARC_BODIES * (ARC_MESH_MATERIALS + 1) };
 
-/* Data of the file. Entities are numbered as follows: surface p + 1 is part p, and curves 2 b + 1
- * and 2 b + 2 are the contact and the fixed part of body b. Physical groups have the same numbers
- * as their entities. */
+/* Data of the file. The entities are numbered as follows: surface p + 1 is part p; curve 2 b + 1
+ * is the contact curve and curve 2 b + 2 the fixed curve of body b. Physical groups have the
+ * same numbers as their entities. */
 typedef struct msh_output {
   FILE *out;
   const arc_mesh *mesh[ARC_BODIES]; /* meshes of the bodies; NULL: the body is not written */
-  char *fixed[ARC_BODIES];          /* [nodes] 1: the node is fixed */
-  int lines[ARC_BODIES][CURVES];    /* number of lines of each curve */
+  char *fixed[ARC_BODIES];          /* for each node of a body: 1 if the node is fixed */
+  int lines[ARC_BODIES][CURVES];    /* number of line elements of each curve */
   msh_part part[PARTS];
   int parts, nodes, elements, bodies; /* numbers of written entities */
 } msh_output;
@@ -66,11 +66,11 @@ static void write_part_name(const msh_output *o, const msh_part *p) {
 
 /* --- the curves ------------------------------------------------------------------------------- */
 
-/* Data for counting or writing the lines of a curve. `tag` points to the number of the next
- * line. */
+/* Data for counting or writing the line elements of a curve. `tag` points to the number of the
+ * next element. */
 typedef struct line_sink {
   FILE *out;
-  int *tag; /* NULL: lines are only counted */
+  int *tag; /* NULL: the line elements are only counted */
   int first, count;
 } line_sink;
 
@@ -83,7 +83,7 @@ static void add_contact(const arc_mesh *m, line_sink *s) {
   for (int i = 1; i < m->surface; i++) add_line(s, m->surface_node[i - 1], m->surface_node[i]);
 }
 
-/* Adds the edges of elements between two fixed nodes. */
+/* Adds all edges of elements whose two nodes are fixed. */
 static void add_fixed(const arc_mesh *m, const char *fixed, line_sink *s) {
   for (int e = 0; e < m->elements; e++) {
     const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
@@ -133,7 +133,7 @@ static void write_names(const msh_output *o) {
   fprintf(o->out, "$EndPhysicalNames\n");
 }
 
-/* Writes the number of an entity, and the extent of its body as the extent of the entity. */
+/* Writes the number of an entity. Its extent in the file is the extent of its body. */
 static void write_extent(const msh_output *o, int tag, int body) {
   const double *xy = o->mesh[body]->xy;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -182,9 +182,9 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-/* Returns the index after the last element of the block that begins at element e. The elements of a
- * block have the same type and material. Blocks keep the order of elements, so that sums over the
- * elements of the file are identical. */
+/* Returns the index after the last element of the block that begins at element e. The elements
+ * of a block have the same type and material. Blocks preserve the order of the elements, so that
+ * sums over the elements of the file give identical results. */
 static int block_end(const arc_mesh *m, int e) {
   const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
   while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;
@@ -257,7 +257,7 @@ static arc_status write_text(char **text, msh_output *o, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for writing a mesh");
 }
 
-/* Collects the data of the file. The caller frees them with end(), also after an error. */
+/* Collects the data of the file. The caller frees the data with end(), also after an error. */
 static arc_status begin(msh_output *o, const arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   arc_status status = ARC_OK;
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)

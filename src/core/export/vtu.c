@@ -1,5 +1,5 @@
-/* Writes VTK unstructured grids in XML. The binary data follow the XML description. Each array is
- * preceded by its number of bytes. */
+/* Writes VTK unstructured grids in XML. The binary data follow the XML description. The data of
+ * each array begin with its number of bytes. */
 #include "core/export/output.h"
 
 #include <stdint.h>
@@ -42,8 +42,8 @@ static void grid_free(grid *g) {
   for (int i = 0; i < g->count; i++) free(g->list[i].data);
 }
 
-/* Adds an array of zeros to the grid. Returns the address of the values, or NULL if out of
- * memory. */
+/* Adds an array of zeros to the grid. Returns the address of the values, or NULL if memory is
+ * exhausted. */
 static void *add(grid *g, array a) {
   a.data = calloc(a.tuples * (size_t)a.components, type_sizes[a.type]);
   if (a.data)
@@ -104,8 +104,8 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-/* Adds an array with the layer of each element, counted from 1 at the surface, or its material in
- * an imported mesh. Elements outside all layers have the highest number. */
+/* Adds an array with the layer of each element (1: the layer at the surface) or, for an imported
+ * mesh, with its material. Elements below all layers have the highest number. */
 static void add_layers(grid *g) {
   const arc_mesh *m = g->mesh;
   if (!m->layer || arc_body_layers(&m->solid) == 0) return;
@@ -163,8 +163,8 @@ static void describe(FILE *out, const array *a, uint64_t offset) {
     fprintf(out, "/>\n");
 }
 
-/* Writes the descriptions of the arrays of a section. Offsets [bytes] are counted from the mark `_`
- * before the data. */
+/* Writes the descriptions of all arrays of a section. Offsets [bytes] are counted from the
+ * character `_` before the data. */
 static void describe_section(FILE *out, const grid *g, section part) {
   uint64_t offset = 0;
   fprintf(out, "<%s>\n", section_names[part]);

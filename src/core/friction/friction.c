@@ -1,8 +1,8 @@
 /* Solves one increment of Coulomb friction by sweeps. Each sweep solves for the pressures at
- * constant shear, and then for the shear at constant bounds. Sweeps are repeated until the gaps no
- * longer change. Both problems are symmetric, and their solvers always terminate. The sweeps
- * converge quickly for bodies of similar materials. If the coupling is strong, the method of
- * friction_newton.c is tried between sweeps. */
+ * constant shear, and then for the shear at the friction bounds of these pressures. Sweeps are
+ * repeated until the gaps no longer change. Both problems are symmetric, and their solvers always
+ * terminate. The sweeps converge quickly for bodies of similar materials. If the coupling is
+ * strong, the method of friction_newton.c is tried between sweeps. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -16,8 +16,9 @@ static const double settled = 1e-13;
 
 /* --- the shear problem of an increment -------------------------------------------------------- */
 
-/* Sets the tangential force of the shear problem and limits it to the limit of friction, the sum of
- * all bounds. Sets k->over if the limit is reached, which is allowed only before convergence. */
+/* Sets the tangential force of the shear problem, capped at the limit of friction, which is the sum
+ * of all bounds. Sets k->over if the force reaches this limit, which is an error only after
+ * convergence. */
 static void set_total(friction_task *k) {
   shear_problem *s = &k->w->shear;
   double carried = 0;
@@ -92,8 +93,8 @@ static double changed(const friction_task *k, const double *sheared) {
   return most / all;
 }
 
-/* Sets the shear of the next sweep: the new shear or, after many sweeps, a mean of the old and new
- * shear, which damps oscillations. */
+/* Sets the shear of the next sweep: the new shear, or after 20 sweeps a weighted mean of the old
+ * and the new shear, which damps oscillations. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
   for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
@@ -109,7 +110,7 @@ static int sweep(friction_task *k) {
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
-  if (k->p->active == 0) return -1; /* on steep slopes the shear carries more than the load */
+  if (k->p->active == 0) return -1; /* on steep slopes the shear can carry more than the load */
   set_shear(k);
   w->shear.iterations = 0;
   if (arc_shear_solve(&w->shear) != 1) return -1;
@@ -154,8 +155,8 @@ static int solve(friction_task *k) {
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
-/* Adds the change of the compliance times the forces to w->gap, the gaps without shear, as
- * contact_problem.c does without friction. Returns 0 if the compliance has not changed. */
+/* Adds the change of the compliance since the last condensation, times the forces, to w->gap, the
+ * gaps without shear. Returns 0 if the compliance has not changed. */
 static int add_compliance_change(friction_task *k) {
   contact_problem *p = k->p;
   const size_t bytes = (size_t)p->count * sizeof *p->gap;
@@ -177,8 +178,7 @@ static double touch(const contact_problem *p) {
   return least;
 }
 
-/* Sets the active set of an unsolved problem to the nodes that were in contact before the
- * increment. */
+/* Initialises the active set with the nodes that were in contact before the increment. */
 static void set_of(contact_problem *p, const friction_state *s) {
   for (int c = 0; c < p->count; c++)
     if (s->f[p->lo + c] > 0) p->set[p->active++] = c;

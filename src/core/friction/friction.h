@@ -1,43 +1,46 @@
-/* Coulomb friction on a contact problem: the tangential part of the contact matrix, the state
- * between increments, and one increment of load and motion.
+/* Coulomb friction in a contact problem: the tangential part of the contact matrix, the state
+ * between increments of load and motion, and the solution of one increment.
  *
- * Shear forces t are given at the cylinder's nodes, like the forces f. t acts on the cylinder along
- * (1, m), the tangent in +x of the surface with slope m. -t acts on the plate. q = t / w is the
- * shear traction for the width w of the node. Slip ds is the motion of the plate's surface relative
- * to the cylinder's along +x:
+ * Shear forces t, like normal forces f, are given at the cylinder's nodes. On a surface with slope
+ * m, t acts on the cylinder along the tangent (1, m), and -t acts on the plate. The shear traction
+ * is q = t / w with the width w of the node. The slip ds is the motion of the plate's surface
+ * relative to the cylinder's along +x. The subscripts n and t of the contact matrix A denote its
+ * normal and tangential parts:
  *
  *   gap - approach + m (x - problem x) + A_nn f + A_nt t >= 0,  f >= 0,  f gap = 0
  *   ds = dx + m d(approach) - d(r),   r = A_tn f + A_tt t
  *   |t| <= mu f,   ds = 0 where |t| < mu f,   t ds >= 0
  *   sum (f + m t) = line,   sum (t - m f) = tangential, the force that drives the plate along x
  *
- * Therefore x, tangential, q and ds are all positive for a plate that is pushed along +x. d is the
- * change over the increment (backward Euler). r before the increment is computed from the
- * displacements of those points of both surfaces that face each other now. */
+ * Therefore x, tangential, q and ds are all positive for a plate that is pushed along +x. d denotes
+ * the change in the increment (backward Euler). r is the tangential displacement of the cylinder
+ * relative to the plate; its value before the increment is computed for the pairs of surface points
+ * that face each other at the end of the increment. */
 #ifndef FRICTION_FRICTION_H
 #define FRICTION_FRICTION_H
 
 #include "core/contact/contact_problem.h"
 
-/* The shear problem at constant pressures: minimise t'A t / 2 - drive't with |t| <= bound. If
- * by_force is set, the condition sum t = total is added, with the multiplier `shift` (shear.c).
- * Arrays have one value for each of the n nodes in contact. */
+/* The problem of the shear forces t at constant pressures: minimise t'A_tt t / 2 - drive't subject
+ * to |t| <= bound. If by_force is set, sum t = total is a further constraint, and `shift` is its
+ * Lagrange multiplier (shear.c). Arrays have one value for each of the n nodes in contact. */
 typedef struct shear_problem {
   int n;
-  const int *at;   /* [n] indices of the candidates in contact */
-  const double *a; /* matrix A_tt [ld x ld], by candidate */
+  const int *at;   /* [n] indices of the candidate nodes in contact */
+  const double *a; /* matrix A_tt [ld x ld] of all candidate nodes */
   int ld;
   int by_force;
   double total; /* [N/mm] tangential force */
-  double shift; /* [mm] motion of the plate that causes `total`; 0 for a given motion */
+  double shift; /* [mm] displacement of the plate under `total`; 0 if the motion is given */
   double *bound, *drive;
   double *t, *slip;
-  int *direction;   /* 0: stick; 1, -1: slip along, against x; warm start and result */
-  int *list, *pick; /* [stuck] candidates of the nodes that stick, and their indices in `at` */
+  int *direction; /* warm start and result: 0 if a node sticks, 1 or -1 if it slips along or against
+                     x */
+  int *list, *pick; /* [stuck] nodes that stick: indices among the candidates, and in `at` */
   int stuck;
   int factored; /* 1: `factor` and `ones` are valid for `list` and `a` */
   double *factor, *ones, *target;
-  double *held, *pulled; /* forces of the nodes that slip; product A_tt t by candidate */
+  double *held, *pulled; /* shear forces of the nodes that slip; product A_tt t at the candidates */
   int iterations;
 } shear_problem;
 
@@ -45,19 +48,20 @@ typedef struct shear_problem {
  * is not positive definite. */
 int arc_shear_solve(shear_problem *s);
 /* Lists the nodes that stick (direction = 0) in `list` and `pick`. Computes the Cholesky factor of
- * A_tt for these nodes, and `ones`, their forces per unit of motion. Returns non-zero if A_tt is
- * not positive definite. */
+ * A_tt for these nodes, and `ones`, the forces of these nodes per unit displacement of the plate.
+ * Returns non-zero if A_tt is not positive definite. */
 int arc_shear_factorise(shear_problem *s);
 
-/* Tangential part of the contact matrix of a problem. */
+/* Tangential part of the contact matrix. Candidates are the cylinder nodes that may be in
+ * contact. */
 typedef struct tangential_compliance {
   int nc, np, count;
   long version; /* version of the problem for which the matrices were computed; 0: none */
   double x;
   int flat;   /* 1: all slopes of the surfaces are zero */
-  double *nt; /* [count x count] A_nt, gaps under shear forces */
-  double *tn; /* [count x count] A_tn, the transpose of A_nt */
-  double *tt; /* [count x count] A_tt, tangential displacements under shear forces */
+  double *nt; /* [count x count] A_nt: gaps per shear force [mm2/N] */
+  double *tn; /* [count x count] A_tn: the transpose of A_nt */
+  double *tt; /* [count x count] A_tt: tangential displacements per shear force [mm2/N] */
 } tangential_compliance;
 
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
@@ -67,18 +71,20 @@ size_t arc_tangential_bytes(const tangential_compliance *g);
  * a workspace. */
 void arc_tangential_update(tangential_compliance *g, const contact_problem *p, double *work);
 
-/* Workspace of an increment. It contains the solution of the last increment. One workspace can be
- * used for all contact problems of a model. */
+/* Workspace for solving an increment, which also contains the solution of the last one. One
+ * workspace can be used for all contact problems of a model. */
 typedef struct friction_workspace {
   int nc, np;
-  double *gap;     /* [nc] gaps with the plate at the increment's x, without shear [mm] */
-  double *sheared; /* [nc] gaps A_nt t caused by shear [mm], by candidate */
-  double *before;  /* [nc] displacement r before the increment [mm], by candidate */
-  double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
+  double *gap;     /* [nc] gaps without shear at the plate position of the increment [mm] */
+  double *sheared; /* [nc] changes A_nt t of the gaps caused by shear [mm], by candidate */
+  double
+      *before; /* [nc] relative tangential displacement r before the increment [mm], by candidate */
+  double *t;   /* [nc] solution: shear forces [N/mm], by candidate */
   double *slip;    /* [nc] solution: slip ds [mm] of all candidates; 0 where nodes stick */
-  double *reserve; /* [nc] solution: additional shear force at which a node slips in the direction
-                      of the plate's motion [N/mm], by candidate; 0 where nodes slip */
-  double *dragged; /* [nc] displacement A_tn f or, under all forces, r [mm], by candidate */
+  double *reserve; /* [nc] solution: additional shear force that would make a node slip in the
+                      direction of the plate's motion [N/mm], by candidate; 0 where nodes slip */
+  double *dragged; /* [nc] tangential displacement [mm], by candidate: A_tn f, caused by normal
+                      forces, or r, caused by all forces */
   double *work;    /* [4 * (nc + np)] workspace for displacements */
   shear_problem shear;
   const tangential_compliance
@@ -87,26 +93,27 @@ typedef struct friction_workspace {
   double x;
   double *coupled;          /* [(2 nc) x (2 nc + 3)] workspace of friction_newton.c */
   int *pivots;              /* [6 * nc] workspace of friction_newton.c */
-  int sweeps_before_newton; /* sweeps before friction_newton.c is tried: 4, more in tests */
-  int by_force;             /* sweeps before friction_force_control.c is used: 50, 0 in tests */
-  int sweeps;               /* number of sweeps of the last increment */
-  int iterations;           /* number of active sets in all sweeps */
-  int newton;               /* 1: friction_newton.c solved the increment */
-  int bracketed;            /* 1: friction_force_control.c was used */
+  int sweeps_before_newton; /* number of sweeps before Newton's method (friction_newton.c) is tried:
+                               4, more in tests */
+  int by_force;   /* number of sweeps before friction_force_control.c is used: 50, but 0 in tests */
+  int sweeps;     /* number of sweeps of the last increment */
+  int iterations; /* number of active-set iterations in all sweeps */
+  int newton;     /* 1: friction_newton.c solved the increment */
+  int bracketed;  /* 1: friction_force_control.c was used */
 } friction_workspace;
 
 arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
 void arc_friction_workspace_free(friction_workspace *w);
 size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
-/* Error terms at one end of the sum over nodes in slip_energy.c: even order [mm] and odd order
- * [N]. */
+/* Terms of even order [mm] and odd order [N] of the error at one end of the sum in
+ * slip_energy.c. */
 typedef struct friction_terms {
   double even, odd;
 } friction_terms;
 
-/* A reversal of the motion: the tangential force at the reversal [N/mm], and the energy that the
- * motion before the reversal dissipated between the nodes [N]. */
+/* A reversal of the plate's motion: the tangential force at the reversal [N/mm], and the energy
+ * correction (slip_energy.c) of the motion before the reversal [N]. */
 typedef struct friction_turn {
   double force, energy;
 } friction_turn;
@@ -114,12 +121,13 @@ typedef struct friction_turn {
 /* History of the plate's motion under a constant load; see friction_hysteresis.c. */
 enum { ARC_FRICTION_TURNS = 64 };
 typedef struct friction_memory {
-  int sense; /* direction of the present motion: 1 along x, -1 against it; 0 if it is unknown or the
+  int sense; /* direction of the present motion: 1 along x, -1 against x, 0 if it is unknown or the
                 load changes */
-  int fresh; /* 1: the first motion began without shear */
-  int count; /* number of reversals; each force lies between the two forces before it */
+  int fresh; /* 1: the first motion began with no or little shear */
+  int count; /* number of stored reversals; the force at each lies between the forces at the two
+                before it */
   friction_turn turn[ARC_FRICTION_TURNS];
-  double energy; /* [N] energy dissipated between the nodes in the present motion */
+  double energy; /* [N] energy correction of the present motion */
 } friction_memory;
 
 /* State of a contact with friction between increments. The next solution depends on this state
@@ -130,8 +138,9 @@ typedef struct friction_state {
   double approach;   /* [mm] approach of the bodies */
   double line;       /* [N/mm] load per thickness */
   double tangential; /* [N/mm] tangential force per thickness */
-  double energy;     /* [N] energy per thickness dissipated in all increments */
-  double between;    /* [N] part of `energy` dissipated between the nodes (slip_energy.c) */
+  double energy;     /* [N] energy dissipated in all increments, per thickness */
+  double between;    /* [N] part of `energy` dissipated by slip between the nodes: the energy
+                        correction of slip_energy.c */
   friction_memory memory;
   double *f, *t;     /* [nc] normal and shear forces by cylinder node [N/mm] */
   double *slip;      /* [nc] slip ds of the last increment [mm] */
@@ -158,18 +167,18 @@ typedef struct friction_step {
   double tangential; /* [N/mm] tangential force per thickness */
 } friction_step;
 
-/* Returns the automatic number of increments in which the load is applied: four for each element
- * that the edge of the contact crosses, at least 20 and at most 400. */
+/* Returns the default number of increments in which the load is applied: four for each element in
+ * the half width of the contact, at least 20 and at most 400. */
 int arc_friction_press_increments(const arc_model *model, double load);
 /* Returns step i of the n steps in which the load of `to` is applied. The width of the contact
  * grows in equal increments. */
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
 /* Solves one increment from the state `s` to `step` and updates the state. Before the call, the
- * problem must be updated for the plate's position step->x or, if the plate moves little, as under
- * a given force, for a position near it. This position determines which points of both surfaces
- * face each other. The solution is written to p->f, p->approach, w->t and w->slip; p->gap then
- * includes the displacements caused by shear. On ARC_ARGUMENT (friction does not carry the
+ * problem must be updated for the plate position step->x, or for a position near it if the plate
+ * moves little, as under a given force. The position of this update determines which points of both
+ * surfaces face each other. The solution is written to p->f, p->approach, w->t and w->slip; p->gap
+ * then includes the displacements caused by shear. On ARC_ARGUMENT (friction does not carry the
  * tangential force), ARC_ZONE and ARC_NUMERIC the state is unchanged. */
 arc_status arc_friction_solve(contact_problem *p, tangential_compliance *g, friction_workspace *w,
                               const friction_step *step, friction_state *s, arc_error *error);
@@ -198,10 +207,11 @@ typedef struct friction_task {
   int by_force;    /* 1: the tangential force is given; 0: the motion is given */
   double
       dx; /* [mm] displacement of the plate, to which w->shear.shift is added under a given force */
-  double change; /* [-] relative change of the gaps in the last sweep */
-  double shift,
-      held; /* motion [mm] and load carried by shear [N/mm] that the present gaps include */
-  int over; /* 1: the last tangential force exceeded the limit of friction */
+  double change;      /* [-] relative change of the gaps in the last sweep */
+  double shift, held; /* displacement of the plate [mm] and load carried by shear [N/mm] for which
+                         the gaps were computed */
+  int over; /* 1: the given tangential force exceeds the limit of friction at the present pressures
+             */
 } friction_task;
 
 /* Solves for pressures and shear alternately, under a given force or motion, in at most `limit`
@@ -212,20 +222,21 @@ int arc_friction_sweeps(friction_task *k, int limit);
  * 0. */
 int arc_friction_bracket(friction_task *k);
 
-/* Records a reversal of the motion. It is called before the forces of the increment are stored. */
+/* Records a reversal of the motion if there is one. Must be called before the forces of the
+ * increment are stored in the state. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
-/* Removes the loops that the present motion has closed, and adds the part of their energy between
- * the nodes that has not been added yet. */
+/* Removes the hysteresis loops that the present motion has closed, and adds the part of their
+ * energy correction that has not been added yet. */
 void arc_friction_close_loops(friction_state *s);
-/* Returns the change of the tangential force [N/mm] on surfaces without shear that is equivalent to
- * the present motion up to `force` [N/mm]. */
+/* Returns the rise of the tangential force [N/mm] for which a first motion, on surfaces without
+ * shear, is equivalent to the present motion up to `force` [N/mm]: half of the change of force
+ * after a reversal. */
 double arc_friction_rise(const friction_memory *m, double force);
 
-/* Adds the energy dissipated between the nodes in an increment to the state, and computes
- * w->reserve. */
+/* Adds the energy correction of an increment to the state, and computes w->reserve. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
-/* Returns the slip ds of a candidate [mm], computed with r = w->dragged. */
+/* Returns the slip ds of a candidate [mm] for the relative tangential displacement w->dragged. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
 /* Solves for pressures and shear together by semismooth Newton, beginning with the sets of the last
@@ -233,7 +244,8 @@ double arc_friction_slip(const friction_task *k, int candidate);
  * slip, the active set and the motion of the last sweep. */
 int arc_friction_newton(friction_task *k);
 
-/* Computes result [count] = A_nt t, the gaps under shear forces, by candidate. */
+/* Computes result [count] = A_nt t, the changes of the gaps caused by shear forces, by
+ * candidate. */
 void arc_tangential_gaps(const tangential_compliance *g, const double *t, double *result);
 /* arc_tangential_drag computes r = A_tn f at the candidates first .. last - 1,
  * arc_tangential_drag_all r = A_tn f + A_tt t at all candidates. */

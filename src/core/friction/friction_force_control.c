@@ -1,7 +1,7 @@
-/* Computes the motion of the plate for a given tangential force. If all nodes slip at constant
- * pressures, a whole range of motions has the same force. On inclined surfaces the pressures change
- * with the motion, so the motion is unique. The force increases with the motion, so the motion can
- * be bracketed. */
+/* Computes the displacement of the plate for a given tangential force. If all nodes slip at
+ * constant pressures, many displacements have the same force. On inclined surfaces the pressures
+ * change with the displacement, so the solution is unique. The force increases with the
+ * displacement, so the solution can be bracketed. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -12,13 +12,14 @@ enum { sweeps = 1000, doublings = 60, halvings = 200 };
 /* Tolerance of the tangential force, relative to the load. */
 static const double close_enough = 1e-13;
 
-/* Sets the motion to `dx` [mm] and updates the gaps of inclined surfaces. */
+/* Sets the displacement of the plate to `dx` [mm] and updates the gaps of inclined surfaces. */
 static void move_to(friction_task *k, double dx) {
   for (int c = 0; c < k->p->count; c++) k->w->gap[c] += k->p->slope[k->p->lo + c] * (dx - k->dx);
   k->dx = dx;
 }
 
-/* Returns the force after a motion minus the given force [N/mm]; NaN if the sweeps fail. */
+/* Returns the tangential force at a displacement dx [mm] minus the given force [N/mm]; NaN if the
+ * sweeps fail. */
 static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
@@ -28,11 +29,12 @@ static double excess(friction_task *k, double dx) {
 }
 
 typedef struct range {
-  double x[2], off[2]; /* motions [mm] with too small and too large a force; force errors [N/mm] */
+  double x[2], off[2]; /* displacements [mm] at which the force is too small and too large; force
+                          errors [N/mm] */
 } range;
 
-/* Brackets the motion: doubles the distance from the first motion until the given force lies
- * between the forces of the last two motions. Returns 0 on failure. */
+/* Brackets the displacement: doubles the distance from the initial displacement until the given
+ * force lies between the forces of the last two trials. Returns 0 on failure. */
 static int enclose(friction_task *k, range *r) {
   const contact_problem *p = k->p;
   const double from = k->dx, off = excess(k, from);
@@ -53,7 +55,7 @@ static int enclose(friction_task *k, range *r) {
 }
 
 /* Narrows the bracket by secant steps, and by bisection in every third step. Returns 1 if the force
- * is reached, else 0. */
+ * has converged, else 0. */
 static int narrow(friction_task *k, range *r) {
   const double enough = close_enough * k->step->line;
   for (int i = 1; i <= halvings; i++) {

@@ -1,11 +1,11 @@
 /* Stores the reversals of the tangential force under a constant load. During a motion in one
- * direction nodes slip one after the other. At a reversal all nodes stick. Then the same nodes slip
- * back in the same order, each after twice the change of force. When the force returns to the start
- * of an inner loop, this loop is removed (rules of Masing and Madelung). Later states therefore
- * depend only on the forces at the reversals that no later motion has passed. The first motion, on
- * surfaces without shear, is half of a motion from the opposite reversal. If shear remains from an
- * earlier load, the energy is not corrected in the first motion, and in later motions only while
- * the force stays within the range covered under the present load. */
+ * direction nodes begin to slip one after the other. At a reversal all nodes stick; then they slip
+ * back in the same order, each after twice the change of force. A hysteresis loop is closed and
+ * removed when the force returns to its start (rules of Masing and Madelung). Later states
+ * therefore depend only on the reversals of loops that are still open. A first motion, on surfaces
+ * without shear, is half of a motion after a reversal. If shear remains from an earlier load, the
+ * energy of the first motion is not corrected, and that of later motions only while the force stays
+ * within the range covered under the present load. */
 #include "core/friction/friction.h"
 
 #include <math.h>
@@ -39,8 +39,8 @@ static double loop_end(const friction_memory *m) {
   return m->turn[m->count - 2].force;
 }
 
-/* Removes the closed loop and continues with the motion before the loop. Returns the energy between
- * the nodes [N] that the present motion still lacks for the complete loop. */
+/* Removes the closed loop and continues with the motion before the loop. Returns the part of the
+ * loop's energy correction [N] that the present motion does not include yet. */
 static double close_loop(friction_memory *m) {
   friction_turn *last = &m->turn[m->count - 1];
   const double whole = (m->count == 2 && m->fresh ? 2 : 1) * last->energy;

@@ -1,9 +1,10 @@
-/* Solves for pressures and shear of an increment together, by semismooth Newton on the sets of
- * nodes (no contact, stick, slip along x, slip against x). The matrix of a set is not symmetric,
- * since shear is proportional to pressure where nodes slip. The method converges fast if the
- * initial sets are nearly correct, but it may fail; friction.c then continues with sweeps. The
- * unknowns are the forces f in contact, then the shear t of the nodes that stick. The approach, and
- * the plate's motion under a given tangential force, follow from the resultants. */
+/* Solves for pressures and shear of an increment together, by a semismooth Newton method over the
+ * states of the nodes (no contact, stick, slip along x, slip against x). The matrix is not
+ * symmetric, since shear is proportional to pressure where nodes slip. The method converges fast if
+ * the initial states are nearly correct, but it may fail; friction.c then continues with sweeps.
+ * The unknowns are the normal forces of the nodes in contact, then the shear forces of the nodes
+ * that stick. The approach, and the plate's motion under a given tangential force, follow from the
+ * load and the tangential force. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -14,11 +15,11 @@ enum { newton_limit = 10, right_hand_sides = 3 };
 
 typedef struct newton_system {
   friction_task *k;
-  int na, ns, n; /* numbers of nodes in contact, nodes that stick, and unknowns */
-  int *direction,
-      *stuck;    /* [nc] state by candidate (0: sticks; 1, -1: slips); [ns] candidates that stick */
-  double *a, *b; /* matrix [n x n]; solutions [n x 3] without rigid motion, per unit of approach,
-                    and per unit of motion */
+  int na, ns, n;          /* numbers of nodes in contact, nodes that stick, and unknowns */
+  int *direction, *stuck; /* [nc] state of each candidate node (0: sticks; 1, -1: slips); [ns]
+                             candidates that stick */
+  double *a, *b; /* matrix [n x n]; solutions [n x 3]: without rigid motion, per unit of approach,
+                    and per unit displacement of the plate */
 } newton_system;
 
 static void set_workspace(newton_system *c) {
@@ -49,8 +50,8 @@ static double pull_at(const newton_system *c, int candidate) {
   return c->direction[candidate] * c->k->step->mu;
 }
 
-/* Computes the matrix column of the normal force at candidate `from`: gaps of the nodes in contact,
- * then r of the nodes that stick. */
+/* Computes the matrix column of the normal force at candidate `from`: the gaps of the nodes in
+ * contact, then the tangential displacements of the nodes that stick. */
 static void fill_force(newton_system *c, int column, int from) {
   const contact_problem *p = c->k->p;
   const tangential_compliance *g = c->k->g;
@@ -89,7 +90,8 @@ static void fill_sides(newton_system *c) {
   }
 }
 
-/* Computes the contribution of a unit of an unknown to the load and to the tangential force. */
+/* Computes the contribution of an unknown with the value 1 to the load and to the tangential
+ * force. */
 static void share_of(const newton_system *c, int unknown, double *load, double *tangential) {
   const int shear = unknown >= c->na;
   const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];

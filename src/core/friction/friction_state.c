@@ -1,5 +1,5 @@
-/* Implements the state of a contact with friction: allocation, copies, the unloaded state, and the
- * increments in which the load is applied. */
+/* Implements the state of a contact with friction: allocation, copies and the unloaded state. Also
+ * defines the increments in which the load is applied. */
 #include "core/friction/friction.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* Computes shear forces under given bounds, which is a symmetric problem with box constraints. The
- * solver is a primal-dual active set method (semismooth Newton) over the states stick, slip along x
- * and slip against x, which begins with the last states. If it does not converge, or if no node can
- * carry a given force, a primal active-set method is used instead. Its objective decreases with
- * every set, so no set repeats. */
+/* Computes shear forces within given bounds, which is a symmetric problem with box constraints. The
+ * solver is a primal-dual active-set method (semismooth Newton) over the states stick, slip along x
+ * and slip against x, and begins with the last states. If it does not converge, or if no node
+ * sticks that could balance a given force, a primal active-set method is used instead. Its
+ * objective decreases with every set, so no set repeats. */
 #include "core/base/dense.h"
 #include "core/friction/friction.h"
 
@@ -47,7 +47,8 @@ int arc_shear_factorise(shear_problem *s) {
   return 0;
 }
 
-/* Computes the motion `shift` for which the nodes that stick carry the rest of the given force. */
+/* Computes the plate displacement `shift` for which the nodes that stick carry the rest of the
+ * given force. */
 static void find_shift(shear_problem *s) {
   double rest = s->total, sum = 0;
   for (int i = 0; i < s->n; i++)
@@ -60,8 +61,8 @@ static void find_shift(shear_problem *s) {
 }
 
 /* Computes target [stuck], the forces that prevent slip of the nodes that stick, with the other
- * nodes at their bounds. Returns 1 if solved, 0 if no node can carry the given force, -1 if A_tt is
- * not positive definite. */
+ * nodes at their bounds. Returns 1 if solved, 0 if a force is given and no node sticks, -1 if A_tt
+ * is not positive definite. */
 static int solve_stuck(shear_problem *s) {
   if (arc_shear_factorise(s)) return -1;
   s->shift = 0;

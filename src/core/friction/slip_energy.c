@@ -1,19 +1,20 @@
-/* Computes the energy dissipated by slip between the nodes. Consider a plate that is pushed in one
- * direction under a constant load, on surfaces without shear. The nodes slip one by one from the
- * edge of the contact inwards. Node j slips when the force has risen by D_j; from then on the
- * tangential compliance is larger by C_j. Up to a rise of D the nodes dissipate sum_j D_j C_j (D -
- * D_j). Surfaces slip continuously, so the sum approximates an integral. By the Euler-Maclaurin
- * formula the error of the sum depends only on its two ends, which are the edge of the contact and
- * the edge of the stick zone, and on their positions between nodes. These positions are measured by
- * the changes of force until or since two neighbouring nodes begin to slip. The inner node slips
- * after a change of r / e, where r is its reserve and e its fraction of the force. The outer node
- * began to slip before a change of s / c, where s is its slip and c its slip per force. Beyond the
- * edge of the contact mu times the gap replaces s, because force and slip are related as load and
- * gap are. Terms of fourth order in the element size are neglected.
+/* Computes the energy correction: the dissipated energy that is missing in the sum over nodes,
+ * because slip between the nodes is not resolved. Consider a plate that is pushed in one direction
+ * under a constant load, on surfaces without shear. The nodes begin to slip one by one, from the
+ * edge of the contact inwards. Node j begins to slip when the force has risen by D_j; from then on
+ * the tangential compliance is larger by C_j. Up to a rise D of the force the nodes dissipate sum_j
+ * D_j C_j (D - D_j). Real surfaces slip continuously, so this sum approximates an integral. By the
+ * Euler-Maclaurin formula its error depends only on its two ends, the edge of the contact and the
+ * edge of the stick zone, and on their positions between nodes. These positions are measured by
+ * changes of force. The node inside the stick zone will slip after a change r / e, where r is its
+ * reserve (missing shear force) and e its fraction of the force. The node outside began to slip a
+ * change s / c ago, where s is its slip and c its slip per force. Beyond the edge of the contact,
+ * the friction coefficient times the gap replaces s, because slip depends on force as the gap
+ * depends on load. Terms of fourth order in the element size are neglected.
  *
- * A motion after a reversal is twice a motion of half its length from surfaces without shear
- * (friction_hysteresis.c). The ends of the sum are therefore known for any history of forces.
- * Between bodies of different materials pressures depend on shear, and nodes may slip in another
+ * A motion after a reversal equals twice a first motion of half the change of force
+ * (friction_hysteresis.c). The ends of the sum are therefore known for any history of forces. If
+ * the materials of the bodies differ, pressures depend on shear, and nodes may slip in another
  * order. The correction is then less accurate, but still an improvement. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
@@ -21,15 +22,15 @@
 #include <math.h>
 #include <string.h>
 
-/* One end of the sum over nodes: the lower end consists of all edges of the contact, the upper end
- * of all edges of stick zones. */
+/* One end of the sum over nodes: the lower end is the set of all edges of the contact, the upper
+ * end the set of all edges of stick zones. */
 typedef struct sum_ends {
   friction_task *k;
   double unit; /* force per unit of motion on the nodes that stick [N/mm2] */
   friction_terms terms;
 } sum_ends;
 
-/* Returns the slip of a candidate per force on the nodes that stick [mm2/N]. */
+/* Returns the slip of a candidate node per tangential force on the nodes that stick [mm2/N]. */
 static double slip_rate(const sum_ends *e, int at) {
   const shear_problem *h = &e->k->w->shear;
   const double *column = &h->a[dense_at(0, at, h->ld)];
@@ -39,7 +40,7 @@ static double slip_rate(const sum_ends *e, int at) {
 }
 
 /* Returns the slip [mm] of a neighbour of a node in contact. If the neighbour is not in contact,
- * returns its gap converted to slip. */
+ * the friction coefficient times its gap is added. */
 static double slipped(const sum_ends *e, int in, int side) {
   const shear_problem *h = &e->k->w->shear;
   const int next = in + side, out = h->at[in] + side;
@@ -58,12 +59,12 @@ static double until_slip(const sum_ends *e, int q) {
   return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
-/* Returns the fraction of the correction that is applied. `step` is the change of force [N/mm]
- * between the beginning of slip at the two nodes at the end of the sum, and `next` the change
- * between the inner node and the node after it. The ratio next / step is 1.2 to 1.9 for smooth
- * contacts of three to forty nodes, at any position of the edges between nodes, and up to 2.7 if
- * the plate's nodes are halfway between the cylinder's. The fraction is 1 for smooth contacts, less
- * at kinks of the surfaces, and 0 at edges of scars. */
+/* Returns the fraction of the correction that is applied: 1 for smooth contacts, less at kinks of
+ * the surfaces, and 0 at edges of scars. `step` is the change of force [N/mm] between the beginning
+ * of slip at the outer and at the inner node, `next` the change between the inner node and the node
+ * after it. In smooth contacts of three to forty nodes the ratio next / step was 1.2 to 1.9, at any
+ * position of the edges between nodes, and up to 2.7 with the plate's nodes halfway between the
+ * cylinder's. */
 static double is_smooth(double step, double next) {
   return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
@@ -84,8 +85,8 @@ static void add_end(sum_ends *e, int q, int side) {
   e->terms.odd += weight * step * phase * (phase - 0.5) * (phase - 1) / 3;
 }
 
-/* Adds the error terms of both sides of every stick zone, which are given by the directions of the
- * shear problem. Returns 0 if A_tt is not positive definite. */
+/* Adds the error terms of both edges of every stick zone in the present solution of the shear
+ * problem. Returns 0 if the matrix of the nodes that stick is not positive definite. */
 static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
   sum_ends e = {.k = k};
@@ -120,8 +121,8 @@ static int shear_unsheared(friction_task *k, double force) {
   return 1;
 }
 
-/* Computes *energy [N], the error of the sum for a rise of the tangential force by `rise` [N/mm],
- * with the error terms of both ends at the present pressures. Returns 1 on success, else 0. */
+/* Computes *energy [N], the error of the sum over nodes for a rise of the tangential force by
+ * `rise` [N/mm] at the present pressures. Returns 1 on success, else 0. */
 static int sum_error(friction_task *k, double rise, double *energy) {
   friction_terms start, end;
   if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
@@ -140,8 +141,9 @@ static int slip_beside(const friction_task *k, int from, int side, int *apart) {
   return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
 }
 
-/* Computes the reserves of the nodes if the history is unknown: the force up to the bound in the
- * direction of the nearest slipping node, or up to the nearer bound if no node slips. */
+/* Estimates the reserves of the nodes for an unknown history of motion: the shear force missing to
+ * the friction bound in the slip direction of the nearest slipping node, or to the nearer bound if
+ * no node slips. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
   const friction_workspace *w = k->w;
@@ -155,7 +157,7 @@ static void guess_reserve(friction_task *k) {
   }
 }
 
-/* Computes the reserves of the nodes from the shear problem that was solved last. */
+/* Computes the reserves of the nodes from the last solution of the shear problem. */
 static void take_reserve(friction_task *k) {
   const shear_problem *h = &k->w->shear;
   memset(k->w->reserve, 0, (size_t)k->p->count * sizeof *k->w->reserve);
@@ -163,8 +165,8 @@ static void take_reserve(friction_task *k) {
     if (h->direction[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
 }
 
-/* Corrects the energy for the error of the sum. The error is computed for a motion on surfaces
- * without shear, and doubled after a reversal. */
+/* Adds the error of the sum over nodes to the energy. The error is computed for a motion on
+ * surfaces without shear, and doubled after a reversal. */
 static void add_sum_error(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;

@@ -1,6 +1,5 @@
-/* Computes the tangential part of the contact matrix, and displacements of both surfaces. Tangents
- * are perpendicular to the normals of mortar.c: both the plate nodes and the opposite cylinder
- * nodes use the tangent of the plate. */
+/* Computes the tangential part of the contact matrix, and displacements of both surfaces. Cylinder
+ * nodes use the tangent of the opposite plate surface, perpendicular to the normals of mortar.c. */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
@@ -29,9 +28,9 @@ size_t arc_tangential_bytes(const tangential_compliance *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Adds `weight` times the response to a unit of shear at node `at` of a body, without the
- * correction of the compliance xx, for the nodes first .. first + count - 1. The response consists
- * of gaps n and tangential displacements t. */
+/* Adds `weight` times the response to a unit shear force at node `at` of a body: gaps n and
+ * tangential displacements t of the nodes first .. first + count - 1. Does not correct the
+ * tangential compliance xx. */
 ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
                                   int at, double weight, double *restrict n, double *restrict t) {
   const size_t from = dense_at(first, at, c->n);
@@ -45,14 +44,14 @@ ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int
   }
 }
 
-/* Returns the correction of the compliance xx: the displacement of node l along the surface under a
- * unit of shear at node `at`, minus the displacement computed with xx. */
+/* Returns the correction of the tangential compliance xx: the displacement of node l along the
+ * surface under a unit shear force at node `at`, minus the displacement computed with xx. */
 static double beyond_xx(const compliance *c, int l, int at) {
   return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
 }
 
-/* Adds the response as respond_wide does and, if `corrected` is true, the correction of the
- * compliance xx for nodes near `at`. */
+/* Adds the same response as respond_wide and, if `corrected` is true, the correction of the
+ * tangential compliance xx for nodes near `at`. */
 static void respond(const compliance *c, int corrected, const double *slopes, int first, int count,
                     int at, double weight, double *n, double *t) {
   respond_wide(c, slopes, first, count, at, weight, n, t);
@@ -65,8 +64,8 @@ static void respond(const compliance *c, int corrected, const double *slopes, in
   }
 }
 
-/* Computes the responses to a unit of shear at candidate k: plate [2], by plate node, and cylinder
- * [2], by candidate. Each consists of gaps and tangential displacements. */
+/* Computes the gaps ([0]) and the tangential displacements ([1]) due to a unit shear force at
+ * candidate k: of the plate, by plate node, and of the cylinder, by candidate. */
 static void pull_at(const contact_problem *p, int k, double *const plate[2],
                     double *const cylinder[2]) {
   const compliance *c = shape_compliance(&p->shape->side[ARC_PLATE]);
@@ -108,7 +107,8 @@ void arc_tangential_update(tangential_compliance *g, const contact_problem *p, d
   g->x = p->x;
 }
 
-/* Adds a x to y in rows from .. to - 1, with a [n x n]. Zeros at both ends of x are skipped. */
+/* Adds the product of matrix a [n x n] and vector x to y in rows from .. to - 1. Zeros at both ends
+ * of x are skipped. */
 static void add_middle(int n, int from, int to, const double *a, const double *x, double *y) {
   int first = 0, last = n;
   while (first < last && x[first] == 0) first++;
@@ -148,8 +148,8 @@ void arc_tangential_relative(const contact_problem *p, double *const u[ARC_BODIE
   }
 }
 
-/* Adds the correction of the compliance xx to the displacements u of the nodes near k, for a shear
- * force at node k. */
+/* Adds the correction of the tangential compliance xx to the displacements u of the nodes near k,
+ * for a shear force at node k. */
 static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
   for (int l = k - ARC_SHEAR_REACH; l <= k + ARC_SHEAR_REACH && shear != 0; l++)
     if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;

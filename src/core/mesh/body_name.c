@@ -5,8 +5,8 @@
 #include <ctype.h>
 #include <string.h>
 
-/* Returns true for names that a body must not have: roles, kinds of bodies, sums such as
- * "total", and settings of a mesh. */
+/* Returns true for names that a body must not have: roles, kinds of bodies, words for sums such
+ * as "total", and settings of a mesh. */
 static int is_taken(const char *name) {
   static const char *const words[] = {"upper", "lower", "plate", "total", "both", "all", NULL};
   for (int i = 0; words[i]; i++)

@@ -1,5 +1,5 @@
-/* Computes dimensions of bodies by the functions of their kinds. Also defines the kind "block", and
- * layers. */
+/* Computes dimensions of bodies by the functions of their kinds. Also defines the kind "block"
+ * and layers. */
 #include "core/mesh/body_shape.h"
 #include "core/mesh/body_name.h"
 
@@ -194,7 +194,7 @@ static const char *const block_fields[] = {"width", "height", NULL}, *const no_f
         NULL, NULL                                                                                 \
   }
 const body_shape arc_body_shape_block = RECTANGLE(block_fields);
-/* Placeholders. arc_body_resolve replaces these kinds by other kinds. */
+/* Placeholders: arc_body_resolve replaces these kinds by other kinds. */
 const body_shape arc_body_shape_usual = RECTANGLE(no_fields);
 const body_shape arc_body_shape_gmsh = RECTANGLE(no_fields);
 

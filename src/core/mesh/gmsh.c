@@ -22,7 +22,7 @@ static arc_status find_corners(const msh_file *f, const numbered *list, msh_elem
                                arc_error *error) {
   const int corners = e->type == MSH_LINE ? 2 : e->type == MSH_TRIANGLE ? 3 : 4;
   if (e->type > MSH_QUAD)
-    return ARC_OK; /* the file reader stored no corners for elements of higher order */
+    return ARC_OK; /* the reader does not store corners for elements of higher order */
   for (int c = 0; c < corners; c++) {
     const numbered wanted = {.tag = e->corner[c]};
     const numbered *at = f->nodes.count > 0 ? bsearch(&wanted, list, (size_t)f->nodes.count,
@@ -64,7 +64,7 @@ static const double *surface_at(const arc_mesh *m, int i) {
 }
 
 /* Returns the height of a surface at x by linear interpolation between surface nodes, or NAN
- * outside the surface. The search begins at edge *i and sets *i to the edge at x. */
+ * outside the surface. The search begins at edge *i; *i is set to the edge at x. */
 static double height_at(const arc_mesh *m, double x, int *i) {
   while (*i + 2 < m->surface && surface_at(m, *i + 1)[0] < x) ++*i;
   const double *p = surface_at(m, *i), *q = surface_at(m, *i + 1);
@@ -72,8 +72,8 @@ static double height_at(const arc_mesh *m, double x, int *i) {
   return p[1] + (q[1] - p[1]) * ((x - p[0]) / (q[0] - p[0]));
 }
 
-/* Lowers *gap to the smallest gap between the surface nodes of `m` and the surface of `other`
- * [mm], and sets *x to the position of this gap. */
+/* Reduces *gap to the smallest gap between the surface nodes of `m` and the surface of `other`
+ * [mm], and sets *x to its position. Changes nothing if *gap is already smaller. */
 static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, double *x) {
   const double sign = m->body == ARC_CYLINDER ? 1 : -1;
   int edge = 0;
@@ -84,8 +84,8 @@ static void least_gap(const arc_mesh *m, const arc_mesh *other, double *gap, dou
   }
 }
 
-/* Checks that the bodies touch. The smallest gap may be up to `limit`, because the first point
- * of contact may lie between nodes. */
+/* Checks that the bodies touch. A gap of up to `limit` is accepted, because the first point of
+ * contact may be between nodes. */
 static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
   double gap = INFINITY, x = 0;
   for (int b = 0; b < ARC_BODIES; b++) least_gap(mesh[b], mesh[1 - b], &gap, &x);
@@ -104,9 +104,9 @@ static arc_status check_gap(const char *path, arc_mesh *const mesh[ARC_BODIES], 
       path, gap > 0 ? "are apart" : "overlap", fabs(gap), x, limit, -gap);
 }
 
-/* Fits the parabola gap = c + b x + x^2 / (2 R) to the gap between both surfaces by least squares
- * and returns R [mm]. R follows from the second Legendre polynomial about the middle, which is
- * orthogonal to c + b x. */
+/* Fits the parabola gap = c + b x + x^2 / (2 R) to the gap between both surfaces by least
+ * squares and returns R [mm]. R is computed from the second Legendre polynomial about the
+ * middle, which is orthogonal to c + b x. */
 static double fit_radius(const arc_mesh *upper, const arc_mesh *lower) {
   static const double flattest = 1e6;
   const double from = fmax(surface_at(upper, 0)[0], surface_at(lower, 0)[0]);
@@ -154,7 +154,7 @@ static arc_status make_pair(msh_file *f, arc_mesh *mesh[ARC_BODIES], arc_error *
   return ARC_OK;
 }
 
-/* Reads a file and builds the meshes of both bodies. After an error both meshes are NULL. */
+/* Reads a file and builds the meshes of both bodies. After an error neither mesh exists (NULL). */
 static arc_status read_pair(msh_file *file, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
   arc_status status = arc_msh_read(file, error);
   if (status != ARC_OK) return status;

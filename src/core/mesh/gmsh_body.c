@@ -1,4 +1,4 @@
-/* Builds one body of a Gmsh file: its elements, nodes and materials, with checks of the mesh. */
+/* Builds and checks the mesh of one body of a Gmsh file: its elements, nodes and materials. */
 #include "core/mesh/gmsh_body.h"
 #include "core/mesh/gmsh_boundary.h"
 #include "core/mesh/gmsh_groups.h"
@@ -29,8 +29,8 @@ static arc_status refuse_type(const msh_body *b, const msh_element *e) {
                   b->file->text.path, e->tag, arc_msh_role(b->mesh->body), e->type);
 }
 
-/* Collects the elements of the body in the order of the file. Error: ARC_GEOMETRY if there are
- * none. */
+/* Collects the elements of the body in the order of the file. Error: ARC_GEOMETRY if the body
+ * has no elements. */
 static arc_status pick_elements(msh_body *b) {
   arc_mesh *m = b->mesh;
   const unsigned own = arc_msh_bit(m->body, MSH_BODY);
@@ -93,7 +93,8 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* Sets the material of each element. Elements outside named groups have the body's own material. */
+/* Sets the material of each element. Elements outside named groups consist of the body's own
+ * material. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -112,7 +113,8 @@ static arc_status fill_materials(msh_body *b) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
-/* Returns the largest coordinate of the nodes [mm], which is the scale of rounding errors. */
+/* Returns the largest absolute coordinate of the nodes [mm], to which rounding errors are
+ * proportional. */
 static double extent(const arc_mesh *m) {
   double most = 0;
   for (int k = 0; k < 2 * m->nodes; k++) most = fmax(most, fabs(m->xy[k]));
@@ -136,7 +138,8 @@ static arc_status check_plane(const msh_body *b) {
   return ARC_OK;
 }
 
-/* Returns twice the signed area of the triangle formed by corner c and its two neighbours [mm2]. */
+/* Returns twice the signed area [mm2] of the triangle that consists of corner c of an element
+ * and its two neighbours. */
 static double jacobian_at(const arc_mesh *m, const int *e, int corners, int c) {
   const double *p = &m->xy[2 * e[c]], *q = &m->xy[2 * e[(c + 1) % corners]],
                *r = &m->xy[2 * e[(c + corners - 1) % corners]];
@@ -196,7 +199,7 @@ static int compare_positions(const void *a, const void *b) {
 }
 
 /* Searches for two nodes in the same cell of a grid and writes them to `twins`. off_x and off_y
- * shift the grid, in units of its spacing. Returns 0 if no two nodes share a cell. */
+ * shift the grid, in units of its spacing. Returns 0 if no cell contains two nodes. */
 static int find_twins(const arc_mesh *m, double spacing, double off_x, double off_y,
                       grid_cell *list, int twins[2]) {
   for (int n = 0; n < m->nodes; n++)
@@ -211,8 +214,8 @@ static int find_twins(const arc_mesh *m, double spacing, double off_x, double of
   return 0;
 }
 
-/* Returns ARC_GEOMETRY if two nodes have nearly equal positions. Two nodes closer than half the
- * grid spacing are in the same cell of at least one of four shifted grids. */
+/* Returns ARC_GEOMETRY if two nodes have nearly the same position. Two nodes closer than half
+ * the grid spacing are in the same cell of at least one of four shifted grids. */
 static arc_status check_twins(const msh_body *b) {
   const arc_mesh *m = b->mesh;
   const double spacing = 1e-9 * extent(m);
@@ -237,7 +240,8 @@ static int root_of(int *parent, int node) {
   return node;
 }
 
-/* Returns a node that is not connected with node 0 by edges of elements, or -1 if there is none. */
+/* Returns a node that is not connected with node 0 by elements, or -1 if all nodes are
+ * connected. */
 static int find_loose(const arc_mesh *m, int *parent) {
   for (int n = 0; n < m->nodes; n++) parent[n] = n;
   for (int e = 0; e < m->elements; e++)

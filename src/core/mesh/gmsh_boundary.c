@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* Limits of the number of nodes on a contact curve. The minimum is the same as in archard's
- * mesher; the maximum limits the size of dense compliance matrices. */
+ * mesher. The maximum limits the size of the dense compliance matrices. */
 enum { fewest_surface = 5, most_surface = 5000 };
 
 typedef struct edge {
@@ -26,9 +26,9 @@ static const double *position(const msh_body *b, int node) {
   return &b->mesh->xy[2 * node];
 }
 
-/* --- edges of the boundary, which belong to one element only ---------------------------------- */
+/* --- boundary edges, which belong to only one element ----------------------------------------- */
 
-/* Compares two edges by their nodes, regardless of direction, for sorting. */
+/* Compares two edges by their nodes, regardless of direction. Used for sorting. */
 static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
@@ -73,9 +73,9 @@ static arc_status link_edge(msh_body *b, const edge *e) {
                   b->file->text.path, role(b), arc_msh_tag(b, e->from), at[0], at[1]);
 }
 
-/* Sets b->next of each boundary node to the following node of the boundary. Errors: ARC_GEOMETRY if
- * elements overlap (an edge belongs to more than two elements, or two elements traverse it in the
- * same direction) or if two parts of the body share only one node. */
+/* Sets b->next of each boundary node to the next node on the boundary. Errors: ARC_GEOMETRY if
+ * elements overlap, so that an edge belongs to more than two elements or two elements traverse
+ * it in the same direction, or if two parts of the body share only one node. */
 static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
@@ -92,7 +92,7 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   return status;
 }
 
-/* Writes the boundary polygon that contains the contact surface. Boundaries of holes are not
+/* Writes the boundary polygon that contains the contact surface. The boundaries of holes are not
  * part of this polygon. */
 static arc_status chain_outline(msh_body *b) {
   arc_mesh *m = b->mesh;
@@ -108,9 +108,9 @@ static arc_status chain_outline(msh_body *b) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Writes the mesh numbers of the two end nodes of line `i` of the file to `end` (-1: not a node
- * of this body) and returns the line. Returns NULL if the line is not in the given set of this
- * body. */
+/* Writes the mesh numbers of the two end nodes of line `i` of the file to `end` (-1: the node is
+ * not in this body) and returns the line. Returns NULL if the line is not in the given set of
+ * this body. */
 static const msh_element *line_of(const msh_body *b, int i, msh_set set, int end[2]) {
   const msh_element *e = (const msh_element *)b->file->elements.data + i;
   if (e->dim != 1) return NULL;

@@ -8,14 +8,14 @@
 typedef struct msh_body {
   const msh_file *file;
   arc_mesh *mesh;
-  int *local;  /* [nodes of the file] node number in the mesh, or -1 */
-  int *origin; /* [nodes] index of the node in the file */
-  int *source; /* [elements] index of the element in the file */
-  int *next;   /* [nodes] next node on the boundary, or -1 for inner nodes */
+  int *local;  /* number in the mesh of each node in the file, or -1 */
+  int *origin; /* index in the file of each node in the mesh */
+  int *source; /* index in the file of each element in the mesh */
+  int *next;   /* next node on the boundary for each node in the mesh, or -1 for inner nodes */
   arc_error *error;
 } msh_body;
 
-/* Returns the number that a mesh node has in the Gmsh file. */
+/* Returns the number of a mesh node in the Gmsh file. */
 static inline long long arc_msh_tag(const msh_body *b, int node) {
   return ((const msh_node *)b->file->nodes.data)[b->origin[node]].tag;
 }

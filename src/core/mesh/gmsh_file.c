@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Largest accepted count of items, four times the limit of archard's mesher. A larger count is
- * an error of the file. */
+ * an error in the file. */
 enum { most_items = 4000000 };
 
 static arc_status out_of_memory(const msh_file *f, arc_error *error) {
@@ -15,7 +15,8 @@ static arc_status out_of_memory(const msh_file *f, arc_error *error) {
 
 /* --- items and their counts ------------------------------------------------------------------- */
 
-/* Reads the line of item `i` of `count` items. Error: ARC_FORMAT if the section ends earlier. */
+/* Reads the line of item `i` of `count` items. Error: ARC_FORMAT if the section ends before this
+ * item. */
 static arc_status next_item(msh_file *f, const char *what, long long i, long long count,
                             arc_error *error) {
   if (!arc_msh_line(&f->text))
@@ -40,7 +41,7 @@ static arc_status read_count(msh_file *f, const char *what, long long most, long
                       most, arc_msh_show(before).text);
 }
 
-/* Reads `n` whole numbers from the current line. Returns 0 if one is missing. */
+/* Reads `n` whole numbers from the current line. Returns 0 if a number is missing. */
 static int read_wholes(msh_file *f, int n, long long *value) {
   for (int k = 0; k < n; k++)
     if (!arc_msh_whole(&f->text, &value[k])) return 0;
@@ -76,7 +77,7 @@ static arc_status read_format(msh_file *f, arc_error *error) {
                       arc_msh_show(before).text);
 }
 
-/* Reads a line with the name of a physical group: dim tag "name". */
+/* Reads a line with dimension, number and name of a physical group, such as 2 1 "upper". */
 static arc_status read_name(msh_file *f, arc_error *error) {
   long long dim, tag;
   char *stop = NULL;
@@ -107,8 +108,8 @@ static arc_status read_names(msh_file *f, arc_error *error) {
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* Reads number, extent and physical groups of an entity. The entities of its boundary are
- * ignored. */
+/* Reads the number, the extent and the physical groups of an entity. The list of its boundary
+ * entities is ignored. */
 static arc_status read_entity(msh_file *f, int dim, arc_error *error) {
   long long tag, count = 0, group;
   if (!arc_msh_whole(&f->text, &tag) || !skip_reals(f, dim == 0 ? 3 : 6) ||
@@ -159,7 +160,7 @@ static arc_status read_position(msh_file *f, int index, arc_error *error) {
   return ARC_OK;
 }
 
-/* Reads a block of nodes: first all node numbers, then all coordinates. */
+/* Reads a block of nodes, which contains first all node numbers and then all coordinates. */
 static arc_status read_node_block(msh_file *f, long long count, arc_error *error) {
   const int first = f->nodes.count;
   arc_status status = ARC_OK;
@@ -172,8 +173,8 @@ static arc_status read_node_block(msh_file *f, long long count, arc_error *error
   return status;
 }
 
-/* Reads the header of a block: three numbers and the count of items in the block. A count above
- * `left` is an error. */
+/* Reads the first line of a block: three numbers, and the count of items in the block. A count
+ * above `left` is an error. */
 static arc_status read_block(msh_file *f, long long i, long long blocks, const char *what,
                              long long left, long long head[3], long long *count,
                              arc_error *error) {
@@ -183,8 +184,8 @@ static arc_status read_block(msh_file *f, long long i, long long blocks, const c
   return read_count(f, what, left, count, error);
 }
 
-/* Reads the number of blocks (version 4 only) and the number of items. The range of item numbers
- * at the end of the line is ignored. */
+/* Reads the number of blocks (only in version 4) and the number of items. The range of item
+ * numbers at the end of the line is ignored. */
 static arc_status read_counts(msh_file *f, const char *what, long long *blocks, long long *count,
                               arc_error *error) {
   arc_status status = next_item(f, "counts", 0, 1, error);
@@ -220,8 +221,8 @@ static arc_status read_nodes(msh_file *f, arc_error *error) {
 
 /* --- elements --------------------------------------------------------------------------------- */
 
-/* Returns the dimension of the elements of a Gmsh type. Returns 3 for solids and for unknown
- * types. */
+/* Returns the dimension of the elements of a Gmsh element type. The result is 3 for solid and
+ * unknown types. */
 static int dimension_of(long long type) {
   static const char plane[] = {2, 3, 9, 10, 16, 20, 21, 22, 23, 24, 25, 36, 37, 0};
   static const char line[] = {1, 8, 26, 27, 28, 0};
@@ -230,7 +231,7 @@ static int dimension_of(long long type) {
   return strchr(line, (char)type) ? 1 : strchr(plane, (char)type) ? 2 : 3;
 }
 
-/* Returns the number of corners that the reader stores for an element type; 0 for types of
+/* Returns the number of corners that the reader stores for an element type, or 0 for types of
  * higher order. */
 static int corners_of(int type) {
   return type == MSH_LINE ? 2 : type == MSH_TRIANGLE ? 3 : type == MSH_QUAD ? 4 : 0;
@@ -252,8 +253,8 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
   return ARC_OK;
 }
 
-/* Reads the line of an element in version 2.2: number, type, count of tags, tags, nodes. The
- * first tag is the physical group. */
+/* Reads a line with an element in version 2.2: number, type, count of tags, tags, nodes. The
+ * first tag is the number of the physical group. */
 static arc_status read_element_2(msh_file *f, arc_error *error) {
   long long head[3], group = 0, other;
   if (!read_wholes(f, 3, head) || head[2] < 0)
@@ -311,7 +312,7 @@ static int find_section(const char *name) {
   return s;
 }
 
-/* Returns true if the current line ends the section. */
+/* Returns true if the current line ends the section `name`. */
 static int ends(const msh_file *f, const char *name) {
   return strncmp(f->text.at, "$End", 4) == 0 && strcmp(f->text.at + 4, name) == 0;
 }

@@ -14,8 +14,8 @@ const char *arc_msh_role(arc_body body) {
   return roles[body];
 }
 
-/* Returns the part of a group's name after "upper" or "lower", the role of the body. Returns
- * NULL if the group does not belong to this body. */
+/* Returns the part of a group's name that follows the role of the body, "upper" or "lower".
+ * Returns NULL if the group does not belong to this body. */
 static const char *behind_role(const msh_group *g, int body) {
   const size_t n = strlen(roles[body]);
   if (strncmp(g->name, roles[body], n) != 0) return NULL;
@@ -108,8 +108,8 @@ const msh_entity *arc_msh_entity_of(const msh_file *f, const msh_element *elemen
 
 /* --- entities --------------------------------------------------------------------------------- */
 
-/* Makes each physical group its own entity, because elements of version 2.2 refer to groups
- * directly. */
+/* Converts each physical group to an entity with the same number, because elements of version
+ * 2.2 refer directly to groups. */
 static arc_status groups_as_members(msh_file *f) {
   const msh_group *g = f->groups.data;
   for (int i = 0; i < f->groups.count; i++) {
@@ -120,7 +120,8 @@ static arc_status groups_as_members(msh_file *f) {
   return ARC_OK;
 }
 
-/* Creates the entities: consecutive members with the same number and dimension are merged. */
+/* Creates the entities. Consecutive members with the same number and dimension become one
+ * entity. */
 static arc_status collect_entities(msh_file *f, arc_error *error) {
   const msh_member *m = f->members.data;
   msh_entity *entity = NULL;
@@ -139,8 +140,8 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
 
 /* --- missing groups --------------------------------------------------------------------------- */
 
-/* Writes the names of the groups to `text` for a message, as many as fit into `size` bytes.
- * Returns `text`. */
+/* Writes the names of as many groups as fit into `size` bytes to `text`, for a message. Returns
+ * `text`. */
 static const char *list_groups(const msh_file *f, char *text, size_t size) {
   const msh_group *g = f->groups.data;
   size_t n = 0;

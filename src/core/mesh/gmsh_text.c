@@ -1,4 +1,4 @@
-/* Text of a Gmsh file in memory, read line by line and number by number. */
+/* Text of a Gmsh file in memory, which is read line by line and number by number. */
 #include "core/mesh/gmsh_text.h"
 
 #include <ctype.h>
@@ -22,7 +22,7 @@ arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
   return status;
 }
 
-/* Copies the text, because reading overwrites the ends of lines with zero bytes. */
+/* Copies the text, because the reader replaces the ends of lines by zero bytes. */
 arc_status arc_msh_copy(msh_text *t, const char *name, const char *from, size_t length,
                         arc_error *error) {
   *t = (msh_text){.path = name, .data = malloc(length + 1)};
@@ -66,8 +66,8 @@ int arc_msh_line(msh_text *t) {
   return 0;
 }
 
-/* Moves to `stop`, the end of a number in the line. Returns 0 unless white space or the end of the
- * line follows. */
+/* Moves to `stop`, the end of a number in the line. Returns 0 if a character other than white
+ * space follows. */
 static int take(msh_text *t, char *stop) {
   if (stop == t->at || (*stop && !is_space(*stop))) return 0;
   t->at = stop;

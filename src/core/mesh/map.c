@@ -1,14 +1,14 @@
-/* Maps from logical to physical coordinates, for rectangles, solid arcs and walls of rings.
- * Heights of a rectangle's surface decay with depth. Below the contact region of a solid arc the
- * radius is r = r0 exp(-d / r0), where d is the depth: cells then keep their aspect ratio
- * towards the centre. */
+/* Maps from logical coordinates to positions, for rectangles, solid arcs and walls of rings. The
+ * heights of a rectangle's surface decay with depth. Below the contact region of a solid arc,
+ * the radius at depth d is r = r0 exp(-d / r0), so that cells have the same aspect ratio down to
+ * the centre. */
 #include "core/mesh/map.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns the level of the root cells, which are 2^level units wide. Solid arcs have few, wide
- * root cells; otherwise the triangles at the centre of the arc would be acute. */
+/* Returns the level of the root cells, which are 2^level units wide. Solid arcs have few and
+ * wide root cells; otherwise the triangles at the centre of the arc would be acute. */
 static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   const double wide = arc_body_map_closed(m) ? 5 : 2.5;
   const double largest = m->core ? m->half_s / wide : fmin(def->far, m->half_s / 2);
@@ -16,8 +16,8 @@ static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
   return level > 0 ? level : 0;
 }
 
-/* Maps a logical coordinate [mm] to a physical coordinate. Coordinates up to `near` are unchanged.
- * Larger coordinates are stretched linearly, so that `units` is mapped to `target`. */
+/* Converts a logical coordinate [mm] to a physical coordinate. Coordinates up to `near` are
+ * unchanged. Larger coordinates are stretched linearly, so that `units` becomes `target`. */
 static double stretch(double at, double near, double units, double target) {
   if (at <= near) return at;
   return near + (at - near) * ((target - near) / (units - near));
@@ -29,8 +29,8 @@ static double plain_depth(const body_map *m, double d) {
   return d >= m->units_d ? m->depth : stretch(d, m->near_d, m->units_d, m->depth);
 }
 
-/* Returns the row nearest to a depth [mm], at least one row below row `above`. Deep below the
- * surface only rows at the ends of coarse cells are used. */
+/* Returns the row nearest to a depth [mm], but at least the row after row `above`. Far below the
+ * surface, only rows at the ends of coarse cells are used. */
 static double row_at(const body_map *m, double depth, double above) {
   double least = 0, most = m->units_d;
   for (int k = 0; k < 60; k++) {
@@ -44,8 +44,8 @@ static double row_at(const body_map *m, double depth, double above) {
   return fmax(above + 1, round(j / coarse) * coarse);
 }
 
-/* Assigns a row of nodes to every interface between layers, and computes the shift that moves
- * the row onto the interface. */
+/* Assigns a row of nodes to each interface between layers, and computes the shift of the row to
+ * the depth of the interface. */
 static void lay_layers(body_map *m) {
   m->layers = arc_body_layers(m->solid);
   for (int l = 0; l < m->layers; l++) {
@@ -74,7 +74,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
   m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
   m.lines = (int)fmax(1, round(deep / (unit * def->height)));
-  /* Stretching may compress columns beside the contact at most to half their width. */
+  /* Columns beside the contact may be compressed at most to half their width. */
   const double beside = m.half_s - near_s;
   if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
   m.units_s = m.columns * unit * def->size;
@@ -83,7 +83,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   return m;
 }
 
-/* Returns the change of depth [mm] of row j, chosen so that rows lie on the interfaces of layers.
+/* Returns the change of the depth [mm] of row j that moves rows onto the interfaces of layers.
  * The change is linear between interfaces, and zero at the surface and the base. */
 static double shift_at(const body_map *m, double j) {
   double above = 0, from = 0;
@@ -114,7 +114,8 @@ static void point_of_block(const body_map *m, double along, double j, double xy[
   xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
 }
 
-/* Computes a point of an arc about (0, R), or about (0, -R) for the opposite curvature. */
+/* Computes a point of an arc about (0, R), or about (0, -R) if the arc has the opposite
+ * curvature. */
 static void point_of_arc(const body_map *m, double along, double j, double xy[2]) {
   const double r = radius_at(m, depth_at(m, j)), angle = along / m->radius;
   const double side = m->hollow ? -m->up : m->up;

@@ -15,8 +15,8 @@ enum { most_elements = 1000000 };
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_space_names[] = {ARC_SPACE_LIST(ARC_CHOICE_NAME) NULL};
 _Static_assert(0 ARC_SPACE_LIST(ARC_CHOICE_ONE) == 5,
-               "a new geometry: add it here, in elastic/{element,chart,pair}.c, contact/{field,"
-               "recovery}.c and wear/definition.c");
+               "a new geometry: implement it here, in elastic/{element,chart,pair}.c and in "
+               "plane/{field,recovery,revolved}.c");
 
 const char *arc_mesh_element(const arc_mesh *mesh, int corners) {
   static const char *const names[][3] = {
@@ -57,7 +57,7 @@ const arc_setting arc_mesh_settings[] = {
         .type = "a table { cylinder=, plate= }",
         .text =
             "Full width of the contact zone of each body, the part of the surface with small "
-            "elements. The bodies cannot touch outside it. The depth of the fine mesh is "
+            "elements. The bodies cannot touch outside this zone. The depth of the fine mesh is "
             "proportional to the width of the cylinder's zone. \"auto\": as wide as the contact "
             "and the stroke require."},
     {.name = NULL},
@@ -75,17 +75,17 @@ arc_mesh_def arc_mesh_default(void) {
   return def;
 }
 
-/* Half widths and depths [mm] of the two nested partitions with fine elements. Example with
- * zones of 1 mm (cylinder) and 1.2 mm (plate): the partitions of the cylinder are 1 x 0.5 and 4
- * x 1 mm wide and deep, the partitions of the plate 1.2 x 0.5 and 4.2 x 1.5 mm. All sizes are
- * proportional to the zone of the cylinder. Only the widths of the plate's partitions grow with
- * the plate's zone, and thus with the stroke. */
+/* Half widths and depths [mm] of the two nested partitions with fine elements. In an example
+ * with zones of 1 mm (cylinder) and 1.2 mm (plate), the partitions of the cylinder are 1 mm wide
+ * and 0.5 mm deep, and 4 mm wide and 1 mm deep. The partitions of the plate are 1.2 mm wide and
+ * 0.5 mm deep, and 4.2 mm wide and 1.5 mm deep. All sizes are proportional to the zone of the
+ * cylinder, except that the widths of the plate's partitions grow with the plate's zone. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Returns the number of rows of the wear box. Each layer has its own row, so with very thin layers
- * the defined number of rows would end within the layers. The number is then increased. */
+/* Returns the number of rows of the wear box. Each layer has its own row, so the defined number
+ * of very thin rows might end within the layers. In this case the number is increased. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
   int rows = def->rows;
   while (rows <= arc_body_layers(solid) &&
@@ -110,16 +110,16 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* Returns true if an interface between layers passes through a cell. */
+/* Returns true if an interface between layers crosses a cell. */
 static int straddles(const body_map *m, const quad_cell *c) {
   for (int l = 0; l < m->layers; l++)
     if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
   return 0;
 }
 
-/* Returns the coarsest quadtree level allowed for a cell: 0 in the inner partition, at most 2 (four
- * times the finest size) in the outer partition, and a level limited by the size `far` elsewhere. A
- * cell that is cut by an interface between layers must be split. */
+/* Returns the coarsest quadtree level allowed for a cell. It is 0 in the inner partition, at
+ * most 2 (four times the finest size) in the outer partition, and limited by the size `far`
+ * elsewhere. A cell that is crossed by an interface between layers must be split. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
@@ -160,8 +160,8 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
-/* Largest width and depth of a body in units of the element size, because logical positions are
- * integers in these units. */
+/* Largest width and depth of a body in element sizes. A limit is necessary because logical
+ * positions are integers in these units. */
 static const double most_sizes = 5e8;
 
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
@@ -217,8 +217,8 @@ static mesh_key mirrored(const body_map *m, mesh_key key) {
   return (mesh_key){seam ? key.i : -key.i, key.j};
 }
 
-/* Writes the distinct keys of both halves to *keys, in sorted order. Returns their number, or -1 if
- * out of memory. */
+/* Writes the distinct keys of both halves to *keys in sorted order. Returns their number, or -1
+ * if memory is exhausted. */
 static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   const int corners = 4 * b->count;
   mesh_key *all = malloc(2 * (size_t)corners * sizeof *all);
@@ -250,8 +250,8 @@ static double twice_area(const double *xy, const int *e) {
   return area;
 }
 
-/* Returns the layer of a cell: the layer at its side nearest to the surface, as no interface passes
- * through a cell. */
+/* Returns the layer at the side of a cell that is nearest to the surface. No interface crosses
+ * the cell. */
 static int layer_of(const body_map *map, const mesh_key *corner) {
   int top = corner[0].j, layer = 0;
   for (int c = 1; c < 4; c++) top = corner[c].j < top ? corner[c].j : top;
@@ -259,8 +259,8 @@ static int layer_of(const body_map *map, const mesh_key *corner) {
   return layer;
 }
 
-/* Writes element `at` with its corners counter-clockwise. `mirror` is -1 for the mirrored half,
- * else 1. */
+/* Writes element number `at` with its corners counter-clockwise. `mirror` is -1 for the mirrored
+ * half, otherwise 1. */
 static void place_element(arc_mesh *mesh, const body_map *map, const mesh_key *keys,
                           const mesh_key *corner, int mirror, int at) {
   int *e = &mesh->element[4 * at];
@@ -305,8 +305,8 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
-/* Returns true if a node is fixed: on the flat side of a half cylinder, at the hub of a disc, at
- * the base or rim of other bodies. */
+/* Returns true if a node is fixed. Fixed nodes are on the flat side of a half cylinder, at the
+ * hub of a disc, and at the base or rim of other bodies. */
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);

@@ -25,8 +25,8 @@ static int all_edges(const arc_mesh *mesh, edge *list) {
   return n;
 }
 
-/* Sets next[node] to the next node on the boundary, or -1 for inner nodes. Returns a node of a
- * boundary, or -1. */
+/* Sets next[node] to the next node on the boundary, or to -1 for inner nodes. Returns a boundary
+ * node, or -1 if there is none. */
 static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
   const int n = all_edges(mesh, list);
   qsort(list, (size_t)n, sizeof *list, compare_undirected);

@@ -37,8 +37,8 @@ static arc_status split(quadtree *tree, int at) {
   return ARC_OK;
 }
 
-/* Returns the level of the finest leaf beside an edge of a cell. It tests the two unit cells
- * outside the edge that are next to the middle of the edge. */
+/* Returns the level of the finest leaf on the other side of an edge of a cell. The function
+ * tests the two unit cells outside the edge that are next to its middle. */
 static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) {
   const int w = 1 << c->level, half = w / 2;
   int finest = c->level;
@@ -64,7 +64,8 @@ static int finest_neighbour(const quadtree *tree, const quad_cell *c, int edge) 
   return finest;
 }
 
-/* Returns true if a leaf must be split because a neighbour is finer by more than one level. */
+/* Returns true if a leaf must be split because the level of a neighbour is lower by more than
+ * one. */
 static int unbalanced(const quadtree *tree, const quad_cell *c) {
   if (c->level < 2) return 0;
   const int w = 1 << c->level, quarter = w / 4;

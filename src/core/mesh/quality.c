@@ -1,4 +1,4 @@
-/* Computes the quality of elements: angles, aspect ratio and Jacobians. */
+/* Computes measures of the quality of elements: angles, aspect ratio and Jacobians. */
 #include "archard/mesh.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@ static double length(const double *p, const double *q) {
   return hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-/* Returns twice the signed area of the triangle p-q-r. This is four times the Jacobian of a
+/* Returns twice the signed area of the triangle p-q-r, which is four times the Jacobian of a
  * bilinear quadrilateral at corner q. */
 static double corner_jacobian(const double *p, const double *q, const double *r) {
   return (r[0] - q[0]) * (p[1] - q[1]) - (r[1] - q[1]) * (p[0] - q[0]);

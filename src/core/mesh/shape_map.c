@@ -1,4 +1,4 @@
-/* Measured topographies: surfaces through points over x and z, for half-spaces in 3-D. */
+/* Measured topographies: surfaces through points over x and z, for half-spaces in 3-D models. */
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ enum { LEAST = 4 /* smallest number of points along an axis */ };
 
 static arc_status check_axis(const char *path, const char *name, const arc_series *s,
                              arc_error *error) {
-  static const double uneven = 1e-4; /* tolerance of the spacing, relative to its mean */
+  static const double uneven = 1e-4; /* tolerance of each spacing, relative to the mean spacing */
   const double *v = s->value;
   if (s->count < LEAST)
     return arc_fail(error, ARC_ARGUMENT, "field '%s%s': expected at least %d points, got %d", path,
@@ -49,7 +49,7 @@ static double radius(const arc_body_def *b) {
   return b->radius > 0 ? b->radius : INFINITY;
 }
 
-/* Returns infinite limits, because bodies in three dimensions have no mesh. */
+/* Returns infinite limits, because bodies of 3-D models have no mesh. */
 static body_limits limits(const arc_body_def *b) {
   (void)b;
   return (body_limits){.zone = INFINITY, .zone_text = "any", .outer = INFINITY, .reach = INFINITY};
@@ -61,8 +61,8 @@ const body_shape arc_body_shape_map = {fields, FORM_MAP, 0,    resolve, radius, 
 /* --- heights ---------------------------------------------------------------------------------- */
 
 /* Computes the weights of four neighbouring points for a position between the second and the
- * third. The interpolation is a cubic convolution, which reproduces parabolas. Returns the index
- * of the first point. */
+ * third point. The interpolation is a cubic convolution, which is exact for parabolas. Returns
+ * the index of the first point. */
 static int weigh(const arc_series *axis, double at, double weight[4]) {
   const double first = axis->value[0], last = axis->value[axis->count - 1];
   const double u = (fmin(fmax(at, first), last) - first) / (last - first) * (axis->count - 1);
@@ -73,8 +73,8 @@ static int weigh(const arc_series *axis, double at, double weight[4]) {
   weight[2] = t * (1 + t * (4 - 3 * t)) / 2;
   weight[3] = t * t * (t - 1) / 2;
   if (t >= 0 && t <= 1) return i - 1;
-  /* In the first and the last interval the parabola through the three points at that end is
-   * used. s is the position relative to the middle one of these points. */
+  /* In the first and the last interval, the interpolation is the parabola through the three
+   * points at that end. s is the position relative to the middle point of these three. */
   const int k = t < 0 ? 0 : 1;
   const double s = t - k;
   weight[0] = weight[1] = weight[2] = weight[3] = 0;
@@ -101,9 +101,9 @@ void arc_body_map_extent(const arc_body_def *b, double *half_x, double *half_z, 
   *step = fmax(x->value[1] - x->value[0], z->value[1] - z->value[0]);
 }
 
-/* Returns the curvature [1/mm] of a parabola fitted to the heights along one axis by least
- * squares, positive for a convex surface. On a regular grid the squares of x and z minus their
- * means are orthogonal. */
+/* Returns the curvature [1/mm] of a parabola that is fitted to the heights along one axis by
+ * least squares. It is positive for a convex surface. On a regular grid the squares of x and z,
+ * minus their means, are orthogonal. */
 static double curvature(const arc_body_def *b, int along_z) {
   const arc_series *axis = along_z ? &b->z_series : &b->x_series;
   const int nz = b->z_series.count, n = axis->count;

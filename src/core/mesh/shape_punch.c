@@ -5,15 +5,15 @@
 
 static const char *const fields[] = {"flat", "radius", "height", NULL};
 
-/* Sets the default height and the width. The default height is the radius of the model, or twice
- * the radius of the punch if this is larger. */
+/* Sets the default height and the width. The default height is the radius of the model or, if
+ * larger, twice the radius of the punch. */
 static void resolve(arc_body_def *b, double radius) {
   if (b->height == 0) b->height = fmax(radius, 2 * b->radius);
   b->width = b->flat + 2 * b->radius;
 }
 
-/* Returns the limits of the flat plus its rounded edges. Each edge contributes the same multiple of
- * its radius as on a cylinder. */
+/* Returns the limits of a punch: the flat plus its rounded edges. Each edge contributes the same
+ * multiple of its radius as the arc of a cylinder. */
 static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = b->flat + 1.6 * b->radius,
                        .zone_text = "flat + 1.6 radius",
@@ -27,7 +27,7 @@ static double inset(const arc_body_def *b, double crest, double x) {
   (void)crest;
   if (beyond <= 0) return 0;
   if (beyond >= b->radius) return b->radius;
-  /* R - sqrt(R^2 - s^2), without cancellation */
+  /* R - sqrt(R^2 - s^2) without cancellation */
   return beyond * beyond / (b->radius + sqrt((b->radius - beyond) * (b->radius + beyond)));
 }
 

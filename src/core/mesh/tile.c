@@ -1,5 +1,5 @@
-/* Converts leaves of the quadtree to elements: quadrilaterals, or triangles if an edge has a
- * hanging node. All patterns are symmetric, which makes the elements of mirrored bodies mirror
+/* Converts the leaves of the quadtree to elements: quadrilaterals, or triangles if an edge has a
+ * hanging node. All patterns are symmetric, so that the elements of mirrored bodies are mirror
  * images. */
 #include "core/mesh/tile.h"
 
@@ -22,8 +22,8 @@ static arc_status add_triangle(mesh_builder *b, mesh_key p, mesh_key q, mesh_key
   return add(b, p, q, r, r);
 }
 
-/* Writes the corners and the hanging nodes of a leaf to `point` in circular order. Returns their
- * number. */
+/* Writes the corners and the hanging nodes of a leaf to `point` in circular order. Returns the
+ * number of points. */
 static int walk_around(const quad_cell *c, unsigned hanging, mesh_key point[8]) {
   const int w = 2 << c->level, i = 2 * c->i, j = 2 * c->j, h = w / 2;
   const mesh_key corner[4] = {{i, j}, {i + w, j}, {i + w, j + w}, {i, j + w}};
@@ -68,8 +68,8 @@ static arc_status add_leaf(mesh_builder *b, const quadtree *tree, const quad_cel
   return close_one(b, point, middle + 1);
 }
 
-/* Adds a triangle between a leaf in the last row and the centre of a solid arc. The last row of
- * cells ends on a small circle; the key of the centre is (0, last row + 1). */
+/* Adds a triangle between a leaf in the last row and the centre of a solid arc. The last row
+ * ends at a small circle. The key of the centre is (0, last row + 1). */
 static arc_status add_core(mesh_builder *b, const quadtree *tree, const quad_cell *leaf) {
   const int last = tree->lines << tree->root_level, w = 1 << leaf->level;
   if (!b->map.core || leaf->j + w != last) return ARC_OK;

@@ -1,12 +1,12 @@
-/* Decomposes a profile into its form, which is a parabola, and waves. */
+/* Decomposes a profile into its form, which is a parabola, and its waves. */
 #include "core/mesh/waves.h"
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
 
-/* Form of a profile: y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, with t from -1 to 1 over the
- * points. The three functions are nearly orthogonal. Sweeps that fit one coefficient after the
- * other therefore converge to the least-squares fit. */
+/* Form of a profile: y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, where t increases from -1 to 1
+ * over the points. These three functions are nearly orthogonal. The coefficients are fitted in
+ * turn, and repeated sweeps converge to the least-squares fit. */
 typedef struct form {
   double middle, half, c[3];
 } form;
@@ -46,14 +46,14 @@ static form form_of(const arc_series *y) {
   return f;
 }
 
-/* Returns the mean length of the waves [mm]. Waves are counted as changes between peaks and
- * valleys that are larger than a tenth of `height`, the total range of heights. */
+/* Returns the mean length of the waves [mm]. A change between a peak and a valley counts if it
+ * is larger than a tenth of `height`, the total range of heights. */
 static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
   int turns = 0, sense = 0;
-  /* from, to: positions of the first and the last extremum. at: position of the highest or lowest
-   * point since then. */
+  /* from, to: positions of the first and the last extremum; at: position of the highest or
+   * lowest point since the last extremum */
   double from = 0, to = 0, at = 0;
   double last = 0;
   for (int i = 0; i < y->count; i++) {

@@ -1,12 +1,14 @@
 /* Implements the primal-dual active set method. Conjugate gradients reduce the residual on the
- * active set, then the set is revised. Both steps are repeated until the set does not change and
- * the residual is small. */
+ * active set, and then the set is revised. This is repeated until the set does not change and the
+ * residual is small. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { most_sets = 30 /* number of sets before the safeguard against cycling starts */ };
+enum {
+  most_sets = 30 /* largest number of active sets before Polonsky and Keer's method starts */
+};
 
 /* The active set is revised when conjugate gradients have reduced the residual by this factor. */
 static const double fall = 0.3;
@@ -52,16 +54,16 @@ static void finish(const pass *s, double *delta) {
 }
 
 /* Revises the active set until it does not change and the residual is small, and then sets *done to
- * true. If sets repeat, or after most_sets sets, *done remains false, and the safeguard must be
- * started. */
+ * true. If sets repeat, or after most_sets sets, *done remains false, and Polonsky and Keer's
+ * method must be started. */
 static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error *error) {
   unsigned long long seen[2] = {0, 0};
   double product = 0, share = fall;
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);
   if (status == ARC_OK) status = arc_active_begin(s, error);
-  /* On periodic surfaces, initial pressures may cause no displacement. The limit, which is relative
-   * to the displacement, would then be 0. */
+  /* On periodic surfaces the initial pressures may cause no displacement. The limit of the gaps,
+   * which is relative to the displacement, would then be 0. */
   if (status == ARC_OK) s->limit = fmax(s->limit, s->problem->tolerance * arc_active_rms(s));
   for (int sets = 0; sets < most_sets && status == ARC_OK;) {
     const double wanted = fmax(s->limit / 2, share * arc_active_rms(s));
@@ -75,7 +77,8 @@ static arc_status revise_sets(pass *s, int *done, active_count *count, arc_error
     }
     const unsigned long long now = hash_of(s);
     if (now == seen[0] && share == 0) return ARC_OK;
-    if (now == seen[0]) share = 0; /* the set repeats: it is now revised only at a small residual */
+    if (now == seen[0])
+      share = 0; /* the set repeats, so from now on it is revised only when the residual is small */
     seen[0] = seen[1];
     seen[1] = now;
     sets++;
@@ -97,7 +100,7 @@ arc_status arc_active_set_solve(const active_problem *problem, active_work *work
   return status;
 }
 
-/* Sets the active set to {p > 0}, the gaps to problem->gap, and dp to 0. */
+/* Sets the active set to {p > 0}, the gaps in the workspace to problem->gap, and dp to 0. */
 static void start_tangent(const pass *s, const double *p) {
   const size_t all = (size_t)s->problem->blocks * (size_t)s->problem->cells;
   for (size_t c = 0; c < all; c++)

@@ -1,5 +1,5 @@
-/* Implements the steps of the active set method: loads, residuals, and conjugate gradients on a
- * set. */
+/* Implements the operations of the active set method: loads, residuals, and conjugate gradients on
+ * an active set. */
 #include "core/base/dense.h"
 #include "core/numeric/active_work.h"
 
@@ -8,7 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { most_steps = 400 /* number of steps of conjugate gradients between checks of the set */ };
+enum {
+  most_steps =
+      400 /* largest number of steps of conjugate gradients between two checks of the active set */
+};
 
 /* --- workspace -------------------------------------------------------------------------------- */
 
@@ -104,8 +107,8 @@ double arc_active_gap(const pass *s, int block, int cell) {
 
 enum { square = ARC_MOST_MODES * ARC_MOST_MODES };
 
-/* Computes the inverse of a positive definite matrix a [m x m]; overwrites `a`. Returns non-zero
- * if `a` is singular. */
+/* Computes the inverse of a positive definite matrix a [m x m], and overwrites `a`. Returns a
+ * non-zero value if `a` is singular. */
 static int invert(int m, double *a, double *inverse) {
   if (m == 1) {
     inverse[0] = 1 / a[0];
@@ -124,9 +127,9 @@ static void times(int m, const double *inverse, const double *b, double *x) {
   }
 }
 
-/* Computes the inverse of the matrix N' y, whose sums over the cells are weighted by `area`. y
- * contains vectors [modes][cells]; if it is NULL, the modes N are used. Returns non-zero if the
- * matrix is singular. */
+/* Computes the inverse of the matrix N' y, with sums over the cells weighted by `area`. y is
+ * [modes][cells]; if y is NULL, the modes N replace it. Returns a non-zero value if the matrix is
+ * singular. */
 static int invert_gram(const pass *s, const double *area, const double *y, double *inverse) {
   const int m = s->problem->modes, n = s->problem->cells;
   double a[square];
@@ -195,7 +198,7 @@ static double rounding_of(const pass *s, size_t o) {
 }
 
 /* Adds `gap` to g, which contains A p before the call. Stores the largest displacement |A p| in
- * w->largest, but at least the displacement at which the tolerance of gaps equals the rounding
+ * w->largest. The stored value is so large that the tolerance of gaps is not below the rounding
  * error. */
 static void add_gap(void *context, int block, int worker) {
   const pass *s = context;
@@ -251,8 +254,8 @@ static void mask(void *context, int block, int worker) {
     if (s->w->area[k] == 0) s->w->z[k] = 0;
 }
 
-/* Projects z, the preconditioned residual, along y so that it does not change the loads, and
- * stores the product r z in w->sum. */
+/* Subtracts a combination of y from z, the preconditioned residual, so that z does not change the
+ * loads. Stores the product r z in w->sum. */
 static void project_oblique(void *context, int block, int worker) {
   const pass *s = context;
   active_work *w = s->w;
@@ -318,7 +321,8 @@ arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, ar
   return isfinite(largest) ? ARC_OK : arc_fail(error, ARC_NUMERIC, "the pressures are not finite");
 }
 
-/* Computes y, the preconditioner times the modes; y is zero outside the active set. */
+/* Applies the preconditioner to the modes on the active set. The result is y, which is zero outside
+ * the set. */
 static arc_status precondition_modes(const pass *s) {
   active_work *w = s->w;
   const int m = s->problem->modes, n = s->problem->cells, blocks = s->problem->blocks;

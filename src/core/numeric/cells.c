@@ -88,8 +88,8 @@ ARC_WIDE static double residual(int n, const double *area, const double *g, doub
   return total(s);
 }
 
-/* Wrappers: functions that are compiled for several processors cannot be called from other
- * files. */
+/* Functions for other files, which cannot call a function that is compiled for several
+ * processors. */
 double arc_cells_sum(int n, const double *a) {
   return add_up(n, a);
 }

@@ -1,7 +1,7 @@
 /* Computes convolutions by FFTW. First the rows of the window are transformed. Then blocks of
  * columns are transformed, multiplied by the symbol of the kernel and transformed back, so that the
- * padded box is never stored as a whole. Plans are estimated and not measured, so that they depend
- * only on the sizes and the processor. */
+ * padded box is never stored as a whole. FFTW's plans are estimated, not measured, so that results
+ * do not change from run to run. */
 #include "core/numeric/convolution.h"
 
 #include "core/base/wide.h"
@@ -15,18 +15,18 @@ enum { block = 8 }; /* number of columns that are transformed together */
 
 struct convolution {
   int rows, columns, box_rows, box_columns;
-  int half;       /* number of columns of the spectrum: box_columns / 2 + 1 */
-  int stride;     /* distance between two rows of the spectrum, counted in complex numbers */
-  int padded;     /* distance between two rows of the values, counted in real numbers */
-  double *symbol; /* scaled symbol, stored by blocks of columns: [box_rows][columns of the block]
-                     each */
+  int half;   /* number of columns of the spectrum: box_columns / 2 + 1 */
+  int stride; /* distance between the beginnings of two rows of the spectrum, in complex numbers */
+  int padded; /* distance between the beginnings of two rows of the values, in real numbers */
+  double *symbol; /* scaled symbol, stored in blocks of columns; each block is [box_rows][columns of
+                     the block] */
   int imaginary;  /* true if the symbol is multiplied by the imaginary unit */
   fftw_plan into, out_of;   /* plans for rows: forward and backward transform */
   fftw_plan down[2], up[2]; /* plans for the columns of a full block, and of the last block */
 };
 
-/* Arrays of a workspace. Each transform reads one array and writes another, because FFTW
- * copies the data in in-place transforms. */
+/* Arrays of a workspace. Each transform reads one array and writes another, because FFTW would copy
+ * the data of a transform in place. */
 struct convolution_work {
   double *values;                /* [rows][padded columns] */
   fftw_complex *spectrum;        /* [rows][stride] */
@@ -85,8 +85,8 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
                             FFTW_ESTIMATE);
 }
 
-/* Creates the plans of a convolution. Returns 0 on failure. All plans of a process share memory,
- * which a lock of FFTW protects. */
+/* Creates the plans of a convolution. Returns 0 on failure. FFTW protects the memory that all plans
+ * of a process share with a lock. */
 static int plan(convolution *c, convolution_work *w) {
   const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();
@@ -132,8 +132,8 @@ static int is_imaginary(lag_parity parity) {
   return parity == ODD_ROWS || parity == ODD_COLUMNS;
 }
 
-/* Copies the symbol. Row i of the box has the symbol of row min(i, box_rows - i), with the opposite
- * sign if the kernel is odd. */
+/* Copies and scales the symbol. Row i of the box has the symbol of row min(i, box_rows - i), with
+ * the opposite sign for i > box_rows / 2 if the kernel is odd along the rows. */
 static void store_symbol(convolution *c, lag_parity parity, const double *symbol) {
   const double size = (double)c->box_rows * c->box_columns;
   double *to = c->symbol;
@@ -215,7 +215,7 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
   return find_symbol(box_rows, box_columns, EVEN_LAGS, kernel, context, symbol, error);
 }
 
-/* A kernel that is set to zero at lags larger than the window. These lags affect no result. */
+/* A kernel that is set to zero at lags larger than the window. Such lags do not affect results. */
 typedef struct limited {
   lag_fn kernel;
   const void *context;
@@ -285,7 +285,7 @@ ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
   }
 }
 
-/* lower_block transforms the columns first .. first + width - 1 of the spectrum to w->waves.
+/* lower_block transforms the columns `first` to first + width - 1 of the spectrum to w->waves.
  * raise_block transforms w->waves back to these columns. */
 static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
   const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;

@@ -1,5 +1,5 @@
-/* Declares convolutions of cell values with even or odd kernels, which are computed by Fourier
- * transforms. Only convolution.c includes fftw3.h. */
+/* Declares convolutions of cell values with even or odd kernels, computed by Fourier transforms.
+ * Only convolution.c includes fftw3.h. */
 #ifndef NUMERIC_CONVOLUTION_H
 #define NUMERIC_CONVOLUTION_H
 
@@ -12,9 +12,9 @@
 typedef struct convolution convolution;
 typedef struct convolution_work convolution_work;
 
-/* Returns the kernel at a lag of `row` rows and `column` columns, both >= 0; the parity
- * determines the kernel at negative lags. If a kernel is odd in a direction, its value is 0 at
- * lag 0 of that direction. */
+/* Returns the value of a kernel at a lag of `row` rows and `column` columns, both >= 0. The parity
+ * determines the values at negative lags. A kernel that is odd in a direction must be 0 at lag 0 of
+ * this direction. */
 typedef double (*lag_fn)(const void *context, int row, int column);
 typedef enum lag_parity {
   EVEN_LAGS,
@@ -26,15 +26,15 @@ typedef enum lag_parity {
 /* Returns the smallest even length >= n without prime factors above 5. */
 int arc_transform_length(int n);
 
-/* Makes a convolution without periodic images, on a box at least twice as large as the window.
+/* Creates a convolution without periodic images, on a box about twice as large as the window.
  * Errors: ARC_MEMORY. */
 arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_fn kernel,
                                   const void *context, convolution **made, arc_error *error);
-/* Makes a convolution from a symbol, the transform of an even kernel on a box of box_rows x
- * box_columns (even): symbol [box_rows / 2 + 1][box_columns / 2 + 1]. */
+/* Creates a convolution from symbol [box_rows / 2 + 1][box_columns / 2 + 1], the transform of an
+ * even kernel on a periodic box of box_rows x box_columns cells (both even). */
 arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
                                        const double *symbol, convolution **made, arc_error *error);
-/* Computes the symbol of an even kernel that is wrapped on a box of box_rows x box_columns (both
+/* Computes the symbol of an even kernel on a periodic box of box_rows x box_columns cells (both
  * even). */
 arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
                                   double *symbol, arc_error *error);
@@ -54,20 +54,20 @@ void arc_convolution_apply(const convolution *c, convolution_work *work, const d
 /* Computes two convolutions with a symmetric matrix of three kernels: u[0] = k[0] * p[0] + k[1] *
  * p[1] and u[1] = k[1] * p[0] + k[2] * p[1]. Only two forward and two backward transforms are
  * needed. The kernels must have the same window, and no kernel may be odd in only one direction. u
- * may be the same as p. In p and u the distance between two rows is `stride`. */
+ * may be the same as p. In p and u, consecutive rows begin `stride` numbers apart. */
 void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
                                 int stride, const double *const p[2], double *const u[2]);
 
-/* Forward and backward transform of a whole box. `values` has the shape [box_rows][box_columns],
- * `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real, imaginary). The backward
- * transform multiplies by 1 / (box_rows box_columns) and destroys the spectrum. Error:
- * ARC_MEMORY. */
+/* Compute the forward and the backward transform of a whole box. `values` has the shape
+ * [box_rows][box_columns], `spectrum` consists of [box_rows][box_columns / 2 + 1] pairs (real,
+ * imaginary). The backward transform multiplies by 1 / (box_rows box_columns) and destroys the
+ * spectrum. Error: ARC_MEMORY. */
 arc_status arc_transform_forward(int box_rows, int box_columns, const double *values,
                                  double *spectrum, arc_error *error);
 arc_status arc_transform_back(int box_rows, int box_columns, double *spectrum, double *values,
                               arc_error *error);
 
-/* Transforms of several rows with `box` (even) numbers each, for convolutions along rows only.
+/* Transforms of `rows` rows with `box` (even) numbers each, for convolutions along rows only.
  * `values` has the shape [rows][box], `spectrum` consists of [rows][box / 2 + 1] pairs (real,
  * imaginary). Two threads must not use the same transform at once. arc_rows_create returns NULL if
  * out of memory. */

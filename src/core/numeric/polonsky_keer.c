@@ -1,6 +1,6 @@
-/* Implements Polonsky and Keer's conjugate gradients for contact, the safeguard of the active set
- * method. Every step clips negative pressures, so that the energy decreases and no set repeats. A
- * step needs two applications of A. */
+/* Implements Polonsky and Keer's method of conjugate gradients for contact, which is used if the
+ * active set method does not converge. Every step sets negative pressures to 0 and decreases the
+ * energy, so that no active set repeats. A step needs two applications of the compliance A. */
 #include "core/numeric/active_work.h"
 
 #include <math.h>
@@ -56,7 +56,7 @@ static double overlap_of(const pass *s) {
   return overlap;
 }
 
-/* Computes the gaps and the residual for the present p. */
+/* Computes the active set, the gaps and the residual for the present p. */
 static arc_status look(pass *s, active_count *count, arc_error *error) {
   arc_active_run(s, arc_active_mark);
   arc_status status = arc_active_gaps(s, &s->limit, count, error);

@@ -1,5 +1,5 @@
-/* Implements the functions of arc_contact. Each function calls its counterpart in the table of the
- * kind of pair. */
+/* Implements the functions of arc_contact. Functions that depend on the kind of pair are called
+ * through its table. */
 #include "core/pair/surfaces.h"
 #include "core/pair/units.h"
 

@@ -1,5 +1,5 @@
-/* Declares the data that a run and the kind of its pair of bodies exchange: the points of a cycle,
- * the wear of a cycle, and the depths of an update. Sites are the surface points of the bodies.
+/* Declares the data that a run and its kind of pair exchange: the points of a cycle, the wear of a
+ * cycle, and the depths of an update. Sites are the surface points (nodes or cells) of the bodies.
  * Vectors [n] contain first the values at the sites of the upper body, then the values at the sites
  * of the lower body. The vectors of both bodies are adjacent in one block of memory. */
 #ifndef PAIR_CYCLE_H
@@ -10,21 +10,21 @@
 /* Properties of a run that the kind of pair derives from its definition. */
 typedef struct wear_manner {
   arc_procedure procedure; /* SP: sliding plate; NSP: one contact per update */
-  double strokes;   /* number of strokes per cycle, r in the reference paper: 2, or 1 for a single
+  double strokes;   /* number of strokes in a cycle (r in the reference paper): 2, or 1 for a single
                        pass */
   double stroke;    /* [mm] stroke */
-  double modulus;   /* [MPa] If the sliding distance is unknown, it is estimated as the tangential
-                       force per thickness divided by `modulus`. */
+  double modulus;   /* [MPa] contact modulus; in cycles driven by a force, the nominal sliding
+                       distance is the force per thickness divided by this modulus */
   double radius;    /* [mm] radius at which a rotation is converted to sliding distance */
   double thickness; /* [mm] thickness that converts loads [N] to loads per thickness [N/mm] */
-  int rests;        /* true if the contact stays at one position */
-  int even; /* true if the lower body wears uniformly or along a track, so that its sites do not
-               move; see wear_rate.even */
-  int counts_forces; /* true if the normal force differs from the load, so that rates must integrate
-                        it (wear_rate.pressed) */
+  int rests;        /* true if the contact is solved at one position only */
+  int even; /* true if the lower body wears uniformly or along a track, so that its sites have no
+               depths of their own; see wear_rate.even */
+  int counts_forces;       /* true if the normal force differs from the load, so that it must be
+                              integrated (wear_rate.pressed) */
   int layered[ARC_BODIES]; /* true if the body has layers, which may have different wear
                               coefficients */
-  int closed;              /* true if the contact never changes, so that no solution is needed */
+  int closed; /* true if wear does not change the contact, so that no solution is needed */
 } wear_manner;
 
 /* A block of loading: its points, its contact problems, and its number of cycles. Several points
@@ -32,57 +32,64 @@ typedef struct wear_manner {
 typedef struct wear_block {
   int count;          /* number of points; the block has count - 1 increments */
   double *x;          /* [count] position of the lower body [mm] */
-  double *line;       /* [count] load per thickness [N/mm]; 0: the bodies are apart */
+  double *line;       /* [count] normal load per thickness [N/mm]; 0: the bodies are apart */
   double *problem_x;  /* [count] position of the contact [mm]: x, or 0 for a contact at rest */
   double *angle;      /* [count] angle of the load [rad]; 0 except in holes */
-  double *tangential; /* [count] tangential force per thickness [N/mm]; NULL: x is given */
-  int press;       /* with friction: index of the point at which the bodies are pressed together */
-  int *problem_of; /* [count] index of the contact problem of a point */
+  double *tangential; /* [count] tangential force per thickness [N/mm]; NULL: the position x is
+                         prescribed */
+  int press;          /* with friction: index of the point where the bodies are pressed together */
+  int *problem_of;    /* [count] index of the contact problem of each point */
   int problems;
   int periodic;
   double load, travel; /* largest load [N]; distance between the ends of the motion [mm] */
-  double repeat;       /* factor of the wear: 2 if the points are half a cycle, 1/2 if they are two
-                          strokes but a cycle is one stroke, else 1 */
-  double sliding;      /* sliding distance of a cycle [mm] */
-  double cycles;       /* number of cycles, which may be INFINITY in the last block */
+  double repeat;  /* factor on the wear of the points: 2 if they are half a cycle, 1/2 if they are
+                     two strokes but a cycle is one stroke, else 1 */
+  double sliding; /* sliding distance of a cycle [mm] */
+  double cycles;  /* number of cycles, which may be INFINITY in the last block */
   double start_distance, start_cycle; /* distance [mm] and cycle number at the block's start */
 } wear_block;
 
-/* Wear depth of one cycle divided by the wear coefficient: the integral of p ds along the strokes
- * of the cycle [MPa mm]. */
+/* Wear rate: the wear depth of one cycle divided by the wear coefficient. It is the integral of
+ * pressure over sliding distance in the cycle [MPa mm]. */
 typedef struct wear_rate {
-  double *node[ARC_BODIES]; /* [sites of the body] rate at each site; one block for both bodies */
-  double even;         /* rate of a uniformly worn lower body (Eq. 27), or of a track 1 mm wide */
-  double peak;         /* largest pressure at a site in the window [MPa] */
-  double energy;       /* energy dissipated per thickness [N] */
-  double shear, stick; /* largest tangential force [N/mm]; width that always sticks [mm] */
+  double *node[ARC_BODIES]; /* [sites of the body] rate at each site, in one block of memory for
+                               both bodies */
+  double even; /* rate of a uniformly worn lower body (Eq. 27 of the reference paper), or of a track
+                  1 mm wide */
+  double peak; /* largest pressure at a site in the window [MPa] */
+  double energy;       /* energy dissipated in the cycle, per thickness [N] */
+  double shear, stick; /* largest tangential force per thickness [N/mm]; width that sticks
+                          throughout the cycle [mm] */
   double gross;        /* 1 if the whole contact slips at some time, otherwise 0 */
   double pressed;      /* integral of the normal force over the sliding distance of a cycle [N] */
 } wear_rate;
 
 /* Wear depths of an update of the geometry. */
 typedef struct wear_depths {
-  double *node[ARC_BODIES]; /* [sites of the body] depth at each site [mm], in one block */
+  double *node[ARC_BODIES]; /* [sites of the body] depth at each site [mm], in one block of memory
+                               for both bodies */
   double even;    /* depth of uniform wear of the lower body, or of a track 1 mm wide [mm] */
-  double error;   /* estimated error of an implicit update divided by the tolerance; otherwise 0 */
+  double error;   /* estimated error divided by the tolerance; 0 in updates without an estimate */
   double peak;    /* largest pressure [MPa] of the cycle that caused the depths */
   double energy;  /* energy dissipated in the update, per thickness [N] */
   double pressed; /* integral of the normal force over the sliding distance of the update [N] */
 } wear_depths;
 
-/* Tangent -d rate / d depth of a window. Its format depends on the kind of pair. */
+/* Derivative of the wear rate of a window with respect to the depths, with a negative sign. Its
+ * format depends on the kind of pair. */
 typedef struct wear_tangent wear_tangent;
 
-/* A part of a block, with the increments first .. last. */
+/* A part of a block of loading, from point `first` to point `last`. */
 typedef struct wear_window {
   const wear_block *block;
   const arc_shape *shape; /* shape on which the contact is solved */
   int first, last;
   int chained; /* true if point `first` may use the solution on an earlier shape (simple rule) */
-  const arc_wear_record *state; /* argument of the local factors; NULL: no local factors */
-  double mu;                    /* coefficient of friction, for runs with friction */
-  const double *depth;          /* [n] depths in addition to those of the shape; NULL: none */
-  wear_tangent *tangent;        /* output: the tangent; NULL: it is not computed */
+  const arc_wear_record
+      *state;            /* state for which local factors are computed; NULL: no local factors */
+  double mu;             /* coefficient of friction, for runs with friction */
+  const double *depth;   /* [n] depths in addition to those of the shape; NULL: none */
+  wear_tangent *tangent; /* output: the tangent; NULL: it is not computed */
 } wear_window;
 
 /* Callbacks of a computation, and the number of contact problems solved so far. */
@@ -91,17 +98,20 @@ typedef struct wear_progress {
   int solutions;
 } wear_progress;
 
-/* The equation of a stage of an implicit step, z = known + h k rate(z). Arrays [n]. */
+/* The equation of a stage of an implicit step, z = known + h k rate(z), for the depths z after h
+ * cycles. All arrays are [n]. */
 typedef struct wear_stage {
   arc_wear *run;
-  wear_window window; /* the window; the kind sets its member `depth` */
+  wear_window window; /* window that is solved; the kind sets its member `depth` */
   wear_progress *progress;
-  double k[ARC_BODIES]; /* [mm2/N] wear coefficients of the sites that move */
-  double *z;       /* [mm] depths z if every layer had the largest wear coefficient of its body */
-  double *known;   /* constant part of z [mm] */
-  double *worn;    /* depths z with the wear coefficients of the layers [mm] */
-  wear_rate last;  /* rate of the last solution; its member `node` is not set */
-  void *own;       /* data of the kind */
+  double
+      k[ARC_BODIES]; /* [mm2/N] wear coefficients of the sites; 0 for a body that wears uniformly */
+  double *z;         /* [mm] depths computed with the largest wear coefficient of each body */
+  double *known;     /* constant part of z [mm] */
+  double *worn;      /* [mm] the same depths, converted with the wear coefficients of the layers */
+  wear_rate
+      last;  /* wear rate of the last solution, without the rates of sites (`node` is not set) */
+  void *own; /* data of the kind */
   arc_error error; /* error of the last failure */
 } wear_stage;
 
@@ -113,9 +123,9 @@ typedef struct wear_sites {
   const double *z; /* [count] unworn position across the motion [mm]; NULL in the plane */
 } wear_sites;
 
-/* Allocates a fretting loop with arrays for `count` points as one block, which free() releases. All
- * other members are zero, the arrays have no values yet. Error: ARC_MEMORY; *loop is then
- * unchanged. */
+/* Allocates a fretting loop with arrays for `count` points as one block, which the caller frees
+ * with free(). The arrays are not initialised, and all other members are zero. Error: ARC_MEMORY;
+ * *loop is then unchanged. */
 arc_status arc_loop_create(size_t count, arc_loop **loop, arc_error *error);
 
 #endif

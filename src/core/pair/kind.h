@@ -1,4 +1,4 @@
-/* Declares the table of functions of a kind of pair of bodies. A kind implements surfaces, contact,
+/* Declares the table of functions that a kind of pair of bodies implements: for surfaces, contact,
  * and the wear of a cycle. Wear laws, coefficients, steps and histories are common to all kinds
  * (core/wear). A run uses its bodies only through this table. */
 #ifndef PAIR_KIND_H
@@ -6,27 +6,28 @@
 
 #include "core/pair/cycle.h"
 
-/* Functions for runs whose contact outgrows the part of the surface that has sites. Optional
- * functions may be NULL. */
+/* Functions for runs whose contact becomes larger than the part of the surface that has sites.
+ * Optional functions may be NULL. */
 typedef struct arc_growth {
   /* Returns true if a run must grow before the next step, and sets *why to the reason. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
-  /* Returns true if a step failed because the contact has outgrown the sites, and not because the
-   * step was too long. */
+  /* Returns true if a step failed with the status `why` because the contact has outgrown the sites,
+   * and not because the step was too long. */
   int (*has_outgrown)(const arc_wear *w, arc_status why);
   /* Returns true if the bodies are large enough for the sites that the definition needs. */
   int (*can_grow)(const arc_wear *w);
-  /* Copies the run to more sites (grow), or to the sites of a given mesh (remesh). *result is
-   * NULL on failure. */
+  /* `grow` copies a run to a larger surface with more sites, `remesh` to the sites of a mesh with
+   * other settings. On failure *result is NULL. */
   arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
-  /* Optional: sets *finer to a copy of a new run on finer sites, which resolve its cycles. Sets it
-   * to NULL if the sites are fine enough, or if the user set their size. */
+  /* Optional: sets *finer to a copy of a new run with smaller sites, which resolve its cycles. Sets
+   * it to NULL if the sites are small enough, or if the user set their size. */
   arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
-  /* `report` reports that a run has grown, `report_mesh` that the mesh was changed at the user's
-   * request. `refuse` composes the error of a step that failed although the run could grow. */
+  /* `report` reports that a run has grown, and `report_mesh` that the user changed the mesh.
+   * `refuse` writes the error of a step that failed although the run could grow, from the error of
+   * the step (why) and the error of the growth (trouble). */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
@@ -39,9 +40,9 @@ typedef struct arc_kind {
 
   /* --- models --------------------------------------------------------------------------------- */
 
-  /* Checks a definition for `build`. Errors: ARC_ARGUMENT, ARC_GEOMETRY. */
+  /* Checks a definition before `build`. Errors: ARC_ARGUMENT, ARC_GEOMETRY. */
   arc_status (*check_model)(const arc_model_def *def, arc_error *error);
-  /* Builds a model that has one reference. The first member of the model is its handle
+  /* Builds a model with a reference count of 1. The first member of the model is its handle
    * (pair/model.h). */
   arc_status (*build)(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **model,
                       arc_error *error);
@@ -51,12 +52,12 @@ typedef struct arc_kind {
       const arc_model *model,
       arc_body body); /* returns the mesh of a body; NULL: the kind has no meshes */
 
-  int maps; /* true if surfaces are height maps over x and z. Each contact and run chooses the
-               cells. */
+  int maps; /* true if surfaces are height maps over x and z. Each contact and run then chooses its
+               own cells. */
 
   /* --- definitions, on the definition of a model ---------------------------------------------- */
 
-  /* Optional: sets defaults of a run. NULL: the defaults of the settings apply. */
+  /* Optional: sets defaults of a run that differ from those of the settings. */
   void (*usual)(arc_wear_def *def);
 
   /* Checks combinations of settings of a run. Errors: ARC_ARGUMENT. */
@@ -75,26 +76,28 @@ typedef struct arc_kind {
 
   /* --- runs ----------------------------------------------------------------------------------- */
 
-  /* Sets the number of sites of a run and its member `own`, the data of the kind, when its
-   * definition, surfaces and blocks are complete. On ARC_MEMORY `end` must be called. */
+  /* Sets the number of sites of a run and its member `own` (data of the kind). It is called when
+   * definition, surfaces and blocks of the run are complete. On ARC_MEMORY `end` must be called. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w); /* Optional: memory with surfaces and tangents [bytes] */
+  size_t (*bytes)(const arc_wear *w); /* Optional: returns the memory of surfaces, tangents and data
+                                         of the kind [bytes] */
   /* Optional: checks that the zones contain the contact over the whole motion. Errors: ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* Optional: gives warnings about the definition and, if `unworn` is true, about sites that are
-   * too coarse. */
+  /* Optional: warns about the definition and, if `unworn` is true, about sites that are too
+   * coarse. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* Optional: if the sites were too coarse for the last update, gives a warning and returns 1;
-   * otherwise returns 0. */
+  /* Optional: warns and returns 1 if the sites were too coarse for the last update; otherwise
+   * returns 0. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces ------------------------------------------------------------------------------- */
 
-  /* Creates initial surfaces: unworn ones, or a copy of `from` of the same model. */
+  /* Creates the initial surfaces of a run: a copy of `from`, which belongs to the same model, or
+   * unworn surfaces if `from` is NULL. */
   arc_status (*surfaces)(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                          arc_shape **shape, arc_error *error);
-  /* Optional: creates unworn surfaces for single contacts, see arc_shape_create. */
+  /* Optional: creates unworn surfaces for single contacts (arc_shape_create). */
   arc_status (*unworn)(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                        arc_error *error);
   arc_status (*copy)(const arc_shape *shape, arc_shape **copy, arc_error *error);
@@ -108,16 +111,17 @@ typedef struct arc_kind {
   /* Optional: converts depths [n], computed with the largest wear coefficient, to depths with the
    * coefficients of the layers. */
   void (*through_layers)(const arc_shape *shape, double *depth);
-  /* Adds the volumes of the depths, and the depths of tracks, to the record. It is called before
-   * the shape is worn. */
+  /* Adds the wear volumes of the depths, and the depths of tracks, to the record. It is called
+   * before the depths are applied to the shape. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                       arc_wear_record *record);
   /* Optional: predicts data of a shape that depend on its wear, such as the compliance, for the
-   * middle of an update. `depth` contains the depths at the middle. */
+   * middle of an update. `depth` contains the wear up to the middle. */
   arc_status (*look_ahead)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                            arc_error *error);
-  /* Removes the depths from a shape and adds their volumes to the record. Layers limit the depths.
-   * On failure the shape must be destroyed. */
+  /* Applies the wear depths to a shape, and adds their volumes to the record. Depths through layers
+   * are converted by the wear coefficients of the layers. On failure the shape must be
+   * destroyed. */
   arc_status (*wear)(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                      arc_wear_record *record, arc_error *error);
   /* Solves the contact of a shape in the reference configuration (x = 0, nominal load) and writes
@@ -130,8 +134,9 @@ typedef struct arc_kind {
   /* Computes the wear rates of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_progress *progress,
                      wear_rate *rate, arc_error *error);
-  /* Optional: returns the amplitude of the sawtooth of pressures at neighbouring sites, divided by
-   * the mean pressure, on the surfaces of the last record. */
+  /* Optional: returns the largest difference between the pressure at a site and the mean pressure
+   * of its two neighbours, divided by the mean pressure, for the surfaces of the record
+   * `measured`. */
   double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* Optional: computes the fretting loop of a cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_progress *progress,
@@ -142,13 +147,13 @@ typedef struct arc_kind {
   double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
   /* Functions of an implicit step. `begin_stages` allocates memory (after ARC_MEMORY `end_stages`
-   * must still be called). `start` computes k times the rate at z = 0. `stage` solves from the
+   * must still be called). `start` computes k times the rate at z = 0. `stage` starts from the
    * present z and its rate, and writes z and the rate of the solution, for which z = known + h rate
    * is exact. If it returns ARC_NOT_CONVERGED, a shorter step may succeed. `error` filters stiff
-   * ripples out of the estimated errors of depths, and returns their effect: the fraction of the
-   * load that they shift, or their change of pressure divided by the largest pressure. A negative
-   * value means unknown. Unless `depth` is NULL, `end_stages` writes the uniform wear, largest
-   * pressure and normal force of a step. */
+   * ripples out of the estimated errors of the depths. It returns the effect of these errors on the
+   * contact: the fraction of the load that they shift, or the change of pressure divided by the
+   * largest pressure; a negative value means that the effect is unknown. Unless `depth` is NULL,
+   * `end_stages` writes the uniform wear, largest pressure and normal force of a step. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
@@ -160,22 +165,23 @@ typedef struct arc_kind {
   /* Returns the depth of wear [mm] that changes the contact as much as the elastic displacement
    * does. */
   double (*natural_depth)(const arc_wear *w);
-  /* Optional: return limits of the integral of k over the distance [mm3/N] in one update. The first
-   * limit removes `depth` [mm] from a uniformly worn lower body. At the second limit the wear of
-   * layers changes the contact as much as allowed in one update; it includes uniformly worn layers
-   * and, if `scars` is true, layers under scars. NULL: no such limit. */
+  /* Optional: limits of the integral of k over the distance [mm3/N] in one update. At the limit
+   * even_k_integral, a uniformly worn lower body has lost `depth` [mm]. At the limit
+   * layer_k_integral, the wear of layers has changed the contact as much as allowed in one update;
+   * it includes uniformly worn layers and, if `scars` is true, layers under scars. NULL: no such
+   * limit. */
   double (*even_k_integral)(const arc_wear *w, double depth);
   double (*layer_k_integral)(const arc_wear *w, int scars);
   /* Optional: returns the wear coefficient of the exposed layer at the deepest point of a body,
-   * relative to the largest coefficient of the body. NULL: 1. */
+   * divided by the largest coefficient of the body. NULL: 1. */
   double (*open_share)(const arc_wear *w, arc_body body);
 
   const arc_growth *growth; /* NULL: the number of sites is constant */
 
   /* --- one contact ---------------------------------------------------------------------------- */
 
-  /* Optional, all functions of this section or none: see arc_contact_solve, arc_contact_move,
-   * arc_contact_surfaces. */
+  /* Functions of single contacts (arc_contact_solve, arc_contact_move, arc_contact_surfaces). A
+   * kind has all of them or none. */
   arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
                       const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
   arc_status (*move)(const arc_contact *from, const arc_motion_def *motion,
@@ -189,7 +195,7 @@ typedef struct arc_kind {
 
   /* Optional: creates the contact of the present state. */
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
-  /* Returns arrays of the present surfaces for arc_wear_surfaces, body by body. */
+  /* Returns the arrays of arc_wear_surfaces for the present surfaces, body by body. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
   /* `save` returns the complete state of surfaces, with update and distance 0, in one block, which
    * the caller frees with free(). It returns NULL if out of memory. `load` restores surfaces from a
@@ -202,7 +208,7 @@ typedef struct arc_kind {
   arc_status (*validate)(const arc_wear *w, arc_error *error);
 } arc_kind;
 
-/* Returns the kind of pair that a model's definition describes. */
+/* Returns the kind of pair of a model definition. */
 const arc_kind *arc_kind_of(const arc_model_def *def);
 
 #endif

@@ -1,5 +1,5 @@
-/* Declares the members that the models of all kinds have in common, and those that their surfaces
- * have in common. */
+/* Declares the members that all kinds of models have in common, and those that all kinds of
+ * surfaces have in common. */
 #ifndef PAIR_MODEL_H
 #define PAIR_MODEL_H
 

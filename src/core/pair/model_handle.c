@@ -1,5 +1,5 @@
-/* Implements functions for models and surfaces of all kinds: definition, kind, and reference count.
- */
+/* Implements the functions for models and surfaces that are common to all kinds: definition, kind,
+ * and reference count. */
 #include "core/pair/model.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* Gives warnings for numbers that are probably in another unit. The limits allow usual values:
- * moduli from polyethylene (500 MPa) to diamond (1.2e6 MPa), and wear coefficients from that of a
- * diamond film (1e-13 mm2/N) to that of a polymer without filler (1e-6 mm2/N). */
+/* Warns about numbers that are probably in another unit. Moduli from polyethylene (500 MPa) to
+ * diamond (1.2e6 MPa) and wear coefficients from a diamond film (1e-13 mm2/N) to a polymer without
+ * filler (1e-6 mm2/N) cause no warning. */
 #include "core/pair/units.h"
 #include "core/base/callbacks.h"
 
@@ -21,7 +21,7 @@ static void warn_modulus(const char *name, double E, const arc_callbacks *callba
 
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
   static const double small =
-      50; /* ratio of E to the pressure below which strains are no longer small */
+      50; /* ratio of Young's modulus to pressure below which strains are no longer small */
   if (model->geometry == ARC_SPRINGS) return;
   const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
   for (int b = 0; b < ARC_BODIES; b++)

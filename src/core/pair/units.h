@@ -1,11 +1,12 @@
-/* Declares warnings for numbers that are probably in another unit. Each warning contains the number
- * and the expected unit. */
+/* Declares functions that warn about numbers that are probably in another unit. Each warning
+ * contains the number and the expected unit. */
 #ifndef PAIR_UNITS_H
 #define PAIR_UNITS_H
 
 #include "archard/model.h"
 
-/* Checks Young's moduli of both bodies, and the largest pressure `p_max` [MPa] relative to them. */
+/* Checks Young's moduli of both bodies, and the largest pressure `p_max` [MPa] relative to the
+ * smaller modulus. */
 void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks);
 
 /* Checks a coefficient of friction. */

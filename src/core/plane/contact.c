@@ -156,7 +156,8 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
 }
 
-/* Rounds a zone width [mm] up to three digits, or down if the result would exceed `widest`. */
+/* Rounds a zone width [mm] up to three significant digits, or down if the result would exceed
+ * `widest`. */
 static double round_zone(double zone, double widest) {
   const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
   return up <= widest ? up : floor(widest / unit) * unit;
@@ -177,9 +178,10 @@ static arc_status explain_position(const arc_contact *c, arc_error *error) {
                   arc_model_widest_zone(model, ARC_PLATE) / 2, c->problem.x);
 }
 
-/* Computes the zones [mm] that a contact needs: the automatic zones or, if these are not wider than
- * the present zones, twice the present width. Returns 0 if a body is too narrow for the contact
- * plus two elements without contact on either side, or if no zone becomes wider. */
+/* Computes the widths [mm] of the zones that a contact needs. These are the automatic zones or,
+ * if no automatic zone is wider than the present zone, twice the present widths. Returns 0 if a
+ * body is too narrow for the contact and two elements on either side, or if no zone becomes
+ * wider. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
   const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;
@@ -196,7 +198,7 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
   return more;
 }
 
-/* Composes the message for a contact that reaches beyond the zones. Returns ARC_ZONE or
+/* Composes the error message for a contact that extends beyond the zones. Returns ARC_ZONE or
  * ARC_ARGUMENT. */
 static arc_status explain_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);

@@ -39,15 +39,15 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Returns the ratio of shear to pressure at the last node in contact, on the right or left. It
- * is positive if the shear on the cylinder is along +x. */
+/* Returns the ratio of shear to pressure at the outermost contact node on the right or left
+ * side. The ratio is positive if the shear on the cylinder is along +x. */
 static double shear_at(const arc_contact *c, int right) {
   const int last = c->problem.set[right ? c->problem.active - 1 : 0];
   return c->state.t[c->problem.lo + last] / c->problem.f[last];
 }
 
-/* Computes the tractions at the surface nodes. Near smooth contact edges they are point values
- * instead of means over elements. */
+/* Computes the tractions at the surface nodes. Near smooth contact edges these are values at
+ * points rather than means over elements. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
   const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
   const int n = c->count[body];
@@ -85,8 +85,9 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-/* Stores Poisson's ratio at each node in szz, which is used as workspace. A node on an interface
- * gets the ratio of the upper layer. Elements are numbered from the surface inwards. */
+/* Stores Poisson's ratio at each node in szz, which serves as workspace. A node on an interface
+ * has the ratio of the layer nearer to the surface. Elements are numbered from the surface
+ * inwards. */
 static void fill_ratios(const elastic_body *body, arc_field *field) {
   const arc_mesh *m = body->mesh;
   for (int e = m->elements - 1; e >= 0; e--)
@@ -97,8 +98,9 @@ static void fill_ratios(const elastic_body *body, arc_field *field) {
     }
 }
 
-/* Returns the stress normal to the section at node n. It follows from the stresses in the
- * section, Poisson's ratio `nu` and the hoop strain. On the axis it equals the radial stress. */
+/* Returns the stress normal to the section at node n. It is computed from the stresses in the
+ * section, Poisson's ratio `nu` and the hoop strain. On the axis of revolution it equals the
+ * radial stress. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n, double nu) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
@@ -120,8 +122,7 @@ static void derive_invariants(const elastic_body *body, arc_field *field) {
   }
 }
 
-/* Rotates the stress tensors to the position of the body. Tensors rotate by twice the angle of
- * vectors. */
+/* Rotates the stress tensors with the body. Tensors rotate by twice the angle of vectors. */
 static void turn_stresses(const placing *to, arc_field *field) {
   const double c = to->cos, s = to->sin;
   for (int k = 0; k < field->nodes && s != 0; k++) {
@@ -132,7 +133,7 @@ static void turn_stresses(const placing *to, arc_field *field) {
   }
 }
 
-/* Transforms coordinates, displacements and stresses to the position of the body. */
+/* Transforms coordinates, displacements and stresses to the position of the body in the contact. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
   const placing to = arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->problem.x,
                                        c->problem.angle);
@@ -142,7 +143,7 @@ static void place(const arc_contact *c, arc_body body, double *xy, double *u, ar
 }
 
 /* Computes the displacements of all nodes from the displacements of the wear box, and then the
- * stresses. `work` is memory for the displacements u and the coordinates xy. */
+ * stresses. `work` is memory for displacements and coordinates. */
 static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
                              double *box, arc_error *error) {
   const shape_side *side = &c->handle.shape->side[body];

@@ -1,14 +1,14 @@
-/* Wear of a cycle with friction. On a given shape the bodies are pressed together, and
+/* Wear of a cycle with friction. The bodies are pressed together on a given shape, and
  * increments of stick and slip are solved until the cycle is periodic. The wear of the last
  * cycle is used.
  *
  * Every evaluation begins with separated bodies. Nodes that slip in a cycle do not depend on
- * earlier cycles, and nodes that never slip retain the tractions from pressing. An update
- * therefore needs no stored history of tractions, no cycle contains slip due to the update
- * itself, and a stored run continues with identical results.
+ * earlier cycles, and nodes that never slip retain the tractions from pressing. Therefore an
+ * update needs no stored tractions, the change of shape by an update causes no slip, and a
+ * stored run continues with identical results.
  *
- * Work is computed at the cylinder's nodes, also for nodes that come into or lose contact within
- * the increment. The coupling (Eq. 15) gives the plate the same work. */
+ * Work is computed at the cylinder's nodes, also at nodes that enter or lose contact within the
+ * increment. The coupling transfers the same work to the plate (Eq. 15 of the paper on alpha). */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/cycle.h"
@@ -19,7 +19,8 @@
 
 enum { most_cycles = 40 };
 
-/* A cycle is periodic if the change of forces is below this fraction of the largest load. */
+/* A cycle is periodic if the sum of the changes of all nodal forces is below this fraction of
+ * the largest load. */
 static const double steady = 1e-6;
 
 typedef struct fretting {
@@ -28,12 +29,12 @@ typedef struct fretting {
   wear_progress *progress;
   wear_rate *rate;
   arc_loop *loop;    /* fretting loop to record, or NULL */
-  double *start;     /* [2 nc] normal and tangential forces at the start of the cycle */
-  double *least;     /* [nc] smallest normal force in the cycle */
-  double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
-  double *work, *on; /* [nc], [np] workspace */
-  double between;    /* energy dissipated at points between the nodes until the cycle starts, per
-                        thickness [N] */
+  double *start;     /* normal and tangential force on each cylinder node at the start of the
+                        cycle */
+  double *least;     /* smallest normal force on each cylinder node in the cycle */
+  double *slid;      /* sum of |slip| of each cylinder node in the cycle [mm] */
+  double *work, *on; /* workspace for the nodes of the cylinder and of the plate */
+  double between;    /* energy dissipated between the nodes before the cycle, per thickness [N] */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -77,7 +78,8 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   return arc_wear_take(w, r->window, &path->problem[b->problem_of[at]], point, error);
 }
 
-/* Copies the last point of the path to point 0, because both are the same state of the cycle. */
+/* Copies the last point of the path to point 0, because a periodic cycle ends in its initial
+ * state. */
 static void wrap(fretting *r) {
   wear_path *path = path_of(r->w);
   const int last = path->block->count - 1;
@@ -85,15 +87,15 @@ static void wrap(fretting *r) {
 }
 
 /* Returns true if pressing the bodies together causes shear. Half-planes of the same material do
- * not shear each other. For bodies to which Hertz' formulas apply, the shear due to their outer
- * shapes changes the energy of a cycle by less than 1e-4. */
+ * not shear each other. For bodies to which Hertz' formulas apply, the finite size of the bodies
+ * causes shear that changes the energy of a cycle by less than 1e-4 of its value. */
 static int shear_when_pressed(const arc_wear *w) {
   const arc_model_def *model = arc_model_definition(w->model);
   return arc_contact_mismatch(model->geometry, model->material) != 0 ||
          !arc_model_is_hertzian(model);
 }
 
-/* Presses the bodies together at point b->press, in the same increments as the contact object. */
+/* Presses the bodies together at point b->press, in the default increments of arc_contact_solve. */
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int has_friction = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
@@ -109,8 +111,7 @@ static arc_status press(fretting *r, arc_error *error) {
   return status;
 }
 
-/* Presses the separated bodies together, and then solves the points up to the end of the cycle,
- * which is also the start of the next cycle. */
+/* Presses the separated bodies together, and then solves the points up to the end of the cycle. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
@@ -128,8 +129,8 @@ static arc_status approach(fretting *r, arc_error *error) {
 
 /* --- wear */
 
-/* Adds the work of pressure and slip at point `at`, one end of the increment, to the rate of
- * both bodies. */
+/* Adds the work of pressure and slip at point `at`, which is one end of the increment, to the
+ * wear of both bodies. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
   const wear_block *b = path_of(w)->block;
@@ -160,8 +161,8 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
-/* Adds a point to the Jacobian. The sliding distance of a node of the plate follows from the
- * work of the cylinder's nodes above it. */
+/* Adds a point to the Jacobian. The sliding distance of a plate node is computed from the work
+ * of the cylinder's nodes above it. */
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const sliding[ARC_BODIES] = {r->work, r->on};
@@ -225,8 +226,8 @@ static void begin_cycle(fretting *r) {
   note_loop(r, 0);
 }
 
-/* Returns true if the forces equal those at the start of the cycle within the tolerance `steady`.
- */
+/* Returns true if the forces equal the forces at the start of the cycle within the tolerance
+ * `steady`. */
 static int has_closed(const fretting *r) {
   const friction_state *s = &path_of(r->w)->state;
   const wear_block *b = path_of(r->w)->block;
@@ -237,8 +238,8 @@ static int has_closed(const fretting *r) {
 }
 
 /* Computes the stick width: the total width of the nodes that never slip, at most the contact
- * width. Where the tangential force just reaches its earlier maximum, nodes slip only by rounding
- * errors and count as sticking. */
+ * width. If the tangential force just reaches its earlier maximum, nodes slip only by rounding
+ * errors; these nodes count as sticking. */
 static void find_stick(fretting *r) {
   const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
@@ -254,7 +255,7 @@ static void find_stick(fretting *r) {
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
-/* Scales the wear, the Jacobian and the energy by the same factor. */
+/* Multiplies the wear, the Jacobian and the energy by `share`. */
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
@@ -262,8 +263,8 @@ static void scale_rate(fretting *r, double share) {
   r->rate->energy *= share;
 }
 
-/* Adds `energy`, which is dissipated at points between the nodes, and its wear to the two outermost
- * nodes in contact, half to each. */
+/* Adds `energy`, which was dissipated between the nodes, and its wear to the two outermost nodes
+ * in contact, half to each. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
   const int at = path_of(w)->block->count - 1;
@@ -282,9 +283,9 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* Distributes the energy dissipated at points between the nodes over the nodes in proportion to
- * their own energy, which is at most doubled. The outermost nodes in contact receive the remaining
- * energy. */
+/* Distributes the energy that was dissipated between the nodes. Each node receives a part in
+ * proportion to its own energy, at most as much again. The two outermost nodes in contact
+ * receive the remainder. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   const double own = r->rate->energy, shared = fmin(energy, own);
@@ -329,7 +330,7 @@ arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_progress *
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Converts the forces of the loop to the whole thickness, and sets the energy of one cycle. */
+/* Multiplies the forces of the loop by the thickness, and sets the energy of one cycle. */
 static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;

@@ -9,10 +9,11 @@ double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i)
   return from->rotation ? arc_model_arc_length(model, from->rotation[i]) : from->x[i];
 }
 
-/* Returns the length of an increment [mm] that gives accurate results, see arc_wear_reach. The
- * caller prepares `pair` once, because its preparation is expensive. */
+/* Returns the length of an increment [mm] that is short enough for accurate results, see
+ * arc_wear_reach. The caller creates `pair` once, because its creation is slow. */
 static double reach_of(contact_pair *pair, double load) {
-  static const double share = 0.125; /* error of centre pressures < 1 %, also for short strokes */
+  static const double share =
+      0.125; /* at this share, centre pressures have errors below 1 %, also for short strokes */
   return share * arc_pair_estimate(pair, load).half_width;
 }
 
@@ -21,17 +22,17 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return reach_of(&pair, load);
 }
 
-/* Returns the sliding distance [mm] from point i - 1 to point i of a loading: the distance of
- * the plate plus the distance that the contact moves with the direction of the load. */
+/* Returns the sliding distance [mm] from point i - 1 to point i of a loading. It is the distance
+ * of the plate plus the distance by which a rotation of the load moves the contact. */
 static double sliding_of(const arc_loading *from, const arc_model_def *model, int i) {
   const double sliding = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (!from->load_angle) return sliding;
   return sliding + fabs(arc_model_arc_length(model, from->load_angle[i] - from->load_angle[i - 1]));
 }
 
-/* Returns the smallest load that determines the length of increments. Without this limit a load
- * that falls to zero would need infinitely many increments, because the contact becomes
- * arbitrarily narrow. All loads below 1 % of the mean together cause less than 1 % of the wear. */
+/* Returns the smallest load for which the length of increments is computed. A lower limit is
+ * necessary because the contact becomes arbitrarily narrow as the load falls to zero. All loads
+ * below 1 % of the mean load together cause less than 1 % of the wear. */
 static double least_load(const arc_loading *from, const arc_model_def *model) {
   static const double share = 0.01;
   double sum = 0, whole = 0;
@@ -50,8 +51,8 @@ static double length_of(contact_pair *pair, const arc_loading *from, double leas
 }
 
 /* Returns the number of increments of a loading, and writes the number for each segment to
- * parts[i] unless `parts` is NULL. If the user chose the increments, and for NSP, each segment
- * is one increment. */
+ * parts[i] unless `parts` is NULL. Each segment is one increment if the user chose the
+ * increments, and for NSP. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
   enum { of_load = 100 }; /* limit of increments per segment if only the load changes */
@@ -71,7 +72,8 @@ double arc_loading_increments(const arc_wear_def *def, const arc_model_def *mode
   return count;
 }
 
-/* Returns the length of the longest increment divided by the length that gives accurate results. */
+/* Returns the length of the longest increment, divided by the length that is short enough for
+ * accurate results. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
@@ -86,8 +88,8 @@ static double longest_increment(const arc_wear *w) {
 
 /* Warns if the user chose too few increments. */
 void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
-  static const double leap = 4; /* longest increment without a warning, divided by the length that
-                                   gives accurate results */
+  static const double leap = 4; /* limit of the longest increment, as a multiple of the accurate
+                                   length */
   const arc_wear_def *d = &w->def;
   if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
       d->slide == ARC_SLIDE_Z)

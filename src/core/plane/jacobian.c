@@ -1,12 +1,13 @@
-/* The Jacobian of the wear of a cycle: a linear function of the depths of both surfaces, computed
- * from the active sets of the contact solutions.
+/* The Jacobian of the wear of a cycle, a linear function of the depths of both surfaces. It is
+ * computed from the active sets of the contact solutions.
  *
- * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1), where A is the compliance matrix.
- * Increases h_c and h_p of the depths of cylinder and plate change the forces of a problem by -C
- * (h_c + B h_p), where B interpolates from the plate's nodes to the cylinder's. C hardly differs
- * between neighbouring problems with the same active set. A group of such problems therefore shares
- * the C of one problem, its head. The matrices B of the group differ, and their mean couples the
- * surfaces. Groups lie symmetrically about x = 0, so symmetric runs remain symmetric. */
+ * On the active set let C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1), where A is the compliance
+ * matrix and 1 a vector of ones. If the depths of cylinder and plate increase by h_c and h_p,
+ * the forces of a contact problem change by -C (h_c + B h_p), where B interpolates from the
+ * plate's nodes to the cylinder's nodes. C hardly differs between neighbouring problems with the
+ * same active set. A group of such problems therefore uses the matrix C of one problem, its
+ * head. The matrices B of the group differ; their mean couples the two surfaces. Groups are
+ * symmetric about x = 0, so symmetric runs remain symmetric. */
 #include "core/base/dense.h"
 #include "core/plane/cycle.h"
 
@@ -15,18 +16,18 @@
 #include <string.h>
 
 typedef struct jacobian_group {
-  contact_problem *head; /* solved problem of the point `at`, which represents the group */
+  contact_problem *head; /* solved contact problem of point `at`, which represents the group */
   int at, m;             /* index of the head's point; number of nodes in its active set */
-  int *node;             /* [nc] surface nodes of the active set */
-  int *from, *to; /* [nc] first plate node in the row of B for a cylinder node, and last node + 1 */
+  int *node;             /* surface nodes of the active set */
+  int *from, *to; /* for each cylinder node, first plate node in its row of B, and last node + 1 */
   int low, high;  /* first plate node of the active set, and last node + 1 */
   int points;     /* number of problems in the group */
   double total;   /* sum of the weights `share` of the group's problems [mm] */
-  const double *wc, *wp; /* tributary widths, equal for all problems */
-  double *scale;         /* [nc + np] sum of share * dq/dp over the group */
-  double *c;             /* [nc x nc] C of the head */
-  double *own, *mean;    /* [np x nc] B' of the head; sum of share * B' */
-  double *cb;            /* [nc x np] workspace: C B */
+  const double *wc, *wp; /* tributary widths of the nodes, equal for all problems [mm] */
+  double *scale;         /* sum of share * dq/dp over the group, for each surface node */
+  double *c;             /* matrix C of the head */
+  double *own, *mean;    /* transpose of B of the head; sum of share * B' over the group */
+  double *cb;            /* workspace for C B */
 } jacobian_group;
 
 wear_tangent *arc_tangent_create(const arc_wear *w) {
@@ -98,8 +99,8 @@ static void fill_c(const contact_problem *p, double *c) {
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
 }
 
-/* Computes the matrices C and B of the head. Returns 0 if A is not positive definite, which
- * cannot occur for a solved problem. */
+/* Computes the matrices C and B of the head. Returns 0 if A is not positive definite, which is
+ * impossible for a solved problem. */
 static int take_head(wear_tangent *j) {
   jacobian_group *g = j->group;
   contact_problem *p = g->head;
@@ -139,9 +140,9 @@ static void join(const arc_wear *w, const contact_problem *p, const wear_point *
   }
 }
 
-/* --- contribution of a group */
+/* --- contribution of a group to the Jacobian */
 
-/* Computes cb = C B for the plate nodes from `low` on. `b` [np x nc] contains B'. */
+/* Computes C B for the plate nodes from `low` to `high` - 1. `b` contains the transpose of B. */
 static void times_rows(const wear_tangent *j, const double *b) {
   const jacobian_group *g = j->group;
   memset(g->cb, 0, (size_t)g->m * (size_t)(g->high - g->low) * sizeof(double));
@@ -230,8 +231,8 @@ static int same_set(const contact_problem *a, const contact_problem *b) {
          memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
 }
 
-/* Returns true if a point belongs to the present group: it has a nearby position, the same load
- * and the same active set as the head. */
+/* Returns true if a point belongs to the present group. The positions must be close, and the
+ * load and the active set must equal those of the head. */
 static int belongs(const wear_tangent *j, const wear_block *block, int at,
                    const contact_problem *p) {
   const jacobian_group *g = j->group;
@@ -241,8 +242,8 @@ static int belongs(const wear_tangent *j, const wear_block *block, int at,
          same_set(p, g->head);
 }
 
-/* Returns true if a point is nearer to the centre of its group than the head. At equal distance
- * the point farther from x = 0 is preferred. */
+/* Returns true if a point is nearer to the centre of its group than the head. Of two points at
+ * equal distance, the point farther from x = 0 is preferred. */
 static int is_better_head(const wear_tangent *j, const wear_block *block, int at) {
   static const double even = 1e-9;
   const int head = j->group->at;
@@ -272,8 +273,8 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Computes the largest eigenvalue of diag(k) J by power iteration. The vectors are stored in arrays
- * of the group. */
+/* Computes the largest eigenvalue of the Jacobian with row i multiplied by the wear coefficient
+ * k of node i, by power iteration. The vectors are stored in arrays of the group. */
 double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
                               wear_tangent *tangent) {
   const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};

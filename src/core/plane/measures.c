@@ -1,5 +1,5 @@
-/* Computes the results after each update, for the reference problem: plate at x = 0 under the
- * nominal load. */
+/* Computes the results after each update from the reference problem, in which the plate is at x
+ * = 0 under the nominal load. */
 #include "archard/measure.h"
 #include "core/plane/cycle.h"
 
@@ -76,7 +76,7 @@ arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
                         const arc_wear_record *measured) {
   static const double middle =
-      0.8; /* share of the half width that is averaged, without the steep edges */
+      0.8; /* averaged part of the half width, which excludes the steep edges */
   if (stays_hertzian(w, shape)) return 0;
   return arc_contact_problem_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
 }
@@ -84,8 +84,8 @@ double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
 double arc_plane_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
-  const double reach =
-      0.8 * arc_wear_last(w)->half_width; /* half width of the averaged middle of the contact */
+  const double reach = 0.8 * arc_wear_last(w)->half_width; /* half width of the averaged part in the
+                                                              middle of the contact [mm] */
   const double at = arc_model_arc_length(arc_model_definition(w->model), w->def.load_angle);
   const double saw =
       arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, at - reach, at + reach);

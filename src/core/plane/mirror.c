@@ -1,6 +1,6 @@
-/* If surfaces and motion are exactly symmetric about x = 0, the wear of the second half of a stroke
- * is the mirror image of the wear of the first half. Half of the contact solutions then suffice.
- * Symmetric runs remain symmetric, because a mirrored rate is exactly symmetric. */
+/* If surfaces and motion are exactly symmetric about x = 0, the wear of the second half of a
+ * stroke is the mirror image of the wear of the first half. Then only half of the contact
+ * problems are solved. Symmetric runs remain exactly symmetric. */
 #include "core/plane/cycle.h"
 
 static int is_mirrored_motion(const wear_block *b) {
@@ -41,9 +41,9 @@ int arc_wear_has_local_factors(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Returns 0, even for symmetric surfaces and motion, in four cases: imported meshes (they may be
- * asymmetric inside), the simple rule (it is one-sided), elastic slip, and Jacobians with local
- * factors. */
+/* Returns 0 in four cases even if surfaces and motion are symmetric: imported meshes, whose
+ * interior may be asymmetric; the simple rule, which uses only one end of an increment; elastic
+ * slip; and Jacobians with local factors. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = window->block;
   return window->first == 0 && window->last == block->count - 1 &&
@@ -64,7 +64,7 @@ static void fold_list(int n, double *list) {
   if (n % 2) list[n / 2] *= 2;
 }
 
-/* Returns the index of the mirror image of unknown i. The unknowns are the depths of the nodes
+/* Returns the index of the mirror image of unknown i. The unknowns are the depths at the nodes
  * of both bodies, cylinder first. */
 static int image(const arc_wear *w, int i) {
   return i < w->nc ? w->nc - 1 - i : w->nc + (w->np - 1 - (i - w->nc));

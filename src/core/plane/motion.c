@@ -1,4 +1,4 @@
-/* Contacts with friction: presses the bodies together and moves them. */
+/* Contacts with friction: pressing the bodies together and moving them. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
 
@@ -27,7 +27,7 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
 }
 
 /* Presses the bodies together up to the whole load, with or without friction. The result is the
- * initial state for motions with friction. */
+ * initial state of motions with friction. */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
   const int has_friction = c->handle.def.press == ARC_PRESS_FRICTION;
   const int usual =
@@ -81,16 +81,16 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Returns the longest motion [mm] in which the pairs of nodes stay the same. It is about the
- * elastic displacement of sticking points, and half the value that wear cycles use. */
+/* Returns the longest motion [mm] in which the pairs of opposite nodes remain unchanged. It is
+ * about the elastic displacement of sticking points, and half the length that wear cycles use. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
   return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);
 }
 
-/* Computes a motion in increments. The pairs of nodes remain the same in short motions, and in
- * motions under a force, whose displacements are small. In all other motions the pairs follow
- * the plate. */
+/* Computes a motion in increments. The pairs of opposite nodes remain unchanged in short
+ * motions, and in motions under a given force, whose displacements are small. In all other
+ * motions the pairs follow the plate. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error) {
   const double thickness = thickness_of(c);
@@ -115,7 +115,7 @@ arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
                           const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
   arc_contact_def def = from->handle.def;
   arc_motion_def whole = *wanted, *motion = &whole;
-  if (motion->load == 0) motion->load = from->handle.def.load; /* no load given: the load remains */
+  if (motion->load == 0) motion->load = from->handle.def.load; /* the default is the present load */
   if (motion->increments == 0) motion->increments = 1;
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;

@@ -1,6 +1,6 @@
-/* Newton's method for the depths of both surfaces. The stages of a step reuse the Jacobian and
- * its factors while the iteration converges fast. An iteration with a new Jacobian halves its
- * step until the residual decreases. */
+/* Newton's method for the depths of both surfaces. The Jacobian and its factors are reused by
+ * the stages of a step while the iteration converges fast. With a new Jacobian, a step is halved
+ * until the residual decreases. */
 #include "core/plane/newton.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -10,13 +10,13 @@
 #include <string.h>
 
 enum { newton_limit = 15, halvings = 5 };
-/* Limit of the residual, divided by the largest depth: share_of_tolerance times the tolerance of
- * the run, or `tight` for a run without a tolerance. */
+/* Largest accepted residual, divided by the largest depth. It is `tight` for a run without a
+ * tolerance, otherwise the tolerance of the run times share_of_tolerance. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
-/* Largest ratio of successive steps for which the Jacobian is reused. */
+/* Largest ratio of successive Newton steps for which the Jacobian is reused. */
 static const double contraction = 0.4;
 
-/* Returns the distance between the extreme plate positions of a block of cycles [mm]. */
+/* Returns the distance between the extreme plate positions in a block of loading [mm]. */
 static double length_of(const wear_block *block) {
   double low = block->x[0], high = low;
   for (int i = 1; i < block->count; i++) {
@@ -26,9 +26,9 @@ static double length_of(const wear_block *block) {
   return high - low;
 }
 
-/* Returns the width [mm] of a group of plate positions that share a solution in the Jacobian: two
- * elements, but at most an eighth of the path. For a path of one element, the method did not
- * converge with a single group. */
+/* Returns the width [mm] of a group of plate positions that use the contact solution of one
+ * position for the Jacobian. It is two elements, but at most an eighth of the path. With a
+ * single group for a path of one element the method did not converge. */
 static double group_width(const newton *s) {
   static const double elements = 2, parts = 8;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
@@ -36,8 +36,7 @@ static double group_width(const newton *s) {
               length_of(s->at->window.block) / parts);
 }
 
-/* Allocates the memory of Newton's method for a moving contact. A contact at rest does not need
- * it. */
+/* Allocates the workspace for a moving contact. A contact at rest does not need this workspace. */
 static arc_status create_moving(newton *s) {
   const size_t n = (size_t)s->n;
   const carve_part parts[] = {{&s->residual, n},  {&s->step, n}, {&s->packed, n},
@@ -59,8 +58,8 @@ static arc_status create_resting(newton *s) {
                           : ARC_MEMORY;
 }
 
-/* Returns true if the depths remain exactly symmetric. With friction they are symmetric only within
- * rounding errors. */
+/* Returns true if the depths remain exactly symmetric. With friction they are symmetric only up
+ * to rounding errors. */
 static int stays_mirrored(const wear_stage *stage) {
   const arc_wear *w = stage->run;
   return !arc_wear_has_friction(&w->def) && !arc_wear_has_local_factors(w, &stage->window) &&
@@ -82,7 +81,7 @@ static double k_at(const newton *s, int i) {
   return s->at->k[i < s->at->run->nc ? ARC_CYLINDER : ARC_PLATE];
 }
 
-/* Sets the depths of the shape to z, reduced by the wear coefficients of layers. */
+/* Sets the depths of the shape to z, converted with the wear coefficients of the layers. */
 static void wear_by_z(newton *s) {
   memcpy(s->at->worn, s->at->z, (size_t)s->n * sizeof *s->at->worn);
   arc_wear_into_layers(s->at->window.shape, s->at->worn);
@@ -100,7 +99,7 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
-/* Returns the worn cross-sectional area of one body per cycle [mm2]. */
+/* Returns the cross-sectional area that one body loses per cycle [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
   for (int i = 0; i < s->at->window.shape->side[b].n; i++)
@@ -108,7 +107,7 @@ static double area_on(const newton *s, arc_body b, const double *rate) {
   return sum;
 }
 
-/* Returns the worn cross-sectional area of both bodies per cycle [mm2]. */
+/* Returns the cross-sectional area that both bodies lose per cycle [mm2]. */
 static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
@@ -129,7 +128,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* --- the linear system ------------------------------------------------------------------------ */
 
-/* Factorises I + h k J for the unknowns, which are the nodes that wear and were in contact. */
+/* Factorises I + h k J. The unknowns are the depths of the nodes that wear and were in contact. */
 static arc_status factorise(newton *s, double h) {
   const double *rates = s->jacobian->value;
   int m = 0;
@@ -160,7 +159,7 @@ static arc_status direction(newton *s, double h, double *x) {
 
 /* --- a stage ---------------------------------------------------------------------------------- */
 
-/* Computes residual = z - known - h rate. Returns its largest entry [mm]. */
+/* Computes residual = z - known - h rate. Returns the largest absolute value of an entry [mm]. */
 double arc_newton_residual(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->residual[i] = s->at->z[i] - s->at->known[i] - h * rate[i];
   return largest_of(s->residual, s->n);
@@ -179,7 +178,7 @@ int arc_newton_is_hopeless(const newton *s, arc_status status) {
          status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
-/* Sets negative wear of nodes to zero and scales the other wear to retain the total `area`. */
+/* Sets negative wear of nodes to zero and scales the positive wear to preserve the total `area`. */
 static void push_only(const newton *s, arc_body b, double area, double *rate) {
   const int n = s->at->window.shape->side[b].n;
   for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
@@ -187,10 +186,10 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
   for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
 }
 
-/* Adds the last step to the rate. Volumes remain exact, because the resultant of the linear model's
- * pressures is the load. The wear of the plate is scaled to the wear of the cylinder. Without this
- * its volume would have a relative error of 2e-9, because the Jacobian uses one solution for
- * several positions. */
+/* Adds the last step to the rate. The worn volumes remain exact, because the linear model
+ * preserves the sum of the pressures, which is the load. The wear of the plate is scaled to the
+ * wear of the cylinder. Without this scaling the volume of the plate would have a relative error
+ * of 2e-9, because the Jacobian uses one solution for several positions. */
 static void take_last(newton *s, double h, double *rate) {
   double *plate = rate + s->at->run->nc;
   const double *k = s->at->k;
@@ -209,11 +208,11 @@ static double product(const double *a, const double *b, int n) {
   return sum;
 }
 
-/* Improves the Newton step. The error of a reused Jacobian is mostly one mode, which is caused by
+/* Improves the Newton step. The error of a reused Jacobian is mostly one mode, which is due to
  * nodes that have entered the contact since the Jacobian was computed. A secant through the last
- * two iterates (Anderson's method, depth 1) removes this mode. `step` is the improved step and
- * `defect` the Newton step. `last` is the previous Newton step, and `taken` is the step that the
- * previous iteration made. */
+ * two iterates (Anderson's method, depth 1) removes this mode. On input `defect` is the Newton
+ * step, `last` the previous Newton step and `taken` the previous accepted step. On return `step`
+ * is the improved step. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -227,7 +226,7 @@ static void accelerate(newton *s, int it) {
 }
 
 /* Computes the residual of an iterate and the Newton step `defect`. Sets *size to the largest
- * entry of the step. */
+ * absolute value in the Newton step. */
 static arc_status find_defect(newton *s, double h, const double *rate, double *size) {
   arc_newton_residual(s, h, rate);
   memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
@@ -236,8 +235,8 @@ static arc_status find_defect(newton *s, double h, const double *rate, double *s
   return status;
 }
 
-/* Makes the step. Halves it until the residual decreases, but at most `most` times. A contact that
- * leaves its zone counts as no decrease. */
+/* Makes the step and halves it until the residual decreases, at most `most` times. If the
+ * contact leaves its zone, the step is halved as well. */
 static arc_status walk(newton *s, double h, double *rate, int most) {
   const double before = arc_newton_residual(s, h, rate);
   double share = 1, last = 0;
@@ -254,7 +253,7 @@ static arc_status walk(newton *s, double h, double *rate, int most) {
 }
 
 /* Solves a stage for a moving contact. Iterates with the present Jacobian while the convergence
- * is fast, then with a new Jacobian. */
+ * is fast, and then with a new Jacobian. */
 static arc_status solve_moving(newton *s, double h, double *rate) {
   double last = 0, size;
   for (int it = 0, since = 0; it < newton_limit; it++, since++) {
@@ -279,8 +278,8 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* Scales the energy and the uniform wear in proportion to the total wear, because the last step is
- * not evaluated again. */
+/* Scales the energy and the uniform wear in proportion to the total wear, because the wear is
+ * not evaluated again after the last step. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
@@ -303,8 +302,8 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the relative change of the contact forces of a problem due to errors `off` [n] of the
- * depths. */
+/* Returns the relative change of the contact forces of a problem due to the errors `off` of the
+ * depths of all nodes. */
 static double shifted_by(newton *s, contact_problem *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_contact_problem_to_cylinder(p, off + s->at->run->nc, below);
@@ -315,9 +314,10 @@ static double shifted_by(newton *s, contact_problem *p, const double *off) {
   return arc_stage_forces(p, s->packed);
 }
 
-/* Returns the largest relative change of the contact forces due to errors `off` [n] of the depths,
- * over the last solutions at both ends and in the middle of the path. Returns 0 for a run in closed
- * form, which has no path and whose pressures do not depend on depths. */
+/* Returns the largest relative change of the contact forces due to the errors `off` of the
+ * depths of all nodes. It is computed from the last solutions at both ends and in the middle of
+ * the path. Returns 0 for runs in closed form, which have no path and in which the pressures do
+ * not depend on the depths. */
 static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
@@ -342,9 +342,9 @@ double arc_newton_error(wear_stage *stage, double h, double *defect) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
-/* Returns the integral of the normal force over the sliding distance, per thickness [N]. If the
- * depths determine this integral, it is computed from them, because the last step is not solved
- * again. Otherwise the integral of the last evaluation is used. */
+/* Returns the integral of the normal force over the sliding distance, per thickness [N]. The
+ * integral is computed from the depths if they determine it, because the last step is not solved
+ * again. Otherwise it is the integral of the last evaluation. */
 static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
   const arc_wear_def *d = &s->run->def;
   const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;

@@ -1,11 +1,11 @@
-/* Definition of wear runs in the plane: default procedure, strokes and increments, and checks of
- * valid combinations. */
+/* Definition of wear runs in plane models: default procedure, strokes, increments, and checks of
+ * the combinations of settings. */
 #include "core/elastic/contact_estimate.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Limits of the number of increments in a cycle, and in a loading history that is not repeated. */
+/* Largest number of increments in a cycle, and in a loading history without repetition. */
 static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
 /* Returns true if the stroke covers the whole plate, which then wears uniformly. Returns false for
@@ -21,7 +21,7 @@ double arc_wear_def_stroke(const arc_wear_def *def) {
   return def->track > 0 ? acos(-1) * def->track : def->stroke;
 }
 
-/* Returns the number of increments that one stroke needs. */
+/* Returns the automatic number of increments of one stroke. */
 static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
   return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
 }
@@ -80,7 +80,7 @@ wear_manner arc_plane_manner(const arc_wear_def *def, const arc_model_def *model
 
 /* --- checks ----------------------------------------------------------------------------------- */
 
-/* Checks the range of rotations or load angles [degrees]. Rejects them for models without a
+/* Checks the range of rotations or load angles [degrees]. Rejects both for models without a
  * hole. */
 static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
                                 double most, const arc_model_def *model, int number,
@@ -135,7 +135,7 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   return ARC_OK;
 }
 
-/* Rejects friction for motions in which the local slip is not along x. */
+/* Rejects friction together with motions in which the local slip is not along x. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -170,8 +170,8 @@ static arc_status refuse_path(const char *field, double most, double got, arc_er
                   field, most, got);
 }
 
-/* Limits the number of increments of the path. Points that the user gave in a loading do not
- * count. */
+/* Limits the number of automatic increments of the path. The points of a loading that the user
+ * chose are not counted. */
 static arc_status check_path(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
   const double stroke = strokes ? 2 * half_increments(d, model) : 0;

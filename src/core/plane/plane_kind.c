@@ -1,4 +1,4 @@
-/* Functions of the kind of pair "plane": two meshed bodies whose contact is a line of nodes. */
+/* Functions of the pair kind "plane": two meshed bodies whose contact is a line of nodes. */
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
@@ -51,9 +51,9 @@ static size_t bytes(const arc_wear *w) {
 
 /* --- checks of positions */
 
-/* Stores the indices of the points of a block with the extreme positions of the plate, of the load,
- * and of the load relative to the plate. Returns their number, which is 2 if the load angle is
- * always 0. */
+/* Stores the indices of the points of a block at which the plate's position, the load's position
+ * and the load's position relative to the plate are smallest and largest. Returns the number of
+ * indices, which is 2 if the load angle is always 0. */
 enum { ENDS = 6 };
 static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   int turns = 0;
@@ -71,7 +71,7 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
-/* Composes the error for zones that are wider than the bodies allow. Returns ARC_ZONE. */
+/* Composes the error message for zones that are wider than the bodies allow. Returns ARC_ZONE. */
 static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_BODIES],
                                const arc_error *why, arc_error *error) {
   const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_arc_length(def, 1);
@@ -87,8 +87,8 @@ static arc_status refuse_zones(const arc_model_def *def, const double zone[ARC_B
                   angle);
 }
 
-/* Reports an error at an extreme point of a path. If the zone is too narrow, the message
- * includes the required width. */
+/* Reports an error at an extreme point of a path. If a zone is too narrow, the message includes
+ * the required widths. */
 static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
   const arc_model_def *def = arc_model_definition(w->model);
@@ -102,7 +102,7 @@ static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_erro
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
-/* Checks, when a run is created, that the zones contain the contact at the extreme positions. */
+/* Checks for a new run that the zones contain the contact at the extreme positions. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const arc_wear_record unworn = {0};
   arc_error why = {0};
@@ -157,9 +157,9 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_friction_warn(w->model, mu, "wear", callbacks);
 }
 
-/* Warns if the slip zones are narrower than two elements. Returns true after a warning. With 0.5
- * to 1.6 elements in a slip zone, volumes of 10000 cycles had errors of 9 to 35 %, with 3 to 4
- * elements 3 to 8 %. The errors of energies were twice as large. */
+/* Warns if the slip zones are narrower than two elements. Returns true after a warning. The
+ * volumes after 10000 cycles had errors of 9 to 35 % with 0.5 to 1.6 elements in a slip zone,
+ * and of 3 to 8 % with 3 to 4 elements. The errors of the energies were twice as large. */
 static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 5, few = 2;
   const arc_wear_record *now = arc_wear_last(w);

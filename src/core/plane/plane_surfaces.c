@@ -1,4 +1,4 @@
-/* Converts the surfaces of the plane to arrays, for output and for stored states. */
+/* Converts the surfaces of plane models to arrays, for output and for stored states. */
 #include "core/plane/cycle.h"
 
 enum { X, H, Y, P, NAMES };

@@ -1,5 +1,5 @@
-/* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at every point
- * of the path is integrated by Eq. (4) or (5) of the paper on alpha and multiplied by
+/* Computes the wear of a cycle, or of a part of a cycle, on a given shape. The wear at the
+ * points of the path is integrated by Eq. (4) or (5) of the paper on alpha and multiplied by
  * wear_block.repeat (Eqs. 22, 26 and 27). */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
@@ -8,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Increases the initial gaps of a problem by the depths of a window, which are along the
- * normals. */
+/* Increases the initial gaps of a contact problem by the depths of a window, which are measured
+ * along the normals. */
 static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   const double *down = plane_of(w)->down;
   double *plate = plane_of(w)->plate, *below = plane_of(w)->below;
@@ -21,9 +21,8 @@ static void deepen(const arc_wear *w, const double *depth, contact_problem *p) {
   }
 }
 
-/* Computes the wear rates by the wear law from pressure and slip at the cylinder's nodes, where the
- * pressure is an unknown. The plate gets the same wear rate, because both bodies have the same
- * pressure at a pair of points. */
+/* Computes the wear rates at the cylinder's nodes from pressure and slip by the wear law. The
+ * plate has the same wear rates, because both bodies have the same pressure at a pair of points. */
 static void apply_law(const arc_wear *w, const wear_window *window, const contact_problem *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
@@ -94,24 +93,24 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at,
   return arc_wear_take(w, window, p, point, error);
 }
 
-/* Returns true if the contact at a point equals the contact at the previous point. This is true
- * for NSP and for sliding along z if the load is constant. */
+/* Returns true if the contact at a point equals the contact at the previous point. This is the
+ * case for NSP and for sliding along z under a constant load. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
   const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
   return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
-/* Stores the widths [mm] of the surface cells of all nodes, on the shape of a window. */
+/* Stores the width [mm] of the surface cell of each node on the shape of a window. */
 static void note_widths(const arc_wear *w, const wear_window *window) {
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++)
       sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
 }
 
-/* Adapts the last point of the previous window to the wear since then. The forces (pressure times
- * width) remain the same. With elastic slip the problem is updated too, because it transfers work
- * to the plate. */
+/* Adapts the last point of the previous window to the wear since then. The nodal forces,
+ * pressure times width, remain the same. With elastic slip the contact problem is updated as
+ * well, because it transfers work to the plate. */
 static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
                               arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -140,7 +139,8 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at,
   return ARC_OK;
 }
 
-/* Adds the wear of the increment that ends at point `at`, from the wear rates at its two ends. */
+/* Adds the wear of the increment that ends at point `at`, computed from the wear rates at both
+ * ends. */
 static void add_increment(const arc_wear *w, const wear_point point[2], int at, wear_rate *rate) {
   const wear_block *block = path_of(w)->block;
   const wear_point *now = &point[at % 2], *before = &point[(at + 1) % 2];
@@ -157,11 +157,11 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
     }
 }
 
-/* On a slope the sliding distance is the distance of the plate times the cosine of the slope, and
- * the projection of the surface on x is its length times the same cosine. Pressure times the
- * projected width is force. A depth along the normal therefore removes the area k force |dx|. In
- * motion out of the plane every slope slides over the whole distance. In holes pressures refer to
- * the area of the hole; for bodies of revolution areas are projected onto x. */
+/* On a slope the sliding distance is the distance of the plate times the cosine of the slope.
+ * The projection of a surface cell on x is its length times the same cosine, and pressure times
+ * the projected width is the force. Therefore the wear along the normal removes the area k force
+ * |dx|. If the motion is out of the plane, every slope slides by the whole distance. In holes,
+ * pressures refer to the area of the hole. For bodies of revolution, areas are projected onto x. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;
@@ -183,16 +183,17 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
     }
 }
 
-/* Adds the uniform wear of the plate, Eq. (27). In a stroke over the whole plate the whole pressure
- * profile passes over each node of the plate. With Archard's law the integral of p is the load. */
+/* Adds the uniform wear of the plate, Eq. (27) of the paper on alpha. In a stroke over the whole
+ * plate, the whole pressure profile passes over each node of the plate. With Archard's law the
+ * integral of the pressure is the load. */
 static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* Computes the uniform wear of the plate for total slip: the integral of the wear over its nodes,
- * divided by the sliding distance. */
+/* Computes the uniform wear of the plate with total slip: the integral of the wear over the
+ * plate's nodes, divided by the sliding distance. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -200,7 +201,7 @@ static void spread_work(const arc_wear *w, wear_rate *rate) {
   rate->even /= path_of(w)->block->sliding;
 }
 
-/* Returns the weight [mm] of point `at` in the integral over the window. */
+/* Returns the weight [mm] of point `at` in the integral over the sliding distance of the window. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = path_of(w)->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -221,8 +222,8 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Returns the normal force on the cylinder at a point [N/mm]. If the bodies spin, each node is
- * weighted by its slip divided by the slip at the reference radius. */
+/* Returns the normal force on the cylinder at a point [N/mm]. With a spin, the force on each
+ * node is multiplied by its slip and divided by the slip at the reference radius. */
 static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
@@ -231,8 +232,8 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
   return sum;
 }
 
-/* Adds the normal force times the sliding distance. This is necessary if the normal force differs
- * from the load (rings and holes, spin). */
+/* Adds the normal force times the sliding distance. This is necessary if the normal force
+ * differs from the load, as in rings, in holes and with a spin. */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = path_of(w)->block;
   if (!w->manner.counts_forces) return;
@@ -253,21 +254,23 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
   return solve_point(w, window, window->first, &unreported, &path_of(w)->point[0], error);
 }
 
-/* Adds the wear of the mirror image of point `at`, with the local factors of the image. Without
- * local factors this wear is the mirror image of the wear of the point. */
+/* Adds the wear of the mirror image of point `at`, computed with the local factors of the image.
+ * Without local factors, the wear of the image is the mirror image of the wear of the point. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
   const wear_block *block = path_of(w)->block;
   wear_point law = path_of(w)->point[at % 2];
-  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* without elastic slip u is unused */
+  for (int b = 0; b < ARC_BODIES; b++)
+    law.q[b] = law.u[b]; /* u is workspace here, because it is
+                            unused without elastic slip */
   if (block->line[at] > 0) apply_law(w, window, &path_of(w)->problem[block->problem_of[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);
   return status;
 }
 
-/* Sums the wear of a window point by point. Also sums the wear of the mirror images if `images`
- * is not NULL. */
+/* Adds up the wear of a window point by point. Also adds up the wear of the mirror images if
+ * `images` is not NULL. */
 static arc_status integrate(arc_wear *w, const wear_window *window, wear_progress *progress,
                             wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
@@ -308,7 +311,7 @@ static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_pr
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_progress *progress,
                              wear_rate *rate, arc_error *error) {
   assert(0 <= window->first && window->last < window->block->count);
-  if (w->manner.closed) { /* the wear depends on the load only */
+  if (w->manner.closed) { /* in a run in closed form the wear depends on the load only */
     arc_wear_rate_clear(rate, w->nc + w->np);
     if (window->tangent) arc_wear_jacobian_clear(window->tangent);
     rate->even = window->block->line[0];

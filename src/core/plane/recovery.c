@@ -1,8 +1,9 @@
-/* Computes stresses at nodes. Stresses of elements are most accurate at the centres of elements
- * (superconvergence). On a boundary, the tractions give the normal and shear stresses. The stress
- * along the boundary follows from the strain along the boundary, which is accurate to second order.
- * Inside, quadratic polynomials are fitted around each node to the stresses of elements and
- * boundary nodes (patch recovery after Zienkiewicz and Zhu). */
+/* Computes stresses at nodes. The stresses in elements are most accurate at the centres of
+ * elements (superconvergence). On the boundary, the tractions are the normal and the shear
+ * stress, and the stress along the boundary is computed from the strain along the boundary,
+ * which is accurate to second order. Inside the body, a quadratic polynomial around each node is
+ * fitted to the stresses at element centres and at boundary nodes (patch recovery after
+ * Zienkiewicz and Zhu). */
 #include "core/plane/recovery.h"
 #include "core/base/dense.h"
 
@@ -14,13 +15,14 @@ typedef struct recovery {
   const elastic_body *body;
   const arc_mesh *mesh;
   const double *xy, *u;
-  int samples;         /* number of samples: first one per element, then one per node */
-  double *place;       /* [2 * samples] positions of the samples [mm] */
-  double *value;       /* [3 * samples] stresses of the samples [MPa] */
-  int *known;          /* [samples] true if the stress of the sample is known */
-  int *start, *around; /* [nodes + 1], [4 * elements] elements around each node */
-  int *seen;           /* [samples] 1 + index of the last node whose patch contains the sample */
-  int *patch;          /* [samples] indices of the samples in the present patch */
+  int samples;         /* number of samples, first one per element, then one per node */
+  double *place;       /* positions of the samples [mm] */
+  double *value;       /* stresses xx, yy, xy of the samples [MPa] */
+  int *known;          /* for each sample, true if its stress has been computed */
+  int *start, *around; /* elements around each node: index of its first element, and list of
+                          elements */
+  int *seen;           /* for each sample, 1 + index of the last node whose patch contains it */
+  int *patch;          /* indices of the samples in the present patch */
 } recovery;
 
 static void recovery_free(recovery *r) {
@@ -86,8 +88,8 @@ static double swelling_of(const recovery *r, int e, double *area) {
   return change;
 }
 
-/* Gives all triangles of one cell the same hydrostatic stress, computed from the dilatation of the
- * cell. */
+/* Sets the hydrostatic stresses of all triangles in a cell to the same value, computed from the
+ * dilatation of the cell. */
 static void share_dilatation(recovery *r, int e, int triangles) {
   const double bulk = arc_elasticity_bulk(arc_body_elasticity(r->body, e));
   double area = 0, change = 0;
@@ -109,17 +111,17 @@ static void sample_elements(recovery *r) {
 
 /* --- boundary stresses ------------------------------------------------------------------------ */
 
-/* The boundary as a closed polygon. Edge k connects boundary node k with the next node. */
+/* The boundary as a closed polygon. Edge k connects boundary node k with the next boundary node. */
 typedef struct boundary {
   int count;
-  double *p, *q;  /* [count] tractions at the nodes: pressure, and shear along the boundary [MPa] */
-  double *load;   /* [count] nodal force divided by its width, a pressure [MPa] */
-  double *bend;   /* [count] second difference of `load` [MPa] */
-  double *length; /* [count] lengths of the edges [mm] */
-  double *rest;   /* [count] stress along the edge without the local effect of pressure [MPa] */
-  double *cusp; /* [count] stress along the boundary at the node minus the mean stress of its edges
-                   [MPa] */
-  double *work; /* [5 * nodes] workspace for tractions */
+  double *p, *q;  /* tractions at the nodes: pressure, and shear along the boundary [MPa] */
+  double *load;   /* force on each node divided by its tributary width [MPa] */
+  double *bend;   /* second difference of `load` at each node [MPa] */
+  double *length; /* length of each edge [mm] */
+  double *rest;   /* stress along each edge without the local effect of pressure [MPa] */
+  double *cusp;   /* stress along the boundary at each node minus the mean stress of its two edges
+                     [MPa] */
+  double *work;   /* workspace for the tractions at all nodes */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -130,9 +132,9 @@ static int last_of(const boundary *o, int k) {
   return k > 0 ? k - 1 : o->count - 1;
 }
 
-/* Coefficients of the stress along an edge without the local effect of pressure. The stress is
- * `modulus` times the strain along the edge, plus `around` times the hoop strain, plus `load` times
- * the pressure. */
+/* Coefficients of the stress along an edge without the local effect of pressure. This stress is
+ * `modulus` times the strain along the edge plus `around` times the hoop strain plus `load`
+ * times the pressure. */
 typedef struct edge_law {
   double modulus, around, load;
 } edge_law;
@@ -147,7 +149,7 @@ static int element_at(const recovery *r, int a, int b) {
   return r->around[r->start[a]];
 }
 
-/* Returns the coefficients of an edge for the material of its element. */
+/* Returns the stress coefficients of an edge for the material of its element. */
 static edge_law law_between(const recovery *r, int a, int b) {
   const arc_material top = arc_body_layer_material(
       &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);
@@ -157,16 +159,16 @@ static edge_law law_between(const recovery *r, int a, int b) {
   return (edge_law){modulus, around, (1 - 2 * nu) / (1 - nu)};
 }
 
-/* Returns the mean hoop strain of two nodes. */
+/* Returns the mean hoop strain at two nodes. */
 static double strain_around(const recovery *r, int a, int b) {
   const double radius = r->body->chart.revolved.axis + (r->xy[2 * a] + r->xy[2 * b]) / 2;
   return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;
 }
 
-/* Computes `rest`, the stress along each edge without the local effect of pressure. Pressure p on a
- * half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E, but only at the loaded points; this
- * adds -p to the stress along the surface there. The remaining stress is due to distant loads and
- * is smooth, even where the pressure ends. */
+/* Computes `rest`, the stress along each edge without the local effect of pressure. On a
+ * half-plane, a pressure p causes the strain -(1 - 2 nu)(1 + nu) p / E along the surface, but
+ * only at the loaded points. This strain is due to the stress -p along the surface. The
+ * remaining stress is due to distant loads and is smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
@@ -186,10 +188,9 @@ static double mean_bend(const boundary *o, int k) {
   return (o->bend[k] + o->bend[next_of(o, k)]) / 2;
 }
 
-/* Removes an error of `rest` that the elements cause by smoothing the local strain. The error is a
- * multiple of the second difference of the pressure, with a constant factor along a uniform
- * surface. The function uses the factor that makes `rest` smoothest (least sum of squared second
- * differences). */
+/* Corrects an error of `rest`: the elements smooth the local strain. The error is a multiple of
+ * the second difference of the pressure, with the same factor along a uniform surface. The
+ * factor is computed so that the sum of the squared second differences of `rest` is smallest. */
 static void sharpen(boundary *o) {
   double across = 0, square = 0;
   for (int k = 0; k < o->count; k++) {
@@ -204,10 +205,11 @@ static void sharpen(boundary *o) {
   for (int k = 0; k < o->count; k++) o->rest[k] -= share * mean_bend(o, k);
 }
 
-/* Computes the stress at boundary node k from its two edges. Corners are omitted, because they have
- * no tangent. */
+/* Computes the stress at boundary node k from its two edges. Corners are skipped, because a
+ * corner has no tangent. */
 static void sample_boundary_node(recovery *r, const boundary *o, int k) {
-  static const double straight = 0.9; /* smallest cosine of the angle between the edges */
+  static const double straight = 0.9; /* smallest cosine of the angle between two edges that do
+                                         not form a corner */
   const int *node = r->mesh->outline_node, before = last_of(o, k), at = node[k];
   const double la = o->length[before], lb = o->length[k];
   const double *a = &r->xy[2 * node[before]], *x = &r->xy[2 * at],
@@ -230,8 +232,8 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   r->known[s] = 1;
 }
 
-/* Copies the tractions in the order of the boundary. The body lies on the left of the boundary,
- * which runs along +x on the cylinder's surface and along -x on the plate's surface. */
+/* Copies the tractions in the order of the boundary nodes. The body is on the left of the
+ * boundary, which runs along +x on the cylinder's surface and along -x on the plate's surface. */
 static void read_tractions(const arc_mesh *m, const surface_traction *traction, boundary *o) {
   double *normal = o->work, *shear = normal + m->nodes, *load = shear + m->nodes;
   double *cusp = load + m->nodes;
@@ -285,9 +287,9 @@ static void take_around(recovery *r, int at, int node, int *count) {
   for (int k = r->start[at]; k < r->start[at + 1]; k++) take(r, r->around[k], node, count);
 }
 
-/* Collects the samples of a patch: the elements around a node, the elements around their
- * corners, and the boundary nodes among these corners. Returns their number, and sets *reach to
- * the distance [mm] of the farthest adjacent element. */
+/* Collects the samples of a patch: the elements around a node, the elements around the corners
+ * of these elements, and those corners that are boundary nodes. Returns their number. Sets
+ * *reach to the distance [mm] of the farthest adjacent element. */
 static int gather_patch(recovery *r, int node, double *reach) {
   const arc_mesh *m = r->mesh;
   int count = 0;
@@ -310,8 +312,8 @@ static int gather_patch(recovery *r, int node, double *reach) {
 
 enum { terms = 6 };
 
-/* Sets up the weighted normal equations for a polynomial with the terms 1, x, y, x2, xy, y2. x
- * and y are distances from the node divided by `reach`. */
+/* Computes the weighted normal equations of a polynomial with the terms 1, x, y, x2, xy, y2,
+ * where x and y are distances from the node divided by `reach`. */
 static void normal_equations(const recovery *r, int node, int count, double reach,
                              double a[terms * terms], double b[terms * 3]) {
   memset(a, 0, terms * terms * sizeof *a);
@@ -327,8 +329,8 @@ static void normal_equations(const recovery *r, int node, int count, double reac
   }
 }
 
-/* Solves for the constant terms of a fit with the first n terms, which are the stresses at the
- * node. Returns 0 if the samples do not determine the fit. */
+/* Solves for the constant terms of a fit with the first n terms. The constant terms are the
+ * stresses at the node. Returns 0 if the samples do not determine the fit. */
 static int solve_fit(int n, const double *a, const double *b, double stress[3]) {
   double l[terms * terms], x[terms * 3];
   memcpy(l, a, sizeof l);
@@ -364,9 +366,9 @@ static void take_boundary(const recovery *r, double *stress) {
   }
 }
 
-/* Fits the stresses inside to stresses on the boundary that are computed from the nodal forces,
- * because these are consistent with the elements. At boundary nodes, replaces the results by
- * stresses from the point values of pressure. */
+/* Fits the stresses inside the body to boundary stresses from the nodal forces, because these
+ * are consistent with the elements. Afterwards replaces the stresses at boundary nodes by values
+ * from the pressures at points. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;

@@ -1,29 +1,30 @@
-/* Remeshing of runs that outgrow their meshes. Both meshes are rebuilt wider, deeper or coarser,
- * and the worn surfaces are interpolated. The new meshes depend only on the state of the run, so
- * a continued stored run gets the same meshes. */
+/* Remeshing of runs that outgrow their meshes. Both bodies are meshed again, wider, deeper or
+ * coarser, and the worn surfaces are interpolated. The new meshes depend only on the state of
+ * the run, so a stored run that is continued has the same meshes. */
 #include "core/base/callbacks.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* `wider` is the increase of both zones, divided by the width of the cylinder's zone. `deeper` is
- * the factor of the depth of the wear box. */
+/* `wider` is the increase of both zones, divided by the width of the cylinder's zone. The depth
+ * of the wear box is multiplied by `deeper`. */
 static const double wider = 1, deeper = 2;
 
-/* Automatic element sizes follow the contact. The elements become larger if a contact has this many
- * times the elements of an unworn contact. For a ring that wears a block to 25 half widths, the
- * depth differs from the rigid limit by 0.02 % if this factor is 4 and by 0.05 % if it is 3.
- * Elements become larger by sqrt(2) at a time. With element size h the outline of a scar of half
- * width b then loses the fraction h^2/(8 b^2) of its area, 0.04 % (0.12 % with a factor of 2);
- * scaling of the depths restores this area. */
+/* Automatic element sizes grow with the contact. They become larger by a factor of sqrt(2) if a
+ * contact has `rich` times as many elements as an unworn contact. In the case of a ring that
+ * wears a block to 25 half widths, the depth differs from the rigid limit by 0.02 % with the
+ * factor 4 and by 0.05 % with 3. With elements of size h, a transfer to larger elements loses
+ * the fraction h^2/(8 b^2) of the area of a scar of half width b, which is 0.04 % (0.12 % for
+ * sizes doubled at once). Scaling of the depths restores this area. */
 static const double rich = 4;
 
-/* --- checks of the present sizes */
+/* --- checks of the present mesh */
 
-/* Returns the half width [mm] of the part of a body that is deeper than 1 % of the largest
+/* Returns the half width [mm] of the part of a surface that is deeper than 1 % of the largest
  * depth. */
 static double worn_half(const arc_wear *w, arc_body b) {
-  static const double edge = 0.01; /* depth at the edge, relative to the largest depth */
+  static const double edge = 0.01; /* depth at the edge of this part, relative to the largest
+                                      depth */
   const shape_side *side = &w->shape->side[b];
   const double least = edge * arc_shape_depth(w->shape, b);
   double half = 0;
@@ -32,10 +33,11 @@ static double worn_half(const arc_wear *w, arc_body b) {
   return half;
 }
 
-/* Returns true if the contact has grown gradually to the edge of its zone. A sudden increase
- * means that the step is too long, and a larger mesh would hide this error. */
+/* Returns true if the contact has grown gradually to the edge of its zone. Returns false after a
+ * sudden increase, which is due to a step that is too long; a larger mesh would hide this error. */
 static int has_grown_into_zone(const arc_wear *w) {
-  static const double share = 0.4; /* smallest ratio of contact width to zone width at the edge */
+  static const double share = 0.4; /* smallest ratio of the contact's extent to the zone width
+                                      that counts as grown to the edge */
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};
@@ -52,8 +54,8 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* Returns true if wear that changes the shape of a body is deeper than `share` times the depth
- * of the wear box. */
+/* Returns true if the wear that changes the shape of a body is deeper than `share` times the
+ * depth of the wear box. */
 static int is_deep(const arc_wear *w, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];
@@ -63,8 +65,8 @@ static int is_deep(const arc_wear *w, double share) {
   return 0;
 }
 
-/* Limits of the depth divided by the depth of the wear box. At `deep` a box counts as outgrown;
- * at `soon_deep` new meshes get a deeper box. */
+/* Limits of the wear depth divided by the depth of the wear box. Above `deep` the run has
+ * outgrown its box; above `soon_deep` a new mesh has a deeper box. */
 static const double deep = 1 / 3.0, soon_deep = 1 / 6.0;
 
 int arc_wear_layer_rows(const arc_wear *w) {
@@ -106,8 +108,8 @@ static void set_rows(arc_model_def *def, double rows) {
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
-  const double ratio = sqrt(2),
-               soon = sqrt(sqrt(ratio)); /* earlier coarsening avoids a later remeshing */
+  const double ratio = sqrt(2), soon = sqrt(sqrt(ratio)); /* a slightly earlier change to larger
+                                                             elements avoids another remeshing */
   const double most = soon * fmin(fitted, arc_wear_rim_size(w) / 2);
   for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= ratio) {
     mesh->height *= ratio;
@@ -210,14 +212,14 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
 }
 
-/* Returns the definition of the run's model with a mesh that the user chose. The zones are fitted
- * to the run. */
+/* Returns the definition of the run's model with a mesh that the user chose. The zones are
+ * chosen for the run. */
 static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
   const double depth = def.mesh.rows * def.mesh.height;
   double needed[ARC_BODIES];
   def.mesh = *mesh;
-  if (mesh->rows == 0) def.mesh.rows = 1; /* avoids an error for missing rows */
+  if (mesh->rows == 0) def.mesh.rows = 1; /* a temporary value, because 0 rows are an error */
   arc_model_fit(&def, w->def.load);
   if (mesh->rows == 0)
     def.mesh.rows = (int)fmin(ARC_SHAPE_MOST_ROWS, ceil(depth / def.mesh.height - 1e-9));

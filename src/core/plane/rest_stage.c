@@ -1,7 +1,7 @@
-/* Stages of a contact at rest under one load. The wear due to the forces within the stage adds to
- * the compliance of both bodies. Wear and contact are then one complementarity problem. For the
- * linear law one solution is exact for any length of the step. Other laws, layers and a variable
- * compliance need iterations. */
+/* Stages of a contact at rest under one load. The wear in a stage acts like an additional
+ * compliance of both bodies, so that wear and contact form one complementarity problem. For a
+ * linear wear law its solution is exact for any length of the step. Other laws, layers and a
+ * variable compliance require iterations. */
 #include "core/base/dense.h"
 #include "core/plane/newton.h"
 
@@ -24,8 +24,8 @@ int arc_stage_rests(const wear_stage *stage) {
   return 1;
 }
 
-/* Computes the wear depth of each node in h cycles per force [mm per N/mm], and the increase of the
- * gap per depth. */
+/* Computes at each node the wear depth in h cycles per force [mm per N/mm], and the increase of
+ * the gap per depth. */
 static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   const arc_wear *w = s->at->run;
   const wear_window *window = &s->at->window;
@@ -41,8 +41,8 @@ static void find_wear_of_forces(newton *s, double h, const contact_problem *p) {
   for (int i = 0; i < s->n; i++) s->opening[i] = down[i] * arc_newton_share(s, i);
 }
 
-/* Returns the element (r, c) of B D B' for candidates r and c. `d` is the diagonal of D, with one
- * value per plate node. */
+/* Returns the element (r, c) of B D B' for the candidates r and c. The diagonal `d` of the
+ * matrix D has one value per plate node. */
 static double through_plate(const contact_problem *p, int r, int c, const double *d) {
   const int first = p->first[r] > p->first[c] ? p->first[r] : p->first[c];
   const int last = (p->first[r] < p->first[c] ? p->first[r] : p->first[c]) + p->width;
@@ -52,7 +52,7 @@ static double through_plate(const contact_problem *p, int r, int c, const double
   return sum;
 }
 
-/* Stores the problem in s->with_wear, with the compliance due to wear added to its compliance. */
+/* Stores the contact problem in s->with_wear, with the compliance due to wear added. */
 static void soften(newton *s, const contact_problem *p) {
   contact_problem *with = &s->with_wear;
   const size_t count = (size_t)p->count;
@@ -71,14 +71,16 @@ static void soften(newton *s, const contact_problem *p) {
   with->factored = 0;
 }
 
-/* Computes the wear depths [n] of both bodies due to forces on the cylinder's nodes [nc, N/mm]. */
+/* Computes the wear depths of all nodes of both bodies due to the forces on the cylinder's nodes
+ * [N/mm]. */
 static void wear_of(const newton *s, const contact_problem *p, const double *force, double *depth) {
   arc_contact_problem_to_plate(p, force, depth + p->nc);
   for (int i = 0; i < p->nc; i++) depth[i] = force[i];
   for (int i = 0; i < s->n; i++) depth[i] *= s->per_force[i];
 }
 
-/* Adds the increase of the gap due to depths [n] to the gaps of the candidates [mm]. */
+/* Adds the increase of the gap that is due to the wear depths of all nodes to the gaps of the
+ * candidates [mm]. */
 static void add_gaps(const newton *s, const contact_problem *p, const double *depth, double *gap) {
   double *plate = plane_of(s->at->run)->plate, *below = plane_of(s->at->run)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * s->opening[p->nc + l];
@@ -89,9 +91,9 @@ static void add_gaps(const newton *s, const contact_problem *p, const double *de
   }
 }
 
-/* Solves contact and wear together, linearised about the solved problem `p`. Sets `step` to the
- * change of the depths z. The resulting active set is the initial set of the problem's next
- * solution. */
+/* Solves contact and wear together, linearised about the solved contact problem `p`. Sets `step`
+ * to the change of the depths z. The next solution of the contact problem starts from the
+ * resulting active set. */
 static arc_status solve_together(newton *s, double line, contact_problem *p) {
   contact_problem *with = &s->with_wear;
   const size_t set = (size_t)p->active;

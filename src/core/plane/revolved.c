@@ -54,8 +54,9 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
       d->alpha);
 }
 
-/* Computes the half width b of a scar of volume V. On a cylinder b^3 = 3 R V / 2 per length, on a
- * ball b^4 = 4 R V / pi. With a spin the volume is V b / spin or less. */
+/* Computes the half width b of a scar of volume V. The formulas are b^3 = 3 R V / 2 for a
+ * cylinder, with V per length, and b^4 = 4 R V / pi for a ball. With a spin the volume is V b /
+ * spin or less. */
 double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
                      double volume) {
   const double pi = acos(-1);
@@ -66,7 +67,7 @@ double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double
                : cbrt(1.5 * radius * volume / model->thickness);
 }
 
-/* Returns the mean radius [mm] of the area between node i and a neighbour, multiplied by this
+/* Returns the mean radius [mm] of the area between node i and a neighbour, multiplied by the
  * area per radian. */
 static double moment_beside(const revolution *r, double x, double other) {
   const double a = fabs(r->axis + x), b = fabs(r->axis + other), whole = b * b - a * a;
@@ -74,7 +75,7 @@ static double moment_beside(const revolution *r, double x, double other) {
   return 2 * (b * b * (b * b * b - a * a * a) / 3 - (pow(b, 5) - pow(a, 5)) / 5) / whole;
 }
 
-/* The slip of a node is the mean over its area, also for a node on the axis. */
+/* The slip at a node is the mean slip over its area, also for a node on the axis. */
 double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i) {
   const revolution *r = &side->body->chart.revolved;
   const double *at = side->settled, x = at[2 * i];

@@ -5,23 +5,24 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Minimum number of elements in a slip zone. With this number volumes of 10000 cycles are
+/* Minimum number of elements in a slip zone. With this number the volumes after 10000 cycles are
  * accurate to 1 % if the stick zone ends halfway between two nodes, and to 2 % otherwise. */
 static const double in_rim = 5;
 
-/* Limit of the automatic number of columns in a zone of `contact_widths` half widths. */
+/* Largest automatic number of columns in a zone that is `contact_widths` times as wide as the
+ * contact. */
 static const double most_columns = 320, contact_widths = 3;
 
-/* Results of a cycle of a block. */
+/* Results for a cycle of a block. */
 typedef struct cycle_of {
-  double share; /* half the range of the tangential force divided by the friction limit; 1 for gross
+  double share; /* amplitude of the tangential force divided by the friction limit; 1 for gross
                    slip */
   double stick; /* stick width of the cycle: the width that never slips [mm] */
 } cycle_of;
 
-/* Computes a cycle on the present mesh. Its tangential force follows from the stiffness of the
- * bodies and is accurate on this mesh. If the solution fails, the result is gross slip; the
- * first step of the run then reports the error. */
+/* Computes a cycle on the present mesh. The tangential force depends on the stiffness of the
+ * bodies and is already accurate on this mesh. If the solution fails, the result is gross slip,
+ * and the first step of the run reports the error. */
 static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   const wear_window window = {.block = block,
                               .shape = w->shape,
@@ -44,9 +45,10 @@ static cycle_of solve_cycle(arc_wear *w, const wear_block *block, double mu) {
   return cycle;
 }
 
-/* Computes the half widths [mm] of the contact and of its stick zone. For similar half-planes of
- * any shape the stick zone is as wide as the contact under the load L - Q / mu, where Q is the
- * tangential force. For worn shapes the stick width is a result of the cycle. */
+/* Computes the half widths [mm] of the contact and of its stick zone. For unworn half-planes of
+ * the same material, the stick zone is as wide as the contact under the load L - Q / mu, with
+ * the load L, the tangential force Q and the coefficient of friction mu. For worn surfaces the
+ * stick width is a result of the cycle. */
 static void find_rim(const arc_wear *w, const wear_block *block, const cycle_of *cycle,
                      double *contact, double *stick) {
   const arc_model_def *def = arc_model_definition(w->model);
@@ -63,8 +65,8 @@ double arc_wear_rim_size(const arc_wear *w) {
   return fmax(0, now->half_width - now->stick_width / 2) / in_rim;
 }
 
-/* Returns the element size [mm] with enough elements in the slip zones of a block's cycle. Each
- * node sticks or slips as a whole, so the size is chosen for a stick zone that ends halfway
+/* Returns the element size [mm] at which the slip zones of a block's cycle have enough elements.
+ * Each node sticks or slips as a whole, so the size is chosen for a stick zone that ends halfway
  * between two nodes. */
 static double size_for(arc_wear *w, const wear_block *block, double mu) {
   static const double rounding = 1e-9;

@@ -1,25 +1,29 @@
-/* Wear of an increment with elastic slip, computed from the work at pairs of points in contact. A
- * material point of the plate slides on the cylinder by the rigid motion plus the change of the
- * displacements of both points. The point of the plate moves, so its change includes the variation
- * of u along the path. Work is computed at the cylinder's nodes. The coupling gives the plate the
- * same work, so the volumes have the ratio k_c to k_p (Eq. 15). */
+/* Wear of an increment with elastic slip, computed from the work at pairs of points in contact.
+ * The slip of a pair is the rigid displacement of the plate plus the difference of the changes
+ * of both points' elastic displacements. The material of the plate moves below the cylinder, so
+ * the change of a plate point's displacement includes the variation of u along the path. Work is
+ * computed at the cylinder's nodes. The coupling transfers the same work to the plate, so the
+ * worn volumes have the ratio of the wear coefficients k_c and k_p (Eq. 15 of the paper on
+ * alpha). */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Data of one end of an increment, for its share of the work. */
+/* Data of one end of an increment, from which its part of the work is computed. */
 typedef struct increment {
   const wear_point *end;          /* solution at the start or the end of the increment */
   const contact_problem *problem; /* contact problem at the start or the end of the increment */
-  double rigid, share;   /* displacement of the plate in the increment [mm]; weight of this solution
+  double rigid, share;   /* displacement of the plate in the increment [mm]; weight of this end
                             in the work */
-  const double *moved_c; /* [nc] change of the cylinder's displacement along x [mm] */
-  const double *moved_p; /* [np] change of the plate's displacement along x [mm] */
-  double *under, *work, *plate; /* [nc], [nc], [np] workspace */
+  const double *moved_c; /* change of the displacement along x at each cylinder node [mm] */
+  const double *moved_p; /* change of the displacement along x at each plate node [mm] */
+  double *under, *work, *plate; /* workspace for the nodes of the cylinder, the cylinder and the
+                                   plate */
 } increment;
 
-/* Adds the work of slip and pressure at one end of the increment to the rate of both bodies. */
+/* Adds the wear due to slip and pressure at one end of the increment to the rates of both
+ * bodies. */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   const contact_problem *p = inc->problem;
   arc_contact_problem_to_cylinder(p, inc->moved_p, inc->under);
@@ -30,8 +34,8 @@ static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   arc_wear_share(w, p, inc->end, inc->work, inc->plate, rate);
 }
 
-/* Computes the change of the plate's displacements for NSP: the contact is constant, and the
- * material of the plate moves below it by the distance `rigid` [mm]. */
+/* Computes the change of the plate's displacements for NSP, in which the contact is constant and
+ * the plate's material moves below it by the distance `rigid` [mm]. */
 static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
   const double *x = w->shape->side[ARC_PLATE].settled;
   for (int l = 0; l < w->np; l++) {

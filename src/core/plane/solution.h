@@ -1,4 +1,5 @@
-/* Members of arc_contact in the plane, shared by contact.c, motion.c, field.c and stick.c. */
+/* Members of the struct arc_contact of plane models, used by contact.c, motion.c, field.c and
+ * stick.c. */
 #ifndef PLANE_SOLUTION_H
 #define PLANE_SOLUTION_H
 
@@ -9,12 +10,13 @@ struct arc_contact {
   contact_handle handle;
   contact_problem problem;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
-  double *force[ARC_BODIES]; /* [2 * surface] forces on the body, see arc_contact_problem_forces */
-  double *q[ARC_BODIES];     /* [surface] shear traction [MPa] */
+  double *force[ARC_BODIES]; /* forces on the surface nodes of each body, see
+                                arc_contact_problem_forces */
+  double *q[ARC_BODIES];     /* shear traction at each surface node [MPa] */
   int count[ARC_BODIES];
-  int iterations;   /* number of iterations in all increments */
-  int has_friction; /* true for a contact with friction, which has the members below */
-  double mu;        /* friction coefficient of the last increment */
+  int iterations;   /* total number of iterations of all increments */
+  int has_friction; /* true for a contact with friction, which uses the members below */
+  double mu;        /* coefficient of friction in the last increment */
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state;
@@ -23,11 +25,12 @@ struct arc_contact {
 /* Creates a contact on a copy of the shape, without solving it. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);
-/* Completes a contact: computes results, gives warnings and, in builds with checks, validates
- * the solution. If `status` is not ARC_OK, frees the contact and sets *contact to NULL. */
+/* Completes a contact: computes its results, emits warnings and, in builds with checks,
+ * validates the solution. If `status` is not ARC_OK, frees the contact and sets *contact to
+ * NULL. */
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error);
-/* Functions of the plane as a kind of pair; see arc_contact_solve, arc_contact_move,
+/* Functions of the pair kind "plane"; see arc_contact_solve, arc_contact_move,
  * arc_contact_destroy, arc_contact_bytes and arc_contact_surfaces. */
 arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);

@@ -3,14 +3,15 @@
 
 #include <math.h>
 
-/* A zone of adjacent sticking nodes, by their indices in the active set. */
+/* A stick zone of adjacent nodes. first and last are indices in the active set. */
 typedef struct stick_zone {
   const arc_contact *c;
   int first, last;
   double edge[2]; /* positions of the left and the right edge [mm] */
 } stick_zone;
 
-typedef double stress_at(const arc_contact *c, int set); /* returns the stress at a node [MPa] */
+typedef double stress_at(const arc_contact *c, int set); /* function that returns a stress at a
+                                                            node [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
   return set >= 0 && set < c->problem.active && c->workspace.reserve[c->problem.set[set]] > 0;
@@ -21,8 +22,8 @@ static int is_in_cell_of_previous(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->problem.set[set + 1] == c->problem.set[set] + 1;
 }
 
-/* Returns the reserve of a sticking node [MPa]: the shear stress that can be added before the node
- * slips in the direction of the plate's motion. */
+/* Returns the reserve of a sticking node [MPa]: the shear stress that can be added before the
+ * node slips in the direction of the plate's motion. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->problem.set[set];
   return c->workspace.reserve[k] / c->problem.wc[c->problem.lo + k];
@@ -45,13 +46,14 @@ static double squared(const stick_zone *z, int set, double other, stress_at *str
   return r * r / fabs(x_of(z->c, set) - other);
 }
 
-/* Returns the distance [mm] from the last sticking node, on the right or left, to the point where a
- * stress vanishes. Like the pressure of a contact, mu p - |q| falls with the square root of the
- * distance from the edge. For Hertz' contacts the square of the stress, divided by the distance
- * from the opposite edge, is linear in x. A line is fitted to nodes away from the edge, where means
- * over elements are as accurate as point values. With a single node the edge is halfway to the next
- * node. A node represents a mean over its element of size h and sticks slightly longer than its
- * surface point. The edge may therefore lie up to h / 4 inside the last sticking node. */
+/* Returns the distance [mm] from the last sticking node on the right or left side to the point
+ * where a stress vanishes. Like the pressure of a contact, the reserve falls with the square
+ * root of the distance from the edge. For Hertz' contacts the square of the stress, divided by
+ * the distance from the opposite edge, is linear in x. A line is fitted to nodes away from the
+ * edge, where means over elements are as accurate as values at points. A stick zone of a single
+ * node ends halfway to the next node. A node represents a mean over its element of size h, and
+ * it sticks slightly longer than the point of the surface. Therefore the edge may be up to h / 4
+ * inside the last sticking node. */
 static double beyond(const stick_zone *z, int right, double other, stress_at *stress) {
   const arc_contact *c = z->c;
   const int out = right ? 1 : -1, set = right ? z->last : z->first, count = z->last - z->first + 1;
@@ -70,18 +72,18 @@ static double edge_at(const stick_zone *z, int right, double other) {
          (right ? 1 : -1) * beyond(z, right, other, reserve);
 }
 
-/* Returns the edge of a stick zone that extends to the last node in contact. It is the edge of
- * the contact, moved inwards by the part of the reserve that the motion has used. */
+/* Returns the edge of a stick zone that extends to the outermost node in contact. This is the
+ * edge of the contact, moved inwards by the part of the reserve that the motion has used. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
   const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);
   return ends[right] - (right ? 1 : -1) * less;
 }
 
-/* Computes both edges of a stick zone. On a side without slipping nodes the zone ends at the
- * contact edge if the plate has not moved. */
+/* Computes both edges of a stick zone. On a side without slipping nodes, the edge is the contact
+ * edge if the plate has not moved. */
 static void find_edges(stick_zone *z) {
-  enum { rounds = 4 }; /* iterations are needed because each edge depends on the other */
+  enum { rounds = 4 }; /* iterations, because each edge depends on the other */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->handle.result.left, c->handle.result.right};

@@ -1,15 +1,15 @@
-/* Checks a contact solution: the balance of forces, and the complementarity conditions with gaps
- * recomputed from the contact matrix. */
+/* Checks the solution of a contact: the balance of forces, and the complementarity conditions
+ * with gaps that are computed again from the contact matrix. */
 #include "core/base/dense.h"
 #include "core/plane/solution.h"
 
 #include <assert.h>
 #include <math.h>
 
-/* Tolerance for rounding errors, relative to the largest number involved. */
+/* Tolerance of rounding errors, relative to the largest number in the compared expression. */
 static const double rounding = 1e-9;
 
-/* Returns the component along the load of the normal force on a node [N/mm]. */
+/* Returns the component of the normal force on a node along the load [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
   const chart *on = &c->handle.shape->side[body].body->chart;
   if (on->polar) {
@@ -39,8 +39,8 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
                   arc_body_name(body), sum, load);
 }
 
-/* Checks that the sums of the normal forces on both bodies are equal. The coupling conserves
- * normal forces exactly, but directions only within rounding errors. */
+/* Checks that the sums of the normal forces on both bodies are equal. The coupling conserves the
+ * magnitudes of normal forces exactly, but their directions only within rounding errors. */
 static arc_status check_pressing(const arc_contact *c, arc_error *error) {
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
@@ -52,7 +52,7 @@ static arc_status check_pressing(const arc_contact *c, arc_error *error) {
                   sum[0], sum[1]);
 }
 
-/* Returns the gap of a candidate after deformation, gap - approach + A f [mm]. */
+/* Returns the gap of a candidate in the deformed state, gap - approach + A f [mm]. */
 static double gap_left(const contact_problem *p, int candidate) {
   double g = p->gap[candidate] - p->approach * p->down[candidate];
   for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];
@@ -73,8 +73,8 @@ static arc_status check_complementarity(const contact_problem *p, arc_error *err
   return ARC_OK;
 }
 
-/* Checks three conditions of friction: |t| <= mu f; nodes with |t| < mu f do not slip; the slip
- * of other nodes has the sign of the shear. */
+/* Checks three conditions of friction: |t| <= mu f; nodes with |t| < mu f do not slip; all other
+ * nodes slip in the direction of the shear. */
 static arc_status check_friction(const arc_contact *c, arc_error *error) {
   const contact_problem *p = &c->problem;
   const double mu = c->mu;

@@ -1,4 +1,4 @@
-/* Checks the surfaces of a run in the plane: depths, worn meshes and contact. */
+/* Checks the surfaces of a run in plane models: depths, worn meshes and contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -20,8 +20,8 @@ static arc_status check_surface(const arc_wear *w, arc_body body, arc_error *err
 static arc_status check_mesh(const arc_wear *w, arc_body body, arc_error *error) {
   const arc_mesh *mesh = arc_model_mesh(arc_wear_model(w), body);
   if (mesh->rows == 0)
-    return ARC_OK; /* a mesh without rows that follow the wear: the worn positions are used only for
-                      output */
+    return ARC_OK; /* a mesh without a wear box does not deform with the wear; its worn nodes are
+                      only used for output */
   double *xy = malloc(2 * (size_t)mesh->nodes * sizeof *xy);
   if (!xy) return arc_fail(error, ARC_MEMORY, "out of memory to validate a run");
   arc_shape_nodes(arc_wear_shape(w), body, xy);

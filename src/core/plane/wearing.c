@@ -1,4 +1,4 @@
-/* Removes the wear of an update from the surfaces, and limits the wear of an update. */
+/* Removes the wear of an update from the surfaces, and limits the length of an update. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -9,14 +9,14 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Reduces depths by the wear coefficients of layers. The depth of a track is converted with its
- * mean over the contact width. */
+/* Converts depths with the wear coefficients of the layers. The depth of a track is converted
+ * with its mean over the contact width. */
 static void go_through_layers(const arc_wear *w, const arc_shape *shape,
                               const arc_wear_record *record, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
   arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
   const int middle =
-      shape->side[ARC_PLATE].n / 2; /* a uniformly worn body has the same layers everywhere */
+      shape->side[ARC_PLATE].n / 2; /* all nodes of a uniformly worn body have the same layers */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
                                                  depth->even / wide);
@@ -39,9 +39,9 @@ void arc_plane_add_volumes(const arc_wear *w, const arc_shape *shape, const wear
   if (w->def.track > 0) record->depth_plate = arc_plane_depth(w, shape, record);
 }
 
-/* Sets the compliance to its value in the middle of the update. The change of compliance by wear
- * then causes only an error of second order. With the compliance at the start, depths of the
- * body that wears less had an error of 0.15 % at a tolerance of 0.1 %. */
+/* Sets the compliance to its value in the middle of the update. The error due to the change of
+ * the compliance is then of second order. With the compliance at the start of the update, the
+ * depths of the body that wears less had an error of 0.15 % at a tolerance of 0.1 %. */
 arc_status arc_plane_look_ahead(const arc_wear *w, arc_shape *shape, wear_depths *depth,
                                 arc_error *error) {
   arc_status status = ARC_OK;
@@ -74,16 +74,16 @@ static int has_layers(const arc_model_def *d) {
   return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
 }
 
-/* Returns the apparent E* of the unworn contact [MPa], including layers. */
+/* Returns the contact modulus of the unworn contact [MPa], including the effect of layers. */
 static double felt_modulus(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
   return arc_model_apparent_modulus(w->model, 1 / w->history[0].half_width);
 }
 
-/* Returns the scale of elastic displacements [mm]: the height of the cylinder at the edge of the
- * unworn contact, a^2 / 2R. It equals 2 L / (pi t E*) for any R, so it is valid for all kinds of
- * pairs. */
+/* Returns the scale of elastic displacements [mm]: the height a^2 / 2R of the cylinder's surface
+ * at the edge of the unworn contact. It equals 2 L / (pi t E*) for any radius R, so it can be
+ * used for all shapes. */
 double arc_plane_natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
   if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
@@ -96,14 +96,16 @@ double arc_plane_natural_depth(const arc_wear *w) {
 }
 
 /* Returns the mean pressure [MPa] that causes uniform wear: the load divided by the area of the
- * plate or track. With Archard's law the uniform depth is this pressure times the integral of k. */
+ * plate or track. With Archard's law, the uniform depth is this pressure times the integral of k
+ * over the sliding distance. */
 static double even_pressure(const arc_wear *w) {
   const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
   return w->def.load / (arc_plane_even_width(w) * across);
 }
 
-/* Returns the integral of k over the sliding distance [mm/MPa] that causes a depth of even wear
- * [mm] under the mean pressure. The layer at the surface may have its own wear coefficient. */
+/* Returns the integral of k over the sliding distance [mm/MPa] that causes a given depth of
+ * uniform wear [mm] under the mean pressure. The layer at the surface may have its own wear
+ * coefficient. */
 double arc_plane_even_k_integral(const arc_wear *w, double depth) {
   const int middle = w->np / 2;
   const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
@@ -114,7 +116,8 @@ double arc_plane_even_k_integral(const arc_wear *w, double depth) {
 /* --- layers ----------------------------------------------------------------------------------- */
 
 static double even_layer_k_integral(const arc_wear *w) {
-  static const double layer_share = 0.05; /* largest fraction of a layer that an update removes */
+  static const double layer_share = 0.05; /* largest fraction of a layer that an update may
+                                             remove */
   const elastic_body *plate = w->shape->side[ARC_PLATE].body;
   if (!w->manner.even || w->def.geometry == ARC_FROZEN) return INFINITY;
   double from = 0, end = 0;
@@ -132,9 +135,9 @@ static int open_layer(const shape_side *side, int i) {
   return arc_body_stratum(side->body, i, n).layer;
 }
 
-/* Returns the compliance of the exposed layer minus that of the body below all layers, per mm of
- * depth [1/MPa]. It is the largest absolute value over all worn nodes; before any wear, over all
- * nodes. */
+/* Returns the compliance of the exposed layer minus the compliance of the body's material below
+ * all layers, per mm of depth [1/MPa]. The result is the largest absolute value over all worn
+ * nodes or, before any wear, over all nodes. */
 static double softness(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const elastic_body *b = side->body;
@@ -146,11 +149,11 @@ static double softness(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Returns the limit of an update that the stiffness of layers requires, as an integral of k. An
- * update uses the stiffness at its start. The stiffness changes as layers become thinner, and
- * the mean error is half of this change. */
+/* Returns the limit of an update due to the stiffness of layers, as an integral of k over the
+ * sliding distance. An update uses the stiffness at its start. The stiffness changes as layers
+ * become thinner, and the mean error is half of this change. */
 static double scar_layer_k_integral(const arc_wear *w) {
-  static const double felt = 0.01; /* accepted relative change of the pressure in an update */
+  static const double felt = 0.01; /* accepted relative change of the pressure by an update */
   const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
   if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
   const double p = arc_wear_last(w)->p_center;
@@ -158,8 +161,8 @@ static double scar_layer_k_integral(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Returns the wear coefficient of the exposed layers divided by the largest coefficient of the
- * body. It is the maximum over all worn nodes; before any wear, over all nodes. */
+/* Returns the wear coefficient of the exposed layers divided by the largest wear coefficient of
+ * the body. The result is the maximum over all worn nodes or, before any wear, over all nodes. */
 static double open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   double most = 0;
@@ -169,9 +172,9 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Returns the wear coefficient at the deepest node, divided by the largest coefficient of the body.
- * Before any wear the middle node represents all nodes. The depth of uniform wear is in the record.
- */
+/* Returns the wear coefficient at the deepest node, divided by the largest wear coefficient of
+ * the body. Before any wear the middle node represents all nodes. For uniform wear the depth in
+ * the record is used. */
 double arc_plane_open_share(const arc_wear *w, arc_body body) {
   const shape_side *side = &w->shape->side[body];
   const arc_wear_record *now = arc_wear_last(w);
@@ -182,13 +185,15 @@ double arc_plane_open_share(const arc_wear *w, arc_body body) {
   return arc_wear_layer_share(w->shape, body, deepest, fmax(0, depth - side->h[deepest]));
 }
 
-/* Returns the limit of an update that the compliance of a scar requires, as an integral of k. If
- * the scar deepens by dh, the elastic displacement u = p b / E (b: half width) changes by about u
- * dh / b, and depths h change by p dh / (E h) relative to h. With the compliance in the middle of
- * the update, this error is of second order. */
+/* Returns the limit of an update due to the compliance of a scar, as an integral of k over the
+ * sliding distance. If the scar becomes deeper by dh, the elastic displacement u = p b / E
+ * (pressure p, half width b) changes by about u dh / b. Relative to the depth h this is an error
+ * of p dh / (E h). With the compliance in the middle of the update, the error is of second
+ * order. */
 static double scar_k_integral(const arc_wear *w) {
-  static const double late = 5; /* accepted error of first order, as a multiple of the tolerance */
-  static const double deeper = 0.1; /* largest depth of an update, relative to the half width */
+  static const double late = 5;     /* accepted error of first order, divided by the tolerance */
+  static const double deeper = 0.1; /* largest increase of the depth in an update, divided by the
+                                       half width */
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;

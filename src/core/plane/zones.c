@@ -1,10 +1,10 @@
-/* Computes the widths of the zones that a run needs, from its motion and its contact. */
+/* Computes the widths of the zones that a run needs, from the motion and the contact. */
 #include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* Returns the sliding distance of the whole run [mm]. If the user gave none, it is the distance of
- * all blocks of loading. */
+/* Returns the sliding distance of the whole run [mm]. If the user defined none, it is the total
+ * distance of all blocks of loading. */
 static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
@@ -21,22 +21,23 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Automatic zones are sufficient for a contact of up to this many unworn half widths. All 20
+/* Automatic zones are wide enough for contacts of up to this many unworn half widths. All 20
  * cases of the paper on alpha (up to 2.5 half widths) need only one mesh. */
 static const double outgrown_at = 6;
 
-/* Returns the half width [mm] of the widest contact of a run. It lies between the half width of
- * Hertz and a flat scar of the whole worn volume on the cylinder. */
+/* Estimates the half width [mm] of the widest contact of a run. The estimate is the half width
+ * of Hertz or, if larger, half of it plus the half width of a flat scar with the whole worn
+ * volume on the cylinder. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);
   const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
   const double volume = largest_k(def) * load * whole_distance(def, model);
   const double scar = arc_wear_scar(def, model, radius, volume);
-  /* remesh.c builds a wider zone with a coarser mesh when necessary */
+  /* with automatic sizes remesh.c builds a wider, coarser mesh when necessary */
   const double most = model->mesh.fineness > 0 ? outgrown_at * half : INFINITY;
   const double widest = fmin(most, fmax(half, half / 2 + scar));
-  /* the margin on coarse meshes is three elements: one below the contact edge and two without
+  /* coarse meshes need a margin of three elements: one below the contact edge and two without
    * contact */
   return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_MARGIN);
 }

@@ -1,5 +1,5 @@
-/* Boxes are parts of the window that contain all loaded cells. Convolutions on a box are shorter
- * than on the whole window. */
+/* Chooses boxes: parts of the window that contain all loaded cells. Convolutions on a box are
+ * faster than on the whole window. */
 #include "core/space/halfspace.h"
 
 void arc_space_box_sizes(int n, int periodic, int size[SPACE_LEVELS]) {

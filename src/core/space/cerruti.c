@@ -1,7 +1,7 @@
-/* Displacements due to shear on rectangular cells, and their convolutions. Shear q along x at a
- * point of a body with shear modulus G displaces the surface at distance r along x by ((1 - nu)
- * / r + nu x^2 / r^3) / (2 pi G), along z by nu x z / r^3 / (2 pi G), and inwards by (1 - 2 nu)
- * x / r^2 / (4 pi G). */
+/* Displacements due to shear on rectangular cells, and their convolutions. A unit shear force along
+ * x at a point of a body with shear modulus G and Poisson's ratio nu displaces the surface at the
+ * distance r (components x and z) along x by ((1 - nu) / r + nu x^2 / r^3) / (2 pi G), along z by
+ * nu x z / r^3 / (2 pi G), and inwards by (1 - 2 nu) x / r^2 / (4 pi G). */
 #include "core/space/cerruti.h"
 
 #include <math.h>

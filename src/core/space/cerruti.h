@@ -22,9 +22,9 @@ arc_status arc_cerruti_kernels(arc_halfspace *h, const space_shear_kernels **fou
                                arc_error *error);
 void arc_cerruti_destroy(space_shear_kernels **kernels);
 
-/* Computes u = C q, the tangential displacement along x and z [window] [mm] of the lower surface
- * relative to the upper one. The shear q [MPa] on the upper body has the opposite direction. u
- * may be the same array as q. */
+/* Computes u = C q [window] [mm], the displacement along x and z of the upper surface relative to
+ * the lower one due to the shear q [MPa] on the upper body and -q on the lower body. u may be the
+ * same array as q. */
 void arc_cerruti_shear(const arc_halfspace *h, const double *const q[2], double *const u[2]);
 /* Computes u = C q like arc_cerruti_shear, at the cells of a box that contains all shear. The
  * values of u outside the box are unchanged. arc_cerruti_in_box must have been called for a box of
@@ -35,8 +35,8 @@ void arc_cerruti_shear_in(const arc_halfspace *h, const space_box *box, const do
 /* Computes the displacement u [window] [mm] along one axis (0: x, 1: z) due to the shear along
  * the same axis. */
 void arc_cerruti_along(const arc_halfspace *h, int axis, const double *q, double *u);
-/* Adds N q, the normal displacement due to shear [mm], to gap [window]. For bodies with the same
- * elastic behaviour gap is unchanged. */
+/* Adds N q, the normal displacement due to shear [mm], to gap [window], which is unchanged for like
+ * bodies. */
 void arc_cerruti_add_gap(const arc_halfspace *h, const double *const q[2], double *gap);
 /* Adds N p, the tangential displacement due to pressure [mm], to slip [window]. */
 void arc_cerruti_add_slip(const arc_halfspace *h, const double *pressure, double *const slip[2]);

@@ -1,5 +1,5 @@
-/* Sites that enter or leave a contact within an increment, and the fraction of the motion for which
- * each site was not in contact (open). */
+/* Computes, for sites that enter or leave a contact within an increment, the fraction of the motion
+ * for which they were not in contact (open). */
 #include "core/space/entering.h"
 
 #include "core/space/cerruti.h"
@@ -42,11 +42,12 @@ static arc_status find_end(arc_halfspace *h, const double *const depth[ARC_BODIE
   return status;
 }
 
-/* Returns the fraction of an increment for which a site was open. `open` is its gap at the end of
- * the increment where it is open. `shut` is its pressure at the other end, and `closure` the
- * decrease of all gaps between the ends. `self` is the displacement of a site per pressure on it
- * [mm/MPa]. If the closure is too small for the pressure, the displacement due to this pressure is
- * used instead, because the gaps of unlike bodies also change by shear. */
+/* Returns the fraction of an increment for which a site was open. The site is open with the gap
+ * `open` [mm] at one end of the increment, and in contact with the pressure `shut` [MPa] at the
+ * other end. `closure` [mm] is the decrease of all gaps from the first to the second state. `self`
+ * is the displacement of a site per pressure on it [mm/MPa]. If the closure is too small for the
+ * pressure, the displacement due to this pressure is used instead, because the gaps between unlike
+ * bodies also change by shear. */
 static double open_share(double open, double shut, double closure, double self) {
   if (!(open > 0)) return 0;
   return open / (open + fmax(closure - open, self * shut));

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Values of the cells. The position where they cross `level` is interpolated linearly in
+/* Values of the cells. The position at which they cross `level` is interpolated linearly in
  * value^power. */
 typedef struct field {
   const double *value;

@@ -1,4 +1,4 @@
-/* Initial guess of the pressures under a load. */
+/* Computes an initial guess of the pressures under a load. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ static double least_of(int n, const double *gap) {
   return least;
 }
 
-/* Returns the estimated load for an approach: the load on a ball whose contact area equals the area
- * in which gaps are smaller than half the approach. */
+/* Returns the estimated load for an approach: the load of a Hertz contact whose area is the area in
+ * which gaps are smaller than half the approach. */
 static double load_at(const arc_halfspace *h, const double *gap, double least, double approach) {
   const arc_halfspace_def *d = &h->def;
   int inside = 0;

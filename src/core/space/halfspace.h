@@ -14,12 +14,13 @@ enum { SPACE_LEVELS = 8 };
  * the whole window, the coupling between shear and pressure if the bodies have different
  * materials. */
 typedef struct space_shear_kernels {
-  double self[2]; /* displacement of a loaded cell along x and z [mm/MPa] */
+  double self[2]; /* displacement of a cell along x and z due to unit shear on the cell [mm/MPa] */
   convolution
-      *along[SPACE_LEVELS][SPACE_LEVELS][3]; /* for each size of a box, NULL until the first use:
-                                                displacement along x due to qx, along x due to qz
-                                                (equal to z due to qx), along z due to qz */
-  convolution *couple[2]; /* gap due to qx and due to qz; NULL if the materials are equal */
+      *along[SPACE_LEVELS][SPACE_LEVELS]
+            [3]; /* for each size of a box, NULL until the first use: displacement along x due to
+                    shear qx along x, along x due to qz (equal to z due to qx), along z due to qz */
+  convolution *couple[2]; /* change of the gap due to qx and due to qz; NULL for like bodies
+                             (arc_cerruti_unlike) */
   convolution_work *work; /* second workspace, for convolutions of two fields at once */
 } space_shear_kernels;
 
@@ -39,8 +40,8 @@ struct arc_halfspace {
   work_team *team;
 };
 
-/* The part of the window that contains the contact: rows x to x + nx - 1 and columns z to z + nz
- * - 1. level_x and level_z are the indices of its sizes in the lists of box sizes. */
+/* The part of the window that contains the contact: rows x to x + nx - 1 and columns z to z + nz -
+ * 1. level_x and level_z are the indices of nx and nz in the lists of box sizes. */
 typedef struct space_box {
   int x, z, nx, nz, level_x, level_z;
 } space_box;
@@ -64,14 +65,14 @@ void arc_space_find_range(const arc_halfspace *h, const double *value, space_ran
  * `symmetric` is 1, the box lies symmetrically in x. */
 space_box arc_space_box(const arc_halfspace *h, space_range x, space_range z, int symmetric);
 
-/* Return in *found the convolution for boxes of one size, and the convolution with the inverse
- * symbol for preconditioning. Both are created at the first call. */
+/* Set *found to the convolution for boxes of one size, and to the convolution with the inverse
+ * symbol for preconditioning. Each is created at the first call. */
 arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
                                  const convolution **found, arc_error *error);
 arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const convolution **found,
                              arc_error *error);
 
-/* Returns true if the surface of a body is flat and endless: without recess, wear and map. */
+/* Returns true if the surface of a body is an endless plane, without recess, wear and map. */
 int arc_space_is_flat(const arc_halfspace *h, const double *const depth[ARC_BODIES], arc_body body);
 
 /* Returns the displacement at the origin due to unit pressure on a rectangle of half sides a x b
@@ -97,9 +98,9 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
  * both bodies are homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
-/* Computes Hertz' contact for relative radii along and across the motion [mm] and a load [N]. The
- * effective modulus follows from the compliance of the pair to waves of about the contact's length.
- * Errors: as for arc_hertz_ellipse_of. */
+/* Computes Hertz' contact for relative radii along two perpendicular axes [mm] and a load [N]. The
+ * effective modulus follows from the compliance of the pair to pressure waves of about the
+ * contact's length. Errors: as for arc_hertz_ellipse_of. */
 arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
                               double load, arc_hertz_ellipse *hertz);
 

@@ -1,4 +1,4 @@
-/* Displacements due to pressure on rectangles: Love's solution for half-spaces, and the
+/* Computes displacements due to pressure on rectangles: Love's solution for half-spaces, and the
  * contribution of layers. */
 #include "core/elastic/layered.h"
 #include "core/space/halfspace.h"
@@ -109,18 +109,19 @@ static double spline_at(const spline *s, double x) {
 }
 
 /* Compliance of the layered bodies minus the compliance of half-spaces of the topmost materials.
- * `symbol` is q times the difference as a function of ln q. `radial` is the Hankel transform of the
- * difference as a function of asinh(r / t). */
+ * `symbol` is the wave number q times this difference, as a function of ln q. `radial` is the
+ * Hankel transform of the difference, as a function of asinh(r / t) for the distance r. */
 typedef struct rest {
   double t;       /* thickness of the thinnest top layer [mm] */
   double lowest;  /* wave number below which the symbol is constant [1/mm] */
-  double highest; /* wave number above which the difference is 0 */
+  double highest; /* wave number above which the difference is 0 [1/mm] */
   spline symbol, radial;
 } rest;
 
 enum { SYMBOL_POINTS = 1500, RADII = 400, GAUSS = 8 };
 
-/* depth [1/q] above which exp(-2 depth) is negligible */
+/* depth times wave number above which a wave does not reach this depth: exp(-2 deep) is
+ * negligible */
 static const double deep = 18;
 
 static int sample_symbol(const arc_halfspace_def *def, rest *r) {
@@ -140,8 +141,7 @@ static const double gauss_at[GAUSS / 2] = {0.1834346424956498, 0.525532409916329
 static const double gauss_weight[GAUSS / 2] = {0.3626837833783620, 0.3137066458778873,
                                                0.2223810344533745, 0.1012285362903763};
 
-/* Returns the integral of the Fourier symbol of the kernel times J0(q radius) over q from a to b.
- */
+/* Returns the integral of `symbol` times J0(q radius) over the wave numbers q from a to b. */
 static double panel(const rest *r, double radius, double a, double b) {
   const double middle = (a + b) / 2, half = (b - a) / 2;
   double sum = 0;

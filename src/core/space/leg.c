@@ -1,5 +1,6 @@
-/* Legs of a loading history. In a leg, load and motion (or force) change in proportion. The
- * increments of a leg are halved until a further halving does not change motion, shear or work. */
+/* Computes legs of a loading history. In a leg, load and motion (or force) change in proportion.
+ * The increments of a leg are halved until a further halving hardly changes motion, shear and
+ * work. */
 #include "archard/space.h"
 
 #include <math.h>
@@ -9,8 +10,9 @@ typedef struct leg {
   const double *const *depth;
   const arc_halfspace_leg *def;
   const arc_halfspace_options *options;
-  double xi[2], force[2];          /* motion [mm] and force [N] at the start of the leg */
-  double carried, yielding, work;  /* reference force [N], motion [mm] and work [N mm] for errors */
+  double xi[2], force[2]; /* motion [mm] and force [N] at the start of the leg */
+  double carried, yielding,
+      work; /* force [N], motion [mm] and work [N mm] to which errors are related */
   arc_halfspace_friction *coarser; /* state computed with half as many increments, or NULL */
   arc_halfspace_effort *effort;
 } leg;
@@ -35,11 +37,11 @@ static arc_status advance(const leg *g, double share, const arc_halfspace_fricti
 
 /* --- effect of halving ------------------------------------------------------------------------ */
 
-/* Largest changes by halving that are accepted in a part of a leg. Changes of motion and shear are
- * relative to full slip. The change of work is relative to the work of the leg (work_share) or of
- * the part (own_share). The work of the leg counts as at least `little` times friction times load
- * times displacement at full slip. Errors of motion and work add up over a leg; errors of shear
- * decay. */
+/* Largest changes due to halving that are accepted in a part of a leg. Changes of motion and shear
+ * are relative to full slip. The change of work is relative to the work of the leg (work_share) or
+ * of the part (own_share). The work of the leg is assumed to be at least `little` times friction
+ * times load times displacement at full slip. Errors of motion and work add up over a leg; errors
+ * of shear decay. */
 static const double motion_share = 1e-4, shear_share = 1e-3, work_share = 1e-3, own_share = 3e-3,
                     little = 1e-3;
 
@@ -145,7 +147,8 @@ static arc_status refine(leg *g, part p, const arc_halfspace_friction *begin,
 /* --- legs ------------------------------------------------------------------------------------- */
 
 /* Updates the coarser state after a leg whose increments the user chose. The coarser state becomes
- * a copy of the finer state, but its energy keeps the difference from earlier legs. */
+ * a copy of the finer state, except that the difference of their energies from earlier legs
+ * remains. */
 static arc_status follow_finer(const leg *g, double before, const arc_halfspace_friction *state,
                                arc_error *error) {
   arc_halfspace_friction copy;
@@ -168,7 +171,7 @@ static arc_status go(leg *g, const arc_halfspace_friction *begin, arc_halfspace_
   return status == ARC_OK && g->coarser ? follow_finer(g, begin->energy, state, error) : status;
 }
 
-/* Replaces the state by its changed copy, or frees the copy after an error. */
+/* Replaces the state by `copy`, or frees the copy after an error. */
 static void commit(arc_status status, arc_halfspace_friction *copy, arc_halfspace_friction *state) {
   arc_halfspace_friction_end(status == ARC_OK ? state : copy);
   if (status == ARC_OK) *state = *copy;

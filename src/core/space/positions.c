@@ -181,8 +181,8 @@ static void start_one(void *context, int position, int worker) {
   arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
 }
 
-/* Data for the search for cells outside the box where the surfaces overlap, with the ranges of
- * these cells for each position. */
+/* Data for the search for cells outside the box at which the surfaces overlap. x and z are the
+ * ranges of these cells at each position. */
 typedef struct outside {
   positions *p;
   space_box box;
@@ -237,15 +237,15 @@ static arc_status check_outside(positions *p, const space_box *box, space_range 
   return ARC_OK;
 }
 
-/* Returns true if preconditioning saves time, which is true only for a single contact of many
- * cells. */
+/* Returns true if preconditioning saves time: for a single contact without wear, of 96 x 96 cells
+ * or more. */
 static int is_preconditioned(const positions *p) {
   const stroke *s = &p->s;
   const int worn = s->c[ARC_UPPER] > 0 || s->c[ARC_LOWER] > 0, many = 96 * 96;
   return s->count == 1 && !worn && !s->h->def.periodic && s->box.nx * s->box.nz >= many;
 }
 
-/* Arrays of a box and the workspace of its active set. */
+/* Arrays of a box and the workspace of the active-set solver. */
 typedef struct box_memory {
   double *gap, *pressure;
   active_work *work;
@@ -310,8 +310,8 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
-/* Makes the pressures of a position exactly symmetric in z, by averaging the two halves of each
- * row, which agree within rounding errors. */
+/* Averages the two halves of each row of pressures, which agree within rounding errors, so that the
+ * pressures are exactly symmetric in z. */
 static void make_even(void *context, int position, int worker) {
   const positions *p = context;
   const int nz = p->s.h->def.nz;
@@ -424,8 +424,8 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-/* Computes for each site the sum of weight times pressure, for both bodies or only for bodies with
- * wear factor c > 0. */
+/* Computes for each site the sum of weight times pressure: for both bodies if `both` is 1, else for
+ * bodies with c > 0. */
 static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
   p->s.upper = upper;

@@ -1,4 +1,4 @@
-/* Contact pressures and wear rates on given depths, and the implicit stage of a step. */
+/* Computes contact pressures and wear rates for given depths, and the implicit stage of a step. */
 #include "core/space/positions.h"
 
 #include <math.h>
@@ -129,7 +129,7 @@ static void wear(const arc_halfspace *h, const arc_halfspace_wear *w,
 static arc_status check_wear(const arc_halfspace_wear *w, arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (!(w->c[b] >= 0) || !isfinite(w->c[b]))
-      return arc_fail(error, ARC_ARGUMENT, "field 'c': expected a number from 0, got %g", w->c[b]);
+      return arc_fail(error, ARC_ARGUMENT, "field 'c': expected a number >= 0, got %g", w->c[b]);
   return ARC_OK;
 }
 
@@ -207,8 +207,8 @@ static void start(const tangent *t) {
       t->depth[b][k] = (k / h->def.nz + k % h->def.nz) % 2 ? 1 : -1;
 }
 
-/* Computes the rate for the power iteration: the change of c factor sum(weight p) due to the
- * change `depth`, with opposite sign, divided by the length of `depth`. */
+/* Makes one step of the power iteration. Sets the rate to minus the change of c factor sum(weight
+ * p) caused by the change `depth` of the depths, divided by the norm of `depth`. */
 static arc_status multiply(tangent *t, arc_error *error) {
   stroke *s = &t->p->s;
   active_count used = {0};

@@ -1,4 +1,4 @@
-/* Transfers depths to another grid, which has a larger window, a longer track or finer cells. */
+/* Transfers depths to another grid with a larger window, a longer track or finer cells. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
@@ -47,7 +47,7 @@ static double total(const double *value, const axis *x, const axis *z) {
   return sum * x->size * z->size;
 }
 
-/* Returns true if a worn cell of the present axes lies outside the new axes. */
+/* Returns true if a worn cell lies outside the new grid. */
 static int loses(const double *value, const axis *x, const axis *z, const axis *to_x,
                  const axis *to_z) {
   const double half_x = to_x->count * to_x->size / 2, half_z = to_z->count * to_z->size / 2;

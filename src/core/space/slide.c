@@ -1,5 +1,5 @@
-/* Increments of a contact with friction. The solution alternates between the pressures at fixed
- * shear and the shear at fixed pressures until both converge. For equal materials one pass
+/* Computes increments of a contact with friction. The solution alternates between the pressures at
+ * fixed shear and the shear at fixed pressures until both converge. For equal materials one pass
  * suffices. */
 #include "core/space/entering.h"
 #include "core/space/stick_slip.h"
@@ -95,10 +95,11 @@ typedef struct increment {
   const arc_halfspace_friction *from;
   double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window] each; one allocation */
   double *share; /* [window] fraction of the motion for which a site was not in contact */
-  arc_halfspace_position at; /* position and load at the end */
-  double travel[2];          /* see arc_halfspace_friction; assumed at the end of the increment */
-  double motion[2];          /* assumed motion of the increment, to which `share` refers [mm] */
-  double last[2], was[2];    /* previous assumed motion, and the motion computed with it [mm] */
+  arc_halfspace_position at; /* position and load at the end of the increment */
+  double
+      travel[2]; /* travel (see arc_halfspace_friction) assumed for the end of the increment [mm] */
+  double motion[2];       /* assumed motion of the increment, to which `share` refers [mm] */
+  double last[2], was[2]; /* previous assumed motion, and the motion computed with it [mm] */
   double approach, tolerance;
   stick_slip_work w;
 } increment;
@@ -298,8 +299,8 @@ static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *e
 
 /* --- travel ----------------------------------------------------------------------------------- */
 
-/* Returns the slip of site k along axis i in the increment, also before the site made contact
- * [mm]. */
+/* Returns the slip of site k along axis i in the increment [mm], including the motion before the
+ * site was in contact. */
 static double slip_of(const increment *s, int i, int k) {
   const double before = motion_before(s, i, k);
   return s->w.state[k] == SHEAR_STICK ? before : before + s->w.slip[i][k];
@@ -321,7 +322,7 @@ static void find_travel(const increment *s, double travel[2]) {
  * short for the travel. */
 static arc_status sweep_and_follow(increment *s, arc_halfspace_effort *effort, arc_error *error) {
   enum { most_passes = 20 };
-  static const double settled = 1e-4; /* of a cell */
+  static const double settled = 1e-4; /* largest accepted error of the travel, in cells */
   stroke_place place;
   if (!s->to->follows) return sweep(s, effort, error);
   const int flat = arc_space_is_flat(s->h, s->depth, ARC_LOWER);
@@ -354,8 +355,8 @@ static double work_of(const increment *s, const double *pressure, const double *
   return mean * hypot(moved[0][k], moved[1][k]);
 }
 
-/* Returns the fraction of w.slip for which site k was in contact. It is 1 for a site that enters,
- * because w.slip excludes the slip before the entry. */
+/* Returns the fraction of the slip w.slip during which site k was in contact. It is 1 for a site
+ * that enters, because w.slip excludes the slip before the entry. */
 static double in_contact(const increment *s, int k) {
   return s->pressure[k] > 0 ? 1 : 1 - s->share[k];
 }

@@ -1,4 +1,4 @@
-/* The contact object of half-spaces, and the reference configuration of a run. */
+/* Solves contacts of half-spaces, and measures the reference configuration of a run. */
 #include "core/space/halfspace.h"
 #include "core/space/space_kind.h"
 
@@ -76,9 +76,9 @@ static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks
   return ARC_OK;
 }
 
-/* Enlarges the cells of a contact: first the track, if it does not reach position x [mm], then
- * the window along x, if the contact may move with a lower body that is not flat, then the window
- * in both directions. Errors: ARC_ZONE at the end of a map. */
+/* Enlarges the grid of a contact: the track, if it is too short for position x [mm]; else the
+ * window along x, if the contact may move with a lower body that is not flat; else the window in
+ * both directions. Error: ARC_ZONE if a map is too small. */
 static arc_status enlarge(const space_contact *c, double x, arc_halfspace_def *cells,
                           arc_error *error) {
   const space_shape *s = space_shape_of(c->handle.shape);

@@ -1,4 +1,5 @@
-/* Wear in a window of a cycle on half-spaces, by one contact solution for each position. */
+/* Computes the wear of half-spaces in a part of a cycle (wear_window), from one contact solution
+ * for each position. */
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
 
@@ -14,8 +15,7 @@ static double step_to(const wear_block *b, int at) {
   return fabs(b->x[at] - b->x[at - 1]);
 }
 
-/* Returns the weight of the position of a point of the cycle: the sliding distance assigned to the
- * point [mm]. */
+/* Returns the weight of a point of the cycle: the sliding distance assigned to the point [mm]. */
 static double weight_of(const arc_wear *w, const wear_window *v, int at) {
   const double before = at > v->first ? step_to(v->block, at) : 0,
                after = at < v->last ? step_to(v->block, at + 1) : 0;
@@ -37,7 +37,7 @@ static void add_position(space_path *path, double x, double load, double weight)
 
 /* Adds the points of a cycle with friction. Between unlike bodies each point has its own position,
  * because the shear and thus the pressure depend on the history. The cycle ends at its first
- * position. All increments have equal weights, because the solution includes their slip. */
+ * position. All increments have equal weights, because their slip is part of the solution. */
 static void add_rubbing(const wear_block *b, int unlike, space_path *path) {
   const double weight = b->sliding / (b->count - 1);
   for (int at = 0; at < b->count; at++) {
@@ -119,7 +119,7 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
 
 /* --- the wear --------------------------------------------------------------------------------- */
 
-/* Data of the tangent of the wear rate: shape, positions and pressures. */
+/* Data for the tangent (linearisation) of the wear rate: shape, positions and pressures. */
 typedef struct space_tangent {
   space_grid *grid; /* NULL before the first use */
   space_path path;
@@ -180,7 +180,7 @@ arc_status arc_space_solve_path(arc_wear *w, const wear_window *v,
                   most_passes);
 }
 
-/* Replaces the sums of pressure by sums of the wear work, which includes the wear law and local
+/* Replaces the sums of weighted pressures by the wear work, which includes the wear law and local
  * factors. */
 static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, wear_rate *rate,
                           arc_error *error) {
@@ -245,7 +245,8 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
 
 /* Returns an upper bound of the largest eigenvalue of the linearised wear equations, for cases in
  * which it is not computed by iteration: the eigenvalue of a chessboard pattern of wear on an
- * infinite surface. The compliance to this pattern is 0.584 times the cell size divided by E*. */
+ * infinite surface. The compliance to this pattern is computed as 0.584 times the cell size divided
+ * by E*. */
 static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
   const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);
   double sliding = 0, most[ARC_BODIES] = {0};

@@ -1,4 +1,4 @@
-/* Definitions of wear runs in 3-D: checks of combinations, and derived values. */
+/* Definitions of wear runs in 3-D: checks of combinations of settings, and derived values. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/cerruti.h"
 #include "core/space/space_kind.h"
@@ -58,8 +58,9 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Rejects friction with layers or a groove, whose compliance to shear is not available, and
- * friction with bodies that separate, because the shear due to pressing is lost at separation. */
+/* Rejects friction on periodic surfaces, in a groove, with layers or a rigid base (whose compliance
+ * to shear is not available), and with bodies that separate, because separation removes the shear
+ * due to pressing. */
 static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
                                  arc_error *error) {
   if (!arc_wear_has_friction(d)) return ARC_OK;
@@ -123,8 +124,8 @@ void arc_space_usual(arc_wear_def *def) {
   if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-/* Returns the ratio of a tangential force to the equivalent displacement: 2 a E* with the mean
- * contact radius a [N/mm]. */
+/* Returns the ratio of a tangential force to the equivalent displacement [N/mm]: 2 a E* with the
+ * mean contact radius a and the contact modulus E*. */
 static double force_per_distance(const arc_wear_def *def, const arc_model_def *model) {
   const arc_hertz_ellipse hertz = arc_space_hertz(model, def->load);
   return 2 * sqrt(hertz.half_width * hertz.half_width_z) *
@@ -147,8 +148,8 @@ static int are_unlike(const arc_model_def *model) {
   return arc_cerruti_unlike(&bodies) != 0;
 }
 
-/* Returns the default number of increments of a cycle: one per cell. With friction it is at least
- * one per leg, or two per leg between unlike bodies. The error of the wear is then below 0.4 %. A
+/* Returns the default number of increments of a cycle: one per cell. With friction the minimum is
+ * one per leg, or two per leg between unlike bodies; the error of the wear is then below 0.4 %. A
  * cycle under a tangential force has exactly this minimum. */
 int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { most = 1 << 20 };
@@ -180,7 +181,7 @@ double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
 
 /* --- cells ------------------------------------------------------------------------------------ */
 
-/* Returns twice the largest distance of the path from x = 0 [mm]. */
+/* Returns twice the largest distance of the motion from x = 0 [mm]. */
 static double stroke_of(const arc_wear_def *def, const arc_model_def *model) {
   double most = 0;
   if (rests(def, model) || def->tangential > 0) return 0;
@@ -207,7 +208,8 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   if (arc_wear_has_friction(def)) fine.mesh.size = arc_space_slip_cell(def, model);
   arc_space_fit(&fine, def->slide == ARC_SLIDE_Z, def->load, volume_of(def, model),
                 stroke_of(def, model), increment, &cells);
-  const arc_halfspace_def bodies = arc_space_bodies(model); /* maps are not copied */
+  const arc_halfspace_def bodies =
+      arc_space_bodies(model); /* with maps of *model, not of its local copy */
   for (int b = 0; b < ARC_BODIES; b++) cells.body[b] = bodies.body[b];
   cells.workers = def->workers;
   if (!rests(def, model)) {

@@ -1,4 +1,4 @@
-/* Contacts with friction: pressing the bodies together, and motions. */
+/* Contacts with friction: cell sizes, pressing the bodies together, and motions. */
 #include "core/base/callbacks.h"
 #include "core/elastic/pair.h"
 #include "core/space/cerruti.h"
@@ -8,13 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Default number of cells in the half width with friction, and without. At small forces the slip
- * annulus is only a few hundredths of the contact wide. With 40 cells Mindlin's loops are accurate
- * to 0.4 % for forces from a fifth of the force of full slip. */
+/* Default numbers of cells in the half width of a contact, with friction and without. At small
+ * forces the width of the slip annulus is only a few hundredths of that of the contact. With 40
+ * cells Mindlin's loops are accurate to 0.4 % for forces of at least a fifth of the force of full
+ * slip. */
 static const double cells_of_friction = 40, usual_cells = 8;
 
-/* Makes the cells of a slender contact longer, so that its longer half width has at least four
- * times as many cells as the shorter one. */
+/* Makes the cells of a slender contact longer, so that its longer half width has only four times as
+ * many cells as the shorter one. */
 static void stretch(const arc_model_def *def, double load, arc_halfspace_def *cells) {
   static const double enough = 4;
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
@@ -35,7 +36,8 @@ void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace
       (def->mesh.fineness > 0 ? def->mesh.fineness : 1) * (cells_of_friction / usual_cells);
   arc_space_fit(&fine, 0, load, 0, 0, 0, cells);
   stretch(def, load, cells);
-  const arc_halfspace_def bodies = arc_space_bodies(def); /* maps are not copied */
+  const arc_halfspace_def bodies =
+      arc_space_bodies(def); /* with maps of *def, not of its local copy */
   for (int b = 0; b < ARC_BODIES; b++) cells->body[b] = bodies.body[b];
 }
 
@@ -65,9 +67,9 @@ static double compliance_to_shear(const arc_model_def *model) {
   return sum;
 }
 
-/* Returns the ratio of the radius of the stick zone to that of the contact, by Mindlin: 1 for full
- * stick, 0 for gross slip. If the friction coefficient varies, returns this ratio at half of
- * full slip. */
+/* Returns the radius of the stick zone divided by the contact radius, by Mindlin's solution: 1 for
+ * full stick, 0 for gross slip. If the friction coefficient varies, returns the value for half the
+ * force of full slip. */
 static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
   if (!arc_wear_friction_is_known(d) || d->friction == 0) return cbrt(0.5);
   const double force = amplitude(d, 1, d->tangential), carried = d->friction * d->load;
@@ -79,14 +81,15 @@ static double stick_share(const arc_wear_def *d, const arc_model_def *model) {
 }
 
 double arc_space_slip_volume(const arc_wear_def *d, const arc_model_def *model) {
-  static const double periods = 20; /* periods of 1 / (4 mu k p_0) cycles until wear ends */
+  static const double periods = 20; /* number of periods of 1 / (4 mu k p_0) cycles after which wear
+                                       has ended (p_0: largest pressure) */
   const double share = stick_share(d, model);
   if (!(share > 0 && share < 1) || d->blocks > 0) return INFINITY;
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
   const double a = sqrt(hertz.half_width * hertz.half_width_z);
   const double loop = 0.9 * d->load * d->load * compliance_to_shear(model) / a *
                       (1 - pow(share, 5) - 5 * (1 - pow(share, 3)) / 6 * (1 + share * share));
-  return periods * loop / (4 * hertz.p_max); /* for mu = 1; the volume does not depend on mu */
+  return periods * loop / (4 * hertz.p_max); /* `loop` is for mu = 1; mu cancels in the volume */
 }
 
 /* Returns the number of cells whose centre lies within an ellipse of the half axes x and z
@@ -101,8 +104,8 @@ static double filling(double x, double z) {
 
 /* Returns the cell size for which the area of the sticking cells equals the area of the stick zone,
  * because wear in partial slip ends when this zone carries the whole load. The size is up to a
- * sixth smaller than `size`. The sticking cells are those whose centre is at most 0.113 of a cell
- * beyond the edge of the zone: this was measured at the end of wear at ten amplitudes (+-0.007). */
+ * sixth smaller than `size`. Cells stick if their centre is at most 0.113 of a cell beyond the edge
+ * of the zone, as measured at the end of wear for ten amplitudes (0.113 +- 0.007). */
 static double fill_zone(double size, double x, double z) {
   enum { tries = 60 };
   static const double beyond = 0.113, play = 0.02, range = 1.0 / 6;
@@ -118,10 +121,10 @@ static double fill_zone(double size, double x, double z) {
 }
 
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model) {
-  /* in_rim, in_stick and in_contact are minimum numbers of cells in the slip annulus, in the radius
-   * of the stick zone, which carries the whole load at the end of wear, and in the half width.
-   * for_stick and `most` are maximum numbers in the half width, the first for a small stick
-   * zone. */
+  /* in_rim, in_stick and in_contact are minimum numbers of cells: in the width of the slip annulus,
+   * in the radius of the stick zone, which carries the whole load at the end of wear, and in the
+   * half width. for_stick and `most` are the largest numbers in the half width that a small stick
+   * zone and a narrow annulus may require. */
   static const double in_rim = 5, in_stick = 10, in_contact = 14, for_stick = 28, most = 64;
   const double finer = model->mesh.fineness > 0 ? model->mesh.fineness : 1;
   const double share = stick_share(def, model);
@@ -158,7 +161,7 @@ void arc_space_sizes(const space_contact *c, double *shear, double *slip) {
 
 /* --- increments ------------------------------------------------------------------------------- */
 
-/* Computes a leg, in a larger window if necessary. */
+/* Computes a leg of the motion, in a larger window if necessary. */
 static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
                            const arc_callbacks *callbacks, arc_halfspace_effort *effort,
                            arc_error *error) {
@@ -180,7 +183,7 @@ static arc_status go_along(space_contact *c, const arc_halfspace_leg *leg,
   return status;
 }
 
-/* Gives a warning if the increments did not resolve the leg. */
+/* Warns if the increments were too large to resolve the leg. */
 static void warn_unresolved(const space_contact *c, const arc_halfspace_effort *effort,
                             const arc_callbacks *callbacks) {
   if (effort->unfinished > 0)
@@ -222,7 +225,7 @@ static arc_status read_state(space_contact *c, const arc_halfspace_effort *effor
 
 /* --- pressing --------------------------------------------------------------------------------- */
 
-/* Gives a warning if the product of friction and Dundurs' beta is so large that more than one
+/* Warns if the product of the friction coefficient and Dundurs' beta is so large that more than one
  * solution may exist. */
 static void warn_coupling(const space_contact *c, const arc_halfspace_def *d,
                           const arc_callbacks *callbacks) {
@@ -290,7 +293,8 @@ static arc_status check_cells(const space_contact *c, double load, arc_error *er
 
 static arc_status check(const space_contact *c, const arc_motion_def *motion, double load,
                         arc_error *error) {
-  static const double farthest = 1e6; /* mm: ten digits remain for slip of 0.1 nm */
+  static const double farthest =
+      1e6; /* [mm] rounding errors of larger motions would exceed 1e-10 mm */
   const double carried = c->handle.def.friction * load;
   if (!motion->by_force && fabs(motion->x - c->origin) > farthest)
     return arc_fail(error, ARC_ARGUMENT, "field 'x': expected at most %g mm, got %g", farthest,

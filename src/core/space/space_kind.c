@@ -1,4 +1,5 @@
-/* Half-spaces as a kind of pair: the table of its functions, and the short functions. */
+/* Implements half-spaces as a kind of pair: the table of functions of this kind, and the short
+ * functions. */
 #include "core/space/space_kind.h"
 
 #include "core/base/callbacks.h"
@@ -23,8 +24,8 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
-/* Rejects a stroke along the axis for which the cells were not chosen, and a track whose radius is
- * at most the width of the contact. */
+/* Rejects a stroke along another axis than that of the cells, and a track whose radius is at most
+ * the width of the contact. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   const int turned = w->def.slide == ARC_SLIDE_Z;
   const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;
@@ -45,8 +46,8 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
   if (unworn) arc_space_warn_slip(&w->def, model, d->size_x, callbacks);
 }
 
-/* Gives a warning if the stroke is shorter than three contact widths, because a groove is
- * computed without ends. */
+/* Warns if the stroke is shorter than three contact widths, because a groove is computed without
+ * its ends. */
 static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 3;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
@@ -63,8 +64,8 @@ static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
-/* Creates unworn surfaces with cells for the default load. Contacts under other loads choose
- * other cells. */
+/* Creates unworn surfaces with cells for the default load. A contact under another load chooses new
+ * cells. */
 static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
                          arc_error *error) {
   arc_halfspace_def cells;
@@ -129,13 +130,13 @@ static arc_status wear(const arc_wear *w, arc_shape *shape, wear_depths *depth,
   return ARC_OK;
 }
 
-/* --- lengths of steps */
+/* --- step lengths */
 
 static double natural_depth(const arc_wear *w) {
   return arc_space_hertz(arc_model_definition(w->model), w->def.load).approach / 2;
 }
 
-/* --- windows that are outgrown ---------------------------------------------------------------- */
+/* --- growth of the window --------------------------------------------------------------------- */
 
 static int must_grow(const arc_wear *w, arc_error *why) {
   (void)w;

@@ -21,7 +21,8 @@ typedef struct space_shape {
   space_grid *grid;
   double *depth[ARC_BODIES]; /* [sites] wear depth [mm]; depths of both bodies and `line` are one
                                 block */
-  double *line[ARC_BODIES];  /* [3 rows] profile at z = 0, created on first use */
+  double *line[ARC_BODIES];  /* [3 rows] profile in the middle of the body: positions, depths,
+                                heights; computed on demand */
 } space_shape;
 
 /* Contact (arc_contact) of this kind of pair. */
@@ -30,21 +31,22 @@ typedef struct space_contact {
   double *pressure;               /* [window] [MPa] */
   arc_halfspace_friction rubbing; /* friction state; all members are zero without friction */
   arc_halfspace_friction coarser; /* friction state computed with half as many increments */
-  double origin;                  /* plate position before the first motion [mm] */
+  double origin;                  /* position of the lower body before the first motion [mm] */
 } space_contact;
 
-/* The positions of a window for which the contact is solved. With friction each site of the
- * upper body has its own slip at each position, and shear between unlike bodies adds to the
- * gaps. */
+/* The positions in a part of a cycle (wear_window) at which the contact is solved. With friction
+ * each site of the upper body has its own slip at each position, and shear between unlike bodies
+ * changes the gaps. */
 typedef struct space_path {
   int count;
   arc_halfspace_position *position; /* [count] */
-  int *of;         /* with friction: [points] index of the position of each point of the block */
+  int *of;         /* with friction: [points] index of the position of each point of the cycle */
   double *slip;    /* [count][window] slip divided by the weight of the position; NULL: all are 1 */
   double *gap;     /* [count][window] gaps due to shear [mm]; NULL: none */
   double unsteady; /* change of `gap` in the last slip solution, relative to its largest value */
-  arc_halfspace_friction *guess; /* [points] see arc_space_guess_at; NULL without friction */
-  int guesses;                   /* number of points of the block that have a guess */
+  arc_halfspace_friction
+      *guess;  /* [points] initial guesses, see arc_space_guess_at; NULL without friction */
+  int guesses; /* number of points in `guess` */
 } space_path;
 
 static inline const space_shape *space_shape_of(const arc_shape *shape) {
@@ -76,9 +78,10 @@ size_t arc_space_model_bytes(const arc_model *model);
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
 /* Returns the definition of a model's half-spaces without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Chooses cells for a motion along x, or along z if `turned` is 1. They are chosen for the load
- * [N], the volume worn at the end [mm3] and positions within stroke / 2 [mm]. The cell size is
- * chosen so that the increment [mm] is a whole number of cells; 0 allows any cell size. */
+/* Chooses cells for a motion along x, or along z if `turned` is 1. The window is sized for the load
+ * [N] and the volume worn at the end [mm3], the track for positions up to +- stroke / 2 [mm]. The
+ * cell size is chosen so that the increment [mm] is a whole number of cells; 0 allows any cell
+ * size. */
 void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
 /* Returns the fraction of a motion by which the contact moves over the upper body: the curvature of
@@ -94,10 +97,10 @@ arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def
  * if the maps are too short. */
 arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond,
                                   arc_halfspace_def *cells, arc_error *error);
-/* Returns the cell width requested by the model [mm]. */
+/* Returns the cell width of the model [mm]: mesh.size, or else a default for the load [N]. */
 double arc_space_cell(const arc_model_def *def, double load);
-/* Gives a warning if a contact of a given half width [mm] is too large for the half-space
- * approximation. */
+/* Warns if the half width of a contact [mm] is too large for the half-space approximation or the
+ * cells, or if the cells are wider than the steps of a map. */
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks);
 
@@ -145,7 +148,7 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
                           size_t count, arc_shape **shape, arc_error *error);
 
 /* --- space_cycle.c ---------------------------------------------------------------------------- */
-/* Computes the positions of a window. arc_space_end_path frees them. Error: ARC_MEMORY. */
+/* Computes the positions in a part of a cycle. arc_space_end_path frees them. Error: ARC_MEMORY. */
 arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
                           arc_error *error);
 void arc_space_end_path(space_path *path);
@@ -172,8 +175,8 @@ double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_
 /* --- space_slip.c ----------------------------------------------------------------------------- */
 /* Computes slip and shear of the steady cycle with friction, for given wear depths. The results are
  * path->slip and path->gap, and energy, force and stick zone in `rate`. `pressure` [count][window]
- * has the pressures at the positions of the cycle. They are averaged over mirror images; for unlike
- * bodies, whose pressures depend on the shear, they are replaced by the pressures of the cycle. */
+ * contains the pressures at the positions of the cycle. They are averaged over mirror images. For
+ * unlike bodies they are replaced by the pressures of the cycle, which depend on the shear. */
 arc_status arc_space_slip(arc_wear *w, const wear_window *window,
                           const double *const depth[ARC_BODIES], space_path *path, double *pressure,
                           wear_progress *progress, wear_rate *rate, arc_error *error);
@@ -182,8 +185,8 @@ arc_status arc_space_loop(arc_wear *w, const wear_window *window, wear_progress 
                           arc_loop **loop, arc_error *error);
 
 /* --- space_law.c ------------------------------------------------------------------------------ */
-/* Returns true if the wear of a window is k p ds with rigid slip, which requires a linear law
- * and no local factors. */
+/* Returns true if the wear is k p ds with rigid slip, which requires a linear law, no local factors
+ * and no friction. */
 int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
 /* Computes the wear work of the pressures [count][window] at each site of a body [MPa mm]: the
  * sum over the positions of weight, law, local factor and pressure. Errors: ARC_MEMORY, errors
@@ -202,10 +205,10 @@ arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
 double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_layers.c --------------------------------------------------------------------------- */
-/* Returns the worn depth of site i of a body, computed with the wear coefficients of the layers at
- * this site [mm]. `due` is the depth that the site would have with the largest wear coefficient of
- * the layers. If `share` is not NULL, *share is set to the coefficient of the exposed layer divided
- * by the largest coefficient. */
+/* Returns the depth that site i of a body loses in a step, with the wear coefficients of the layers
+ * at this site [mm]. `due` is the depth that the site would lose with the largest wear coefficient
+ * of the layers. If `share` is not NULL, *share is set to the coefficient of the exposed layer
+ * divided by the largest coefficient. */
 double arc_space_worn(const arc_shape *shape, arc_body body, int i, double due, double *share);
 void arc_space_through_layers(const arc_shape *shape, double *depth);
 double arc_space_open_share(const arc_wear *w, arc_body body);
@@ -223,8 +226,8 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_space_end_contact(arc_contact *contact);
-/* Enlarges the track to position x [mm], or else the window, after a contact solution that failed
- * with ARC_ZONE. */
+/* Enlarges the track, if it is too short for position x [mm], or else the window. Used after a
+ * contact solution that failed with ARC_ZONE. */
 arc_status arc_space_widen_contact(space_contact *c, double x, arc_error *error);
 /* Computes the result of the contact (widths, pressures, approach) from its present pressures. */
 void arc_space_read_result(space_contact *c, double approach, int iterations);
@@ -242,18 +245,18 @@ arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
 arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
 arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
                          const arc_callbacks *callbacks, arc_error *error);
-/* Chooses cells fine enough for the edge of the stick zone. */
+/* Chooses cells that are fine enough for the edge of the stick zone. */
 void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
 /* Returns the cell width [mm] of a run with friction: the width in the model's definition, else a
  * width fine enough for the stick and slip zones of the cycles. */
 double arc_space_slip_cell(const arc_wear_def *def, const arc_model_def *model);
-/* Gives a warning if cells of the given size [mm] do not resolve the slip annulus of a run. */
+/* Warns if cells of the given size [mm] do not resolve the slip annulus of a run. */
 void arc_space_warn_slip(const arc_wear_def *def, const arc_model_def *model, double size,
                          const arc_callbacks *callbacks);
 /* Returns the estimated worn volume [mm3] after which wear in partial slip ends: the volume of 20 /
- * (4 mu k p_0) cycles with Mindlin's loop of the unworn contact, 0.9 mu^2 P^2 S / a times a
- * function of the stick zone. Returns INFINITY for gross slip, and for a loading history of blocks.
- */
+ * (4 mu k p_0) cycles that dissipate the energy of Mindlin's loop of the unworn contact (mu:
+ * friction coefficient, k: wear coefficient, p_0: largest pressure). Returns INFINITY for gross
+ * slip, full stick, and a loading history of blocks. */
 double arc_space_slip_volume(const arc_wear_def *def, const arc_model_def *model);
 /* Computes the magnitudes of shear [window] [MPa] and slip [window] [mm] of a contact with
  * friction. */

@@ -1,5 +1,5 @@
-/* Wear that is not k p ds with rigid slip: wear laws, local factors and slip with friction.
- * Computes its sums over the positions, and its linearisation for implicit stages. */
+/* Computes wear that is not k p ds with rigid slip, because of a wear law, local factors or
+ * friction: sums over the positions, and linearisation for implicit stages. */
 #include "core/space/space_kind.h"
 
 #include <math.h>
@@ -10,10 +10,10 @@ int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
          !arc_wear_has_friction(&w->def);
 }
 
-/* Workspace with values at the sites of the window. */
+/* Workspace of values at the sites of the window. */
 typedef struct window_sites {
   double *value; /* [count][window] slip times wear rate of the law times local factor */
-  double *at;    /* [window] coordinate along the motion on the body [mm] */
+  double *at;    /* [window] coordinates of the sites on the body along the motion [mm] */
   double *factor;
 } window_sites;
 

@@ -1,4 +1,5 @@
-/* Wear through the layers of half-spaces. The compliance remains that of the unworn layers. */
+/* Computes wear through the layers of half-spaces. The compliance of the unworn layers is used
+ * throughout. */
 #include "core/elastic/layer_wear.h"
 #include "core/space/space_kind.h"
 

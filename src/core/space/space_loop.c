@@ -1,4 +1,4 @@
-/* Traces the loop of a steady cycle with friction: tangential force over motion. */
+/* Traces the loop of a steady cycle with friction: tangential force against motion. */
 #include "core/space/slip_cycle.h"
 
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 enum { points_of_loop = 40 };
 
 /* Returns true if the motion reverses at the start of an increment of a cycle in gross slip. The
- * force then changes within a motion that may be much shorter than the increment. */
+ * force may then change sign within a motion that is much shorter than the increment. */
 static int reverses(const slip_cycle *c, int at) {
   const double *x = c->block->x;
   return c->rate->gross != 0 && (at == 1 || (x[at] - x[at - 1]) * (x[at - 1] - x[at - 2]) <= 0);
@@ -19,8 +19,8 @@ static int parts_of(const slip_cycle *c, int at, int parts) {
   return reverses(c, at) && parts < after_reversal ? after_reversal : parts;
 }
 
-/* Returns load and motion at the end of part number `part` of an increment. After a reversal the
- * parts become longer one by one, elsewhere they are equal. The pressures at this point are known
+/* Returns load and motion at the end of part number `part` of an increment. After a reversal each
+ * part is longer than the last one; elsewhere all are equal. The pressures at this point are known
  * only under a constant load. */
 static arc_halfspace_increment part_of(const slip_cycle *c, int at, int part, int parts) {
   const double share = (double)part / parts;
@@ -30,7 +30,7 @@ static arc_halfspace_increment part_of(const slip_cycle *c, int at, int part, in
 }
 
 /* Computes one cycle with each increment divided into at least `least` parts. Stores the points of
- * the loop unless `loop` is NULL. */
+ * the loop in *loop unless `loop` is NULL. */
 static arc_status trace(const slip_cycle *c, int least, arc_halfspace_friction *state,
                         arc_loop *loop, arc_error *error) {
   double *x = loop ? (double *)(size_t)loop->x : NULL;

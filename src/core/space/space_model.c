@@ -9,9 +9,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static const double usual_cells = 8; /* cells in the half width of the unworn contact */
-static const double widest_of_layer =
-    3.5; /* largest automatic cell size divided by the thinnest layer's thickness (allowed: 4) */
+static const double usual_cells = 8;       /* cells in the half width of the unworn contact */
+static const double widest_of_layer = 3.5; /* largest default cell size divided by the thickness of
+                                              the thinnest layer; the user may choose up to 4 */
 
 typedef struct space_model {
   arc_model handle;
@@ -92,7 +92,8 @@ double arc_space_lower_share(const arc_model_def *def, int turned) {
 }
 
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  static const double conformal = 0.1; /* smallest ratio of relative to largest curvature */
+  static const double conformal = 0.1; /* smallest accepted ratio of the relative curvature to the
+                                          largest curvature of a body */
   double x, z, most = 0;
   find_curvatures(def, &x, &z);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -259,8 +260,8 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells) {
   if (cells->groove == 0) cells->track = cells->nx + beyond;
 }
 
-/* Limits new cells to the maps of the bodies. Returns ARC_ZONE if they are not larger than before.
- */
+/* Limits the new window to the maps of the bodies. Returns ARC_ZONE if neither it nor the track is
+ * larger than before. */
 static arc_status check_larger(const arc_model_def *def, arc_halfspace_def before,
                                arc_halfspace_def *cells, arc_error *error) {
   arc_space_limit(def, cells);
@@ -295,8 +296,8 @@ arc_status arc_space_extend_cells(const arc_model_def *def, int rows, int beyond
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks) {
   static const double small =
-      0.2; /* ratio of contact width to radius above which slopes are no longer small */
-  const double fewest = 4;          /* cells in the half width */
+      0.2; /* ratio of half width to radius above which slopes are no longer small */
+  const double fewest = 4;          /* smallest number of cells in the half width */
   static const double coarse = 1.5; /* largest ratio of the cell width to the step of a map */
   double x, z;
   if (def->periodic) return;

@@ -59,8 +59,8 @@ arc_status arc_space_check_periodic(const arc_model_def *def, arc_error *error) 
 }
 
 /* Checks the stroke if the lower body wears: it must be at least two periods long. After a whole
- * number of periods all points of the lower body have carried the same pressures. After any large
- * number of periods the pressures are nearly the same. */
+ * number of periods all points of the lower body have carried the same pressures; after any large
+ * number of periods this is nearly true. */
 static arc_status check_stroke(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
   static const double fewest = 2;

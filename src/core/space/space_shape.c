@@ -1,5 +1,5 @@
-/* Worn surfaces that depend on x and z, on shared cells, and their conversion to arrays for
- * storage. */
+/* Worn surfaces that depend on x and z, on grids of cells that they share, and their conversion to
+ * arrays for storage. */
 #include "core/space/space_kind.h"
 
 #include "core/base/carve.h"

@@ -1,6 +1,7 @@
-/* Slip of a steady cycle with friction. In gross slip each site follows the motion after an elastic
- * lag, and no solver is needed. In partial slip the increments of stick and slip are solved. Each
- * evaluation begins with separated bodies, so it does not depend on earlier evaluations. */
+/* Computes the slip of a steady cycle with friction. In gross slip each site begins to slip after
+ * an elastic displacement, and no solver is needed. In partial slip each increment is solved for
+ * stick and slip. Each evaluation begins with separated bodies, so it does not depend on earlier
+ * evaluations. */
 #include "core/base/carve.h"
 #include "core/space/slip_cycle.h"
 
@@ -25,8 +26,8 @@ static void add_to(const slip_cycle *c, int at, double share) {
   for (int k = 0; k < c->cells; k++) slip[k] += share * c->slid[k];
 }
 
-/* Adds the slip of an increment, c->slid, multiplied by `times`, to the positions at the two ends
- * of the increment. */
+/* Adds the slip of an increment, c->slid, multiplied by `times`, to the position at its end or,
+ * with the trapezoidal rule, in halves to the positions at both ends. */
 static void add_increment(slip_cycle *c, int at, double times) {
   const double *p = c->pressure + row_of(c, at);
   const double share = times * c->block->repeat;
@@ -219,7 +220,7 @@ static double change_of(const slip_cycle *c, const double *before,
   return carried > 0 ? change / carried : 0;
 }
 
-/* Repeats cycles from point 0 until the shear no longer changes. */
+/* Repeats the cycle from point 0 until the shear no longer changes from cycle to cycle. */
 static arc_status repeat(slip_cycle *c, arc_halfspace_friction *state, arc_error *error) {
   enum { most_cycles = 40 };
   static const double steady = 1e-4;
@@ -287,9 +288,9 @@ static void average(double *a, double *b) {
   *a = *b = (*a + *b) / 2;
 }
 
-/* Averages a field of each position with its mirror image across the motion. For like bodies in a
- * single middle position, also averages along the motion. Symmetric bodies then remain symmetric.
- */
+/* Averages a field of each position with its mirror image across the motion if the bodies are
+ * symmetric, so that they remain symmetric. Like bodies in a single middle position are also
+ * averaged along the motion. */
 static void make_even(const slip_cycle *c, double *value) {
   const int nx = arc_halfspace_definition(c->h)->nx, nz = arc_halfspace_definition(c->h)->nz;
   const space_shape *s = space_shape_of(c->v->shape);
@@ -342,8 +343,8 @@ static int begin(slip_cycle *c) {
   return ARC_CARVE(parts) != NULL;
 }
 
-/* Computes slip and shear of the cycle. A motion longer than a cell may be gross slip; for all
- * other motions the increments are solved. */
+/* Computes slip and shear of the cycle. Gross slip is tried if the motion is longer than a cell; if
+ * it does not occur, the increments are solved. */
 static arc_status run(slip_cycle *c, arc_error *error) {
   const wear_block *b = c->block;
   const double cell = arc_space_reach(arc_model_definition(c->w->model), b->load);

@@ -9,14 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Tolerances of gaps in a stage and in an error estimate, divided by the tolerance of a step. */
+/* Tolerances of the gaps in a stage and in an error estimate, divided by the tolerance of a
+ * step. */
 static const double of_stage = 0.03, of_estimate = 0.1;
 
 typedef struct stages {
   space_path path;
   double *pressure, *trial;                  /* [count][window] */
-  double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] depths including the shape's depths
-                                              * [mm] */
+  double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] known part and solution z of a stage: depths
+                                                including those of the shape [mm] */
   int linear; /* 1 if the wear is k p ds with the same k at all sites */
   double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] see arc_space_linearise */
   double
@@ -131,16 +132,16 @@ static void set_known(wear_stage *s, double h, const double *more) {
   }
 }
 
-/* Returns the tolerance of gaps: `share` times the tolerance of a step's depths. With a share of
- * 0.03 the depths of a step change by less than 0.01 of the step's tolerance. With a share of 0.1
- * an estimated error changes by 5 %. */
+/* Returns the tolerance of the gaps: `share` times the tolerance of a step's depths. With a share
+ * of 0.03 it changes the depths of a step by less than 0.01 of the step's tolerance; with a share
+ * of 0.1 it changes an estimated error by 5 %. */
 static double gap_tolerance(const arc_wear *w, double share) {
   static const double finest = 1e-6, usual = 1e-5, coarsest = 1e-4;
   const double tolerance = w->def.tolerance;
   return tolerance > 0 ? fmin(coarsest, fmax(finest, share * tolerance)) : usual;
 }
 
-/* Solves own->z = own->known + h k rate with the linearised rate, with the tolerance of gaps
+/* Solves own->z = own->known + h k rate with the linearised rate, to the tolerance of gaps
  * gap_tolerance(share). `pressure` is the initial guess and is replaced by the solution. */
 static arc_status solve(wear_stage *s, double h, double share, double *pressure, double *peak) {
   stages *own = s->own;
@@ -254,9 +255,9 @@ static double shifted(const stages *own, int position, int cells) {
 /* Converts a defect of the known part to the error of the step, because the pressures remove stiff
  * ripples of the defect within the step. The remaining error is largest at cells that enter the
  * contact, where the pressure has a kink in time. At most a quarter of it remains in the depth of
- * any cell. Runs with a tolerance of 1e-3 differ from runs with 3e-5 by 0.1 to 1.2 tolerances at
- * the worst cell (strokes of a/2 to 8 a, alpha of 0 to 1, cells of a/6 and a/12, four distances).
- */
+ * any cell. In tests, depths with a tolerance of 1e-3 differed from those with 3e-5 by 0.1 to 1.2
+ * tolerances at the worst cell (strokes of 0.5 to 8 half widths, alpha of 0 to 1, 6 and 12 cells in
+ * a half width, four distances). */
 double arc_space_error(wear_stage *s, double h, double *defect) {
   static const double left = 0.25;
   stages *own = s->own;

@@ -9,7 +9,8 @@ static int odd_cells(double half, double size) {
 
 arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, double half_x,
                                   double half_z, arc_shape **shape, arc_error *error) {
-  static const double most = 1e6; /* limit of cells along an axis; memory sets a lower limit */
+  static const double most =
+      1e6; /* largest number of cells along an axis; memory sets a lower limit */
   arc_halfspace_def cells = arc_space_cells(def, arc_model_definition(model));
   const int beyond = cells.track > 0 ? cells.track - cells.nx : 0;
   *shape = NULL;

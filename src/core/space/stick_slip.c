@@ -68,7 +68,8 @@ static void start(const stick_slip_problem *p, stick_slip_work *w) {
 }
 
 /* Returns the ratio |q| / bound above which a cell starts to slip. Under a given force some cells
- * must stick. If all cells are outside the circle, only those farthest outside start to slip. */
+ * must stick. If all cells are outside the friction circle, only those farthest outside start to
+ * slip. */
 static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
   double least = INFINITY, most = 0;
   for (int k = 0; k < p->h->cells; k++)
@@ -115,9 +116,9 @@ static double find_slip(const stick_slip_problem *p, const space_box *box, stick
   return most;
 }
 
-/* Sets all slipping cells to stick whose slip is opposite to their shear and larger than `nothing`
- * [mm]. Computes tangent and diagonal of the cells that continue to slip. Returns the number of
- * cells changed. */
+/* Sets slipping cells to stick if their slip is opposite to their shear and larger than `nothing`
+ * [mm], except cells in `fresh`. Computes tangent and diagonal of the cells that continue to slip.
+ * Returns the number of cells changed. */
 static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
                     const char *fresh) {
   int changes = 0;
@@ -137,10 +138,10 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double noth
   return changes;
 }
 
-/* --- iteration of the sets -------------------------------------------------------------------- */
+/* --- active-set iteration --------------------------------------------------------------------- */
 
-/* Computes the errors `missed` of the given forces, divided by the friction limit. Returns the
- * larger error. */
+/* Computes `missed`, the errors of the given forces along x and z divided by the friction limit.
+ * Returns the larger error. */
 static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
   double sum[2] = {0, 0}, carried = 0;
@@ -207,7 +208,8 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
 
 /* --- iteration for the motion ----------------------------------------------------------------- */
 
-/* Returns the mean displacement along an axis if all cells carry the friction limit [mm]. */
+/* Returns the mean displacement along an axis [mm], weighted by the friction limit, if the shear of
+ * all cells equals this limit. */
 static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
   double sum = 0, product = 0;
   for (int k = 0; k < p->h->cells; k++) {
@@ -258,7 +260,8 @@ static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work 
     for (int i = 0; i < 2; i++) w->xi[i] += step[i];
   }
   return arc_fail(error, ARC_NOT_CONVERGED,
-                  "no motion causes the tangential force: off by %.2g of friction times load",
+                  "the motion under the tangential force did not converge: the force is off by "
+                  "%.2g of friction times the load",
                   fmax(fabs(missed[0]), fabs(missed[1])));
 }
 

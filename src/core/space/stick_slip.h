@@ -1,14 +1,14 @@
-/* Stick and slip of the cells of a contact with known pressures. The unknowns are the shear q and
- * the slip along x and z. Either the motion xi is given, or the tangential force, which is the sum
- * of area times q:
+/* Solves for stick and slip of the cells of a contact with known pressures. The unknowns are the
+ * shear q and the slip along x and z. Either the motion xi is given, or the tangential force, which
+ * is the sum of area times q:
  *
  *   slip = known + xi - C q,  |q| <= bound,  slip = 0 where |q| < bound, else along q
  *
  * The solution is the minimum of the convex function q C q / 2 - q (known + xi) over |q| <= bound.
  *
- * The method is an active set: cells that stick have two unknowns, and cells that slip have one
- * along the circle |q| = bound. Newton's method solves for the unknowns, with conjugate gradients
- * for its linear problems. */
+ * The method is an active-set method: cells that stick have two unknowns, and cells that slip have
+ * one, along the circle |q| = bound. Newton's method solves for the unknowns, with conjugate
+ * gradients for its linear problems. */
 #ifndef SPACE_STICK_SLIP_H
 #define SPACE_STICK_SLIP_H
 
@@ -22,13 +22,14 @@ typedef struct stick_slip_problem {
   const double *known[2]; /* [window] known part of the slip [mm] */
   int by_force[2];        /* for x and z: 1 if the force is given and xi is computed */
   double force[2];        /* [N] */
-  double tolerance;       /* tolerance of slip, relative to the largest displacement C q */
+  double tolerance;       /* tolerance of the slip, relative to the largest displacement C q */
   const arc_callbacks *callbacks;
 } stick_slip_problem;
 
 typedef struct stick_slip_count {
   int sets, iterations, applications;
-  int flipping; /* number of increments at whose end some cells alternated between stick and slip */
+  int flipping; /* number of solutions that ended while some cells still alternated between stick
+                   and slip */
 } stick_slip_count;
 
 /* Initial values, results and workspace of a stick-slip solution. */
@@ -41,8 +42,9 @@ typedef struct stick_slip_work {
   double *diagonal;        /* [window] slip divided by the friction limit, at cells that slip */
   double *r[2], *z[2], *d[2],
       *a[2];     /* residual, preconditioned residual, search direction, operator times direction */
-  space_box box; /* box of the cells that may carry shear; outside it `a` is 0 while solving */
-  int *site, sites; /* list of cells that carry shear in the present Newton step */
+  space_box box; /* box of the cells that may carry shear; outside this box `a` is 0 during the
+                    solution */
+  int *site, sites; /* list and number of cells that carry shear in the present Newton step */
   double *block;
 } stick_slip_work;
 
@@ -55,15 +57,15 @@ void arc_stick_slip_end(stick_slip_work *w);
 arc_status arc_stick_slip_solve(const stick_slip_problem *problem, stick_slip_work *work,
                                 stick_slip_count *count, arc_error *error);
 
-/* Makes one Newton step: computes the slip of the present q, solves for the changes of q and xi on
- * the present sets, and adds these changes. Where cells slip, q changes only along the tangent. The
+/* Makes one Newton step from the present q and its slip: solves for the changes of q and xi on the
+ * present sets, and adds these changes. Where cells slip, q changes only along the tangent. The
  * linear iteration stops at the residual `least` [mm] or at the fraction `share` of the first
  * residual. Returns 0 if the sets cannot carry the forces. */
 int arc_stick_slip_newton(const stick_slip_problem *problem, stick_slip_work *work, double share,
                           double least, stick_slip_count *count);
 
-/* Returns the largest error of slip [mm]: over both components at sticking cells, and the
- * tangential component at slipping cells. */
+/* Returns the largest error of the slip [mm]: of both components at sticking cells, and of the
+ * component along the tangent at slipping cells. */
 double arc_stick_slip_residual(const stick_slip_problem *problem, const stick_slip_work *work);
 
 #endif

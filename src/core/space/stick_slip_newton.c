@@ -55,8 +55,9 @@ static double dot(const stick_slip_work *w, double *const a[2], double *const b[
   return sum;
 }
 
-/* Data of the projection that keeps the given forces constant. The 2 x 2 matrix maps a motion to
- * the sums of M^-1 times this motion; `inverse` is its inverse. */
+/* Data of the projection that does not change the given forces. A 2 x 2 matrix maps a motion to the
+ * sums over the cells of M^-1 times this motion, with the operator's diagonal M; `inverse` is the
+ * inverse of this matrix. */
 typedef struct holding {
   double inverse[2][2];
   int singular;
@@ -120,7 +121,8 @@ static void precondition(const stick_slip_problem *p, const stick_slip_work *w, 
   }
 }
 
-/* Computes a = C d + D d, projected onto the free directions. */
+/* Computes a = C d + D d, projected onto the free directions, with the compliance C to shear and
+ * the diagonal matrix D of w->diagonal at slipping cells. */
 static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
   arc_cerruti_shear_in(p->h, &w->box, (const double *const[2]){w->d[0], w->d[1]}, w->a);
   count->applications++;

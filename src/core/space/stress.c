@@ -1,4 +1,4 @@
-/* Stresses in a half-space under normal pressure, summed over pressure waves. */
+/* Computes stresses in a half-space under normal pressure, as a sum over pressure waves. */
 #include "core/space/halfspace.h"
 
 #include <math.h>
@@ -9,9 +9,9 @@
  * the effect of periodic images. */
 enum { widening = 4, components = 6 };
 
-/* Wave number that represents the zero frequency, divided by the first wave number of the box. The
- * value follows from the zeta function of the square lattice, because the stresses have a kink in
- * |q| at 0. */
+/* Wave number that represents wave number 0, divided by the smallest positive wave number of the
+ * box. The value follows from the zeta function of the square lattice, because the stresses have a
+ * kink in |q| at 0. */
 static const double zero_wave = 0.22895;
 
 typedef struct wave {
@@ -19,8 +19,8 @@ typedef struct wave {
   int zero;
 } wave;
 
-/* Returns the factor from a pressure wave to a stress (0 to 5: xx, yy, zz, xy, yz, xz; tension
- * is positive) at depth s >= 0. If *odd is 1, the factor is imaginary. */
+/* Returns the factor from a pressure wave to a stress (0 to 5: xx, yy, zz, xy, yz, xz; tension is
+ * positive) at the depth s >= 0 [mm]. If *odd is 1, the factor is imaginary. */
 static double factor(const wave *w, int component, double nu, double s, int *odd) {
   const double qs = w->q * s, e = exp(-qs), xx = w->cx * w->cx, zz = w->cz * w->cz;
   *odd = component == 3 || component == 4;
@@ -50,8 +50,8 @@ static wave wave_of(int i, int j, int nx, int nz, double step_x, double step_z) 
 typedef struct plane {
   int nx, nz; /* size of the box [cells] */
   double step_x, step_z;
-  double *values, *pressure, *spectrum; /* [nx][nz] values and pressures; spectra [nx][nz / 2 +
-                                         * 1] of pairs */
+  double *values, *pressure, *spectrum; /* [nx][nz] values; [nx][nz / 2 + 1] complex spectra of the
+                                           pressure and of a stress */
 } plane;
 
 static void multiply(const plane *b, int component, double nu, double s) {
@@ -91,7 +91,7 @@ arc_status arc_halfspace_stress(const arc_halfspace *h, const double *pressure, 
   const int wide = d->periodic ? 1 : widening;
   plane b = {.nx = arc_transform_length(wide * d->nx), .nz = arc_transform_length(wide * d->nz)};
   if (!(y <= 0))
-    return arc_fail(error, ARC_ARGUMENT, "field 'y': expected a number up to 0, got %g", y);
+    return arc_fail(error, ARC_ARGUMENT, "field 'y': expected a number <= 0, got %g", y);
   const size_t all = (size_t)b.nx * (size_t)b.nz, half = (size_t)b.nx * ((size_t)b.nz / 2 + 1);
   b.step_x = 2 * acos(-1) / (b.nx * d->size_x);
   b.step_z = 2 * acos(-1) / (b.nz * d->size_z);

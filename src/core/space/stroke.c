@@ -1,6 +1,7 @@
-/* The operator of a stroke: displacements at each position, plus the wear of all positions on both
- * bodies. The sum of the wear over the positions and the interpolation of the wear at a position
- * use the same weights. The operator is therefore symmetric and volumes are exact. */
+/* Computes the operator of a stroke, which maps pressures to displacements at each position plus
+ * the wear of both bodies at all positions. The sum of the wear over the positions and the
+ * interpolation of the wear at a position use the same weights. The operator is therefore symmetric
+ * and volumes are exact. */
 #include "core/space/stroke.h"
 
 #include "core/base/callbacks.h"
@@ -75,7 +76,7 @@ static void sum_lower_row(const stroke *s, int row) {
     add_track_row(s, row, to);
 }
 
-/* Adds to a sum the mirror image of this sum. */
+/* Adds its mirror image to a sum. */
 static void add_mirror(double *sum, int rows, int columns) {
   for (int i = 0; i < (rows + 1) / 2; i++) {
     double *a = sum + (size_t)i * (size_t)columns,
@@ -117,7 +118,7 @@ static void convolve(void *context, int position, int worker) {
                         s->to + o);
 }
 
-/* Adds the wear at one row of the box to `to`: c times factor times sum at each site, multiplied by
+/* Adds the wear at one row of the box to `to`: at each site c times factor times sum, multiplied by
  * the interpolation weight `share`. */
 static void wear_row(const stroke *s, int body, int site_row, double share, const double *sum,
                      double *to) {

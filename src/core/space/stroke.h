@@ -1,4 +1,4 @@
-/* Declares the contact problem of all positions of a stroke at once. Its gaps include the wear of a
+/* The contact problem of all positions of a stroke, solved at once. Its gaps include the wear of a
  * step. */
 #ifndef SPACE_STROKE_H
 #define SPACE_STROKE_H
@@ -21,17 +21,17 @@ typedef struct stroke {
   int even;     /* 1 if each position is symmetric in z */
   int worker;   /* index of the workspace for a single position */
   stroke_place *place;
-  const double *extra;  /* [count][window] values added to the gaps [mm], or NULL */
-  double *weight;       /* [count] weights of the inner product; halved in the middle of a
-                         * mirrored stroke */
-  double c[ARC_BODIES]; /* wear depth divided by the sum of weight times pressure; 0 for a body
-                           without wear */
+  const double *extra; /* [count][window] values added to the gaps [mm], or NULL */
+  double *weight; /* [count] weights of the positions, which are sliding distances [mm]; halved in
+                     the middle of a mirrored stroke */
+  double c[ARC_BODIES]; /* wear depth divided by the sum of weight times pressure [mm2/N]; 0 for a
+                           body without wear */
   const double *factor[ARC_BODIES]; /* factor of c at each site; NULL: all are 1 */
   space_box box;
   const convolution *kernel, *inverse;
   double *upper;      /* [box] wear of the upper body */
   double *lower;      /* [rows][box.nz] wear of the lower body */
-  const double *from; /* [count][box] pressures that are summed */
+  const double *from; /* [count][box] pressures to which the operator is applied */
   double *to;
   int both; /* 1 to sum for both bodies, including a body without wear */
 } stroke;
@@ -40,7 +40,8 @@ typedef struct stroke {
 arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *place,
                             arc_error *error);
 
-/* Computes u = K p plus the wear due to p (an operator_fn). */
+/* Computes u = K p plus the wear due to the pressures p (an operator_fn). The context is a
+ * stroke. */
 arc_status arc_stroke_apply(void *context, const double *p, double *u);
 /* Applies a preconditioner that neglects the wear. */
 arc_status arc_stroke_precondition(void *context, const double *r, double *z);
@@ -49,7 +50,8 @@ arc_status arc_stroke_precondition(void *context, const double *r, double *z);
  * or for both bodies if `both` is 1. */
 void arc_stroke_gather(stroke *s, const double *p, int both);
 
-/* Adds to `sum` [box] the values [sites] of both bodies at the cells of the box in one position. */
+/* Computes sum [box]: the values [sites] of both bodies, added at the cells of the box in one
+ * position. */
 void arc_stroke_read(const stroke *s, const double *const value[ARC_BODIES], int position,
                      double *sum);
 /* Computes the gaps of a position without pressure, on the box: the unworn shapes plus the depths

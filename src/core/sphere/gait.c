@@ -86,8 +86,8 @@ arc_status arc_gait_from_angles(int n, const double *degrees, const double *load
   return status;
 }
 
-/* Returns the load in walking [N] at the time t (0 to 1) of the cycle, which varies by half
- * cosines between peaks of 3000 N. */
+/* Returns the load [N] of the walking gaits at the time t (0 to 1) of the cycle: half cosines with
+ * two peaks of 3000 N. */
 static double walking_load(double t) {
   static const double at[] = {0, 0.12, 0.32, 0.5, 0.62, 1}, N[] = {300, 3000, 1500, 3000, 300, 300};
   int i = 0;
@@ -144,8 +144,9 @@ arc_status arc_gait_named(const char *name, int n, double angle, double load,
   return status;
 }
 
-/* Returns |omega x F| at an instant [N]. Sets *load to |F| [N]. The sliding distance of the load is
- * |omega x F| / |F| times the radius. */
+/* Returns |omega x F| at an instant [N], with the rotation vector omega [rad] and the load F. Sets
+ * *load to |F| [N]. The sliding distance at the point under the load is |omega x F| / |F| times the
+ * radius. */
 static double sliding(const arc_gait_instant *i, double *load) {
   const double *w = i->omega, *F = i->load;
   *load = sqrt(F[0] * F[0] + F[1] * F[1] + F[2] * F[2]);

@@ -229,7 +229,7 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
     j->remainder = arc_sphere_remainder(def, j->rows, &numeric);
     if (numeric)
       status = arc_fail(error, ARC_NUMERIC,
-                        "the compliance of the layers cannot be computed: one may be too thin");
+                        "the compliance of the layers cannot be computed: a layer may be too thin");
     else if (!j->remainder)
       status = arc_fail(error, ARC_MEMORY, "out of memory for a joint");
   }

@@ -1,7 +1,7 @@
-/* Radial compliance of concentric layers for each degree of spherical harmonics. The equations of
- * elasticity have four solutions r^s (a, b) in each layer. Their displacement is U Y r^ + V grad Y,
- * with the spherical harmonic Y and the radial unit vector r^. A small dense system couples these
- * solutions. */
+/* Radial compliance of concentric layers for each degree of spherical harmonics. In each layer the
+ * equations of elasticity have four solutions, each proportional to a power r^s of the radius.
+ * Their displacement is U Y along the radius and V grad Y along the sphere, with the spherical
+ * harmonic Y, U = a r^s and V = b r^s. A small dense system couples the solutions of all layers. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -22,7 +22,7 @@ typedef struct stack {
   shell shell[most_shells];
 } stack;
 
-/* One solution r^s (a, b) of a layer, scaled so that r^s is 1 at the radius `unit`. */
+/* One solution of a layer, with U = a (r / unit)^s and V = b (r / unit)^s at the radius r. */
 typedef struct power {
   double s, a, b, unit;
 } power;
@@ -76,8 +76,8 @@ static int powers_of(const shell *m, int l, power *p) {
   return decaying ? 4 : 2;
 }
 
-/* Computes value [4] of a solution at radius r: the displacements U and V, and both stresses
- * divided by `scale`. */
+/* Computes value [4] of a solution at radius r: the displacements U and V, and the radial and the
+ * tangential stress divided by `scale`. */
 static void evaluate(const shell *m, int l, const power *p, double r, double scale, double *value) {
   const double L = (double)l * (l + 1), f = pow(r / p->unit, p->s), g = f / r / scale;
   value[0] = p->a * f;
@@ -93,7 +93,7 @@ static double solve_degree(const stack *s, int l, int is_cup, double scale) {
   double matrix[most * most] = {0}, right[most] = {0};
   power solution[most_shells][4];
   int count[most_shells], first[most_shells + 1] = {0}, pivots[most];
-  const int used = l == 0 ? 1 : 2; /* number of displacements and of stresses */
+  const int used = l == 0 ? 1 : 2; /* number of displacement components, and of stress components */
   for (int i = 0; i < s->count; i++) {
     count[i] = powers_of(&s->shell[i], l, solution[i]);
     first[i + 1] = first[i] + count[i];

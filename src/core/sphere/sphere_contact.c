@@ -1,5 +1,5 @@
-/* One contact of a joint: an active-set problem with the head's displacement as three rigid
- * unknowns. */
+/* Solves one contact of a joint: an active-set problem in which the components of the head's
+ * displacement are three rigid-body unknowns. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Gap outside the cup [mm], so large that there is never contact. */
+/* Gap at cells outside the cup [mm], so large that these cells are never in contact. */
 static const double open_gap = 1e3;
 
 static void axis_of(const arc_joint *j, double axis[3]) {
@@ -22,7 +22,8 @@ static double dot(const double a[3], const double b[3]) {
 
 /* --- the problem ------------------------------------------------------------------------------ */
 
-/* Multiplies the pressures by the compliance, which includes the wear in this contact. */
+/* Multiplies the pressures by the compliance, which includes the wear per pressure in this
+ * contact. */
 static arc_status apply(void *context, const double *p, double *u) {
   arc_joint *j = context;
   const int n = j->size * j->size;
@@ -70,13 +71,13 @@ static void set_softness(arc_joint *j, const sphere_stand *at) {
   }
 }
 
-/* Ratios of the half angle of the initial cap to the half angle of the window, in the order of the
- * attempts. */
+/* Half angle of the cap that has initial pressures, divided by the half angle of the window, for
+ * each attempt. */
 static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
 enum { attempts = sizeof caps / sizeof *caps };
 
-/* Sets the initial pressures: at the first attempt the pressures stored for the instant,
- * otherwise a cap around the load. */
+/* Sets the initial pressures: at the first attempt the pressures stored for the instant, otherwise
+ * pressures on a cap around the direction of the load. */
 static void start(arc_joint *j, const sphere_stand *at, int attempt) {
   const size_t n = (size_t)j->size * (size_t)j->size;
   double sum = 0;
@@ -139,9 +140,9 @@ static int holds(const arc_joint *j, const double load[3]) {
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
-/* With gaps of second order, sets u, the displacement used for the next gaps, to `approach` and
- * returns true if u changed by less than 1e-9 radii. Otherwise gaps do not depend on u, which
- * remains 0, and true is returned. */
+/* Sets u, the displacement for the second-order terms of the gaps, to `approach`, and returns true
+ * if u changed by less than 1e-9 radii. Without second-order terms u remains 0, and the function
+ * returns true. */
 static int settled(const arc_joint *j, const double approach[3], double u[3]) {
   double moved = 0;
   if (!j->def.second_order) return 1;

@@ -1,7 +1,7 @@
 /* Compliance on a window of the lattice. It is a convolution over longitude, and for each wave
- * number a dense matrix over latitude. The part 1/chord (chord: distance of two points) is
- * integrated over near cells. The smooth remainder is interpolated from a table over the angle
- * between two points. */
+ * number a dense matrix over latitude. Its part proportional to 1/chord, where the chord is the
+ * distance of two points, is integrated over near cells. The smooth remainder is interpolated from
+ * a table over the angle between two points. */
 #include "core/sphere/sphere.h"
 
 #include "core/base/dense.h"
@@ -10,15 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest degree of the sums, number of table entries per cell, and distance in cells up to which
- * the 1/chord part is integrated. */
+/* Largest degree of the sums, number of table entries per cell, and largest distance in cells at
+ * which the part 1/chord is integrated. */
 enum { degrees = 3000, fine = 8, near = 8 };
 
 static const double pi = 3.14159265358979323846;
 
-/* Computes the table of the remainder: the sum over l of (2l+1)/(4 pi) weight_l (C_l - A/(l+1/2))
- * P_l. A is the limit of (l + 1/2) C_l, and weight_l is P_l averaged over a cap with the area of a
- * cell. */
+/* Computes the table of the remainder: the sum over the degrees l of (2l+1)/(4 pi) weight_l (C_l -
+ * A/(l+1/2)) P_l, with the compliance C_l and the Legendre polynomial P_l. A is the limit of (l +
+ * 1/2) C_l, and weight_l is the mean of P_l over a cap with the area of a cell. */
 double *arc_sphere_remainder(const arc_joint_def *def, int rows, int *numeric) {
   const double d = pi / rows, c = 1 - d * d / (2 * pi), A = arc_sphere_limit(def, rows);
   const int entries = fine * rows + 4;
@@ -64,8 +64,8 @@ static double read_table(const arc_joint *j, double angle) {
                           t * (3 * (y[0] - y[1]) + y[2] - first)));
 }
 
-/* Returns the integral of 1/r over the rectangle [0, x] x [0, y]. The integral is odd in x and
- * y. */
+/* Returns the integral of 1/r over the rectangle [0, x] x [0, y], with the distance r from the
+ * origin. The integral is odd in x and y. */
 static double corner(double x, double y) {
   return x * asinh(y / fabs(x)) + y * asinh(x / fabs(y));
 }

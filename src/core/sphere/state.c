@@ -1,5 +1,5 @@
 /* The complete state of a joint as one list of numbers, from which a run continues with identical
- * results. The list begins with the number of rows of the lattice, of rows of the window, and of
+ * results. The list begins with three numbers: rows of the lattice, rows of the window, and
  * instants with initial pressures. Maps follow: depths of head and cup, cross-shear of the last
  * cycle, pressures of the last contact, creep, and the pressures integrated over cycles. The list
  * ends with the initial pressures. */

@@ -1,6 +1,6 @@
-/* Wear of both bodies of a joint. The work p |s| is computed at the cup's cells. The head receives
- * the same total work, at the points that are in contact with these cells at the present rotation.
- */
+/* Computes the wear of both bodies of a joint. The wear work p |s|, pressure times sliding
+ * distance, is computed at the cup's cells. The head receives the same total work, at the points
+ * that face these cells at the present rotation. */
 #include "core/base/carve.h"
 #include "core/sphere/sphere.h"
 
@@ -16,8 +16,8 @@ typedef struct sweep {
   double *was;              /* state of the joint before the update */
   double *gain[ARC_BODIES]; /* [sites] depth to be removed at the end of an explicit update [mm] */
   double *shear, *mean;     /* [sites][3] sums for the cross-shear; [sites] mean pressure */
-  double *k, *loss, *share; /* [sites] wear coefficient; [sites] k N p |s| of an instant [mm];
-                             * [sites] cross-shear */
+  double *k, *loss, *share; /* [sites] wear coefficient k; [sites] wear depth k N p |s| of an
+                               instant in N cycles [mm]; [sites] cross-shear */
   arc_joint_record record;
 } sweep;
 
@@ -32,8 +32,8 @@ static int begin(sweep *s) {
   return 1;
 }
 
-/* Adds p |s| t t' of a cell to the sums for the cross-shear, where t is the direction of sliding
- * in (theta, phi). */
+/* Adds p |s| t t' of a cell to the sums for the cross-shear, with the unit vector t of sliding in
+ * the directions of the angles theta and phi. */
 static void add_shear(sweep *s, const double w[3], int site, double p) {
   const double *n = s->j->normal + 3 * (size_t)site;
   const double slide[3] = {w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2],
@@ -49,13 +49,13 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
   t[2] += p * along * along / length;
 }
 
-/* Adds the wear of the head in an instant to `to`. The wear is scaled to the fraction alpha of the
- * worn volume of the instant. */
+/* Adds the wear of the head at an instant to `to`, scaled so that its volume is the fraction alpha
+ * of `volume`, the wear of both bodies at this instant. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
   const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
-  double *mine = s->share, sum = 0; /* `share` is needed only between updates, so its memory is
-                                     * used here */
+  double *mine = s->share,
+         sum = 0; /* `share` is needed only in call_k, so its memory is a workspace here */
   for (int i = 0; i < j->sites; i++) {
     double n[3];
     const double *m = j->normal + 3 * (size_t)i;
@@ -181,8 +181,8 @@ static arc_status set_alpha(sweep *s, arc_error *error) {
                   s->alpha);
 }
 
-/* Evaluates the user's functions of the cycle, which require one pass through the cycle without
- * wear. */
+/* Evaluates the user's functions for alpha, k and creep. k and creep require one pass through the
+ * cycle without wear. */
 static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
   arc_joint *j = s->j;
   for (int i = 0; i < j->sites; i++) s->k[i] = s->def->k;

@@ -1,13 +1,13 @@
-/* Kind of pair: a rigid ball and a rigid flat, each with a layer of independent springs (Winkler).
- * The sites form a square about x = z = 0. The contact has a fixed position, because the flat
- * slides by less than the contact's width. At each site the pressure p = K (approach - recess -
- * depths) wears both bodies. `recess` is the height of the unworn ball above its lowest point, and
- * K = 1 / (t / M_upper + t / M_lower) is the stiffness of both layers [MPa/mm], with the thickness
- * t of each layer and its modulus M = E (1 - nu) / ((1 + nu) (1 - 2 nu)). For unworn surfaces load
- * = pi R K approach^2.
+/* Kind of pair: a rigid ball and a rigid flat, each with a layer of independent springs (Winkler
+ * foundation). The sites form a square grid about x = z = 0. The contact does not move; the
+ * flat is assumed to slide by less than the contact's width. At each site the pressure p = K
+ * (approach - recess - depths) wears both bodies. `recess` is the height of the unworn ball
+ * above its lowest point. K = 1 / (t / M_upper + t / M_lower) is the stiffness of both layers
+ * [MPa/mm], where t is the thickness of each layer and M = E (1 - nu) / ((1 + nu) (1 - 2 nu)).
+ * For unworn surfaces load = pi R K approach^2.
  *
- * This file is an example of a kind. Outside this file only the table of kinds and the list of
- * geometries refer to it. */
+ * This file is an example of a kind of pair. Other files refer to it only in the table of kinds
+ * and the list of geometries. */
 #include "archard/measure.h"
 #include "core/base/carve.h"
 #include "core/pair/model.h"
@@ -21,12 +21,12 @@ typedef struct springs {
   arc_model handle;
   int row, count;     /* number of sites in a row along x, and number of all sites */
   double area, K;     /* area of a site [mm2]; stiffness [MPa/mm] */
-  double *x, *recess; /* [count] x and recess of the sites, row by row; middle row: z = 0 */
+  double *x, *recess; /* x and recess of each site [mm], row by row; middle row: z = 0 */
 } springs;
 
 typedef struct spring_surfaces {
   shape_handle handle;
-  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* [count] depth, height, pressure */
+  double *h[ARC_BODIES], *y[ARC_BODIES], *p; /* depth, height [mm]; pressure [MPa] */
 } spring_surfaces;
 
 static const springs *model_of(const arc_model *model) {
@@ -100,9 +100,9 @@ static arc_status build(const arc_model_def *def, const arc_callbacks *callbacks
 
 /* --- one contact ------------------------------------------------------------------------------ */
 
-/* Computes the pressures p [count] under a load [N] with the compliance `a` [mm/MPa]. At each site
- * a p = approach - gap if this difference is positive, otherwise p = 0. Newton's method finds the
- * approach, whose iterates decrease. On input p contains the gaps of the unloaded surfaces. */
+/* Computes the pressures p under a load [N] with the compliance `a` [mm/MPa]. At each site a p =
+ * approach - gap if this difference is positive, otherwise p = 0. Newton's method computes the
+ * approach from above. On input p contains the gaps of the unloaded surfaces. */
 static arc_status press(const springs *s, double a, double load, double *p, arc_error *error) {
   const double total = load * a / s->area;
   double approach = 0;
@@ -128,8 +128,8 @@ static arc_status press(const springs *s, double a, double load, double *p, arc_
   return ARC_OK;
 }
 
-/* Computes the gaps of the unloaded surfaces [count] after additional wear by `depth` [2 count]. If
- * `depth` is NULL, there is no additional wear. */
+/* Computes the gaps of the unloaded surfaces at all sites after further wear of both bodies by
+ * `depth` (NULL: no further wear). */
 static void gaps(const arc_shape *shape, const double *depth, double *gap) {
   const springs *s = under(shape);
   const spring_surfaces *f = on(shape);
@@ -310,8 +310,8 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
 
 /* --- the cycle -------------------------------------------------------------------------------- */
 
-/* Returns the weight of point `at` in the wear of a window: the sliding distance that the point
- * represents [mm]. */
+/* Returns the weight of point `at` in the wear of a window: the part of the sliding distance
+ * that the point represents [mm]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = window->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
@@ -319,8 +319,8 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* The tangent is stored as the largest entry of -d rate / d depth, as at a constant approach all
- * entries outside the diagonal are zero. */
+/* The Jacobian -d rate / d depth at a constant approach is diagonal. Only its largest entry is
+ * stored. */
 typedef struct spring_tangent {
   double value;
 } spring_tangent;
@@ -381,8 +381,8 @@ static double eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tan
 
 /* --- stages of implicit steps ----------------------------------------------------------------- */
 
-/* Solves a stage of h cycles. The wear depth per unit of pressure in h cycles is added to the
- * compliance of the springs. */
+/* Solves a stage of h cycles. The wear depth per pressure in h cycles is added to the compliance
+ * of the springs. */
 static arc_status stage(wear_stage *s, double h, double *rate) {
   const arc_wear *w = s->run;
   const springs *m = model_of(w->model);
@@ -429,8 +429,8 @@ static double natural_depth(const arc_wear *w) {
 
 /* --- results and storage ---------------------------------------------------------------------- */
 
-/* Creates the arrays of positions, depths, heights and pressures of both bodies along x through the
- * middle. */
+/* Creates arrays of the positions, depths, heights and pressures of both bodies on the middle
+ * row of sites. */
 static arc_status show(const arc_wear *w, arc_array **arrays, size_t *count, arc_error *error) {
   enum { names = 4 };
   const springs *s = model_of(w->model);

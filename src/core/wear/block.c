@@ -1,4 +1,5 @@
-/* Creates the increments of the loading: of the reciprocating stroke, or of the user's blocks. */
+/* Creates the blocks of a loading with their increments, from the stroke or from the loading of the
+ * definition. */
 #include "core/base/angle.h"
 #include "core/wear/run.h"
 
@@ -6,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest number of contact problems of a block. A block with more distinct positions has a single
- * problem, which is rebuilt at every point. */
+/* Largest number of contact problems of a block. A block with more positions has a single problem,
+ * which is built again at every point. */
 enum { most_problems = 2048 };
 
 static arc_status block_create(wear_block *b, int count) {
@@ -27,8 +28,8 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Creates a single contact problem with the plate at x. NSP and sliding out of the plane need
- * only x = 0. */
+/* Creates a single contact problem with the plate at x [mm]. It suffices, at x = 0, for the
+ * procedure NSP and for sliding out of the plane. */
 static void one_problem(wear_block *b, double x) {
   b->problems = 1;
   for (int i = 0; i < b->count; i++) b->problem_x[i] = x;
@@ -37,7 +38,7 @@ static void one_problem(wear_block *b, double x) {
 
 /* Creates one contact problem for each distinct position of the plate. */
 static void find_problems(wear_block *b) {
-  double *position = b->problem_x; /* sorted distinct positions */
+  double *position = b->problem_x; /* positions of the plate, sorted, without repetitions */
   int n = 0;
   memcpy(position, b->x, (size_t)b->count * sizeof *b->x);
   qsort(position, (size_t)b->count, sizeof *position, compare);
@@ -51,10 +52,10 @@ static void find_problems(wear_block *b) {
   memcpy(b->problem_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-/* Returns a substitute for the sliding distance of a cycle that a force drives [mm], because the
- * displacement is unknown until the contact is solved. The substitute is the sum of the changes of
- * the force per thickness, divided by E*. If the force is constant, the changes of the load are
- * used instead. */
+/* Returns the nominal sliding distance [mm] of a cycle that is driven by a force, because the
+ * displacement is unknown until the contact is solved. It is the sum of the changes of the force
+ * per thickness, divided by E*. If the force is constant, the changes of the load are used
+ * instead. */
 static double sliding_of_force(const wear_block *b, const wear_manner *m) {
   double force = 0, load = 0;
   for (int i = 1; i < b->count; i++) {
@@ -71,8 +72,8 @@ static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
   return def->increments > 0 ? def->increments : usual;
 }
 
-/* Computes the number of increments between each two points of a loading. Returns the sum of these
- * numbers. Kinds without automatic increments have one increment between two points. */
+/* Computes the numbers of increments between consecutive points of a loading. Returns their sum.
+ * Kinds without automatic increments have one increment between two points. */
 static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
                        double *parts) {
   const arc_kind *kind = arc_kind_of(model);
@@ -94,13 +95,13 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   if (m->rests)
     one_problem(b, 0);
   else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
-    one_problem(b, (low + high) / 2); /* one problem, so that pairs of sticking points remain */
+    one_problem(b, (low + high) / 2); /* preserves pairs of points that stick */
   else
     find_problems(b);
 }
 
-/* Creates a cycle of an alternating force. The bodies are pressed together at the point where
- * the force is about 0. */
+/* Creates a cycle of an alternating tangential force. The bodies are pressed together at the point
+ * of the cycle where this force is about 0. */
 static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
                            const wear_manner *m, wear_block *b) {
   const int half = increments_of(def, model) / 2;
@@ -120,16 +121,16 @@ static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
   return ARC_OK;
 }
 
-/* Returns the position of the plate at point i (0 to last) of a stroke from -s/2 to s/2 [mm].
- * Positions are exactly symmetric. */
+/* Returns the position of the plate [mm] at point i (0 to last) of a stroke, from -stroke / 2 to
+ * stroke / 2. The positions are exactly symmetric. */
 static double along(double stroke, int i, int last) {
   return stroke * (2 * i - last) / (2.0 * last);
 }
 
-/* Creates the cycle of the reference paper. The block is one stroke, which counts as both strokes
- * of the cycle (r = 2) or is the single pass over the plate (r = 1). With updates within the cycle,
- * or with friction, the block contains both strokes. NSP needs only the end points unless slip is
- * computed. */
+/* Creates the cycle of a plain stroke. The block is one stroke, whose wear counts twice (two
+ * strokes in a cycle) or once (a single pass over the plate). With updates within the cycle, or
+ * with friction, the block contains both strokes. Without friction, the procedure NSP needs only
+ * the end points of the stroke. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 const wear_manner *m, wear_block *b) {
   if (def->tangential > 0) return by_force(def, model, m, b);
@@ -150,7 +151,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   if (has_friction) b->press = half + (half + 1) / 2; /* at this point x is about 0 */
   b->load = def->load;
   finish(b, def, model, m);
-  /* the exact value r s, without rounding errors of the sum over increments */
+  /* number of strokes times stroke, without the rounding errors of the sum over increments */
   b->sliding = m->strokes * m->stroke;
   b->travel = m->stroke;
   return ARC_OK;
@@ -166,7 +167,7 @@ static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) 
   return from->load_angle ? from->load_angle[i] : def->load_angle;
 }
 
-/* Fills a block with the increments between the points of a loading. */
+/* Sets the increments of a block, which divide the intervals between the points of a loading. */
 static void fill(const arc_wear_def *def, const arc_model_def *model, const wear_manner *m,
                  const arc_loading *from, const double *parts, wear_block *b) {
   int at = 0;
@@ -243,8 +244,8 @@ double arc_wear_block_end(const wear_block *block) {
   return block->start_distance + block->cycles * block->sliding;
 }
 
-/* Compares cycle numbers instead of distances, because a block may have no sliding distance
- * (contact at rest). */
+/* Compares cycle numbers instead of distances, because a block without motion has no sliding
+ * distance. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle) {
   int b = 0;
   while (b + 1 < w->blocks && cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;

@@ -1,11 +1,11 @@
-/* Wear coefficients that depend on time (numbers, tables, functions of the state) and on the
- * position (laws, local factors). */
+/* Computes the wear coefficients of the bodies at a time (numbers, tables, functions of the state),
+ * and the factors on them at a site (laws, local factors). */
 #include "core/wear/run.h"
 
 #include <math.h>
 
-/* Returns the value of a table at a distance [mm], on the segment that contains the distance
- * `inside` [mm]. At a jump, where two values have the same distance, the second value is used. */
+/* Returns the value of a table at a distance [mm], by the line between the two points around the
+ * distance `inside` [mm]. At a jump (two values at the same distance) the second value is used. */
 static double series_at(const arc_series *s, double distance, double inside) {
   int i = 0;
   while (i < s->count && s->distance[i] <= inside) i++;
@@ -35,8 +35,8 @@ static double value_at(const source *s, double distance, double inside) {
   return s->series->count > 0 ? series_at(s->series, distance, inside) : s->constant;
 }
 
-/* Computes the means of k alpha and k (1 - alpha) over the distances from `from` to `to`. Both
- * factors are linear between points, so Simpson's rule is exact. */
+/* Computes the means of k alpha and k (1 - alpha) over the distances from `from` to `to`. k and
+ * alpha are linear between points, so Simpson's rule is exact. */
 static void average(const source *k, const source *alpha, double from, double to,
                     double mean[ARC_BODIES]) {
   mean[ARC_CYLINDER] = mean[ARC_PLATE] = 0;
@@ -104,8 +104,8 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
-/* Returns the factor by which the law of the run multiplies k at pressure p [MPa]. law_growth
- * returns the derivative d ln(p factor) / d ln p. */
+/* law_factor returns the factor by which the law of the run multiplies k at the pressure p [MPa].
+ * law_growth returns the derivative d ln(p factor) / d ln p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
 #define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \

@@ -1,9 +1,9 @@
-/* Integrates the coefficients of wear and friction over an update before the update is made. The
- * method is a Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine). Its steps end at the
- * points of tables. Between these points coefficients are linear, so the integral of their product
- * is exact. Functions of the state are evaluated along the path predicted from the rate at the
- * start. If the step length decreases towards zero, a coefficient jumps, and the update ends at the
- * jump. This file uses coefficient.c and predictor.c. */
+/* Integrates the coefficients of wear and friction over a planned update. The method is a
+ * Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine). Its steps end at the points of tables.
+ * Between these points k, alpha and friction are linear, so the integrals are exact. Functions of
+ * the state are evaluated along the path predicted from the rate at the start. If the step length
+ * decreases towards zero, a coefficient jumps, and the update ends at the jump. This file uses
+ * coefficient.c and predictor.c. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -11,28 +11,30 @@
 
 /* Relative tolerance of the integral over a step. */
 static const double tolerance = 1e-5;
-/* Fractions of the update. A step shorter than `shortest` contains a jump. Closer than `margin` to
- * the ends of the update no function is evaluated, so that a jump at an end belongs to one update
- * only. */
+/* Lengths as fractions of the update. A step that would have to be shorter than `shortest` contains
+ * a jump. Functions are not evaluated closer than `margin` to the ends of the update, so that a
+ * jump at an end belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
-/* Margin for tables, instead of `margin`. It is smaller because the points of tables are known. */
+/* Distance from the ends of the update within which tables are not evaluated, as a fraction of the
+ * update. */
 static const double table_margin = 1e-10;
 /* Functions are evaluated just before a table point, which may be a discontinuity. */
 static const double before_point = 1 - 1e-9;
-/* Definition of a jump in a table: within one interval the value changes by more than `large` times
- * the larger value, and the interval is shorter than its neighbours by the factor `steep`. */
+/* Definition of a jump in a table: the value changes by more than `large` times the larger value
+ * within one interval, and both neighbouring intervals are more than `steep` times as long. */
 static const double large = 0.1, steep = 20;
 /* Minimum number of steps of an update whose length is fixed, and of an update whose length is
  * unknown. */
 static const double chosen_steps = 4, open_steps = 64;
-/* Relative tolerance with which an update ends at the largest integral of its plan. */
+/* Relative tolerance within which the integral of k reaches the largest value of the plan, at which
+ * the update ends. */
 static const double near = 1e-3;
-/* Minimum number of samples of a function per cycle or, in long runs, per run. It is needed because
- * the error estimate does not include changes between samples. A number that is not an integer
- * avoids aliasing. */
+/* Minimum number of samples of a function per cycle or, in long runs, per run, because the error
+ * estimate does not include changes between samples. The number per cycle is not an integer, to
+ * avoid aliasing. */
 static const double per_cycle = 1.618, per_run = 3236;
-/* If the number of rejected steps exceeds the number of accepted steps by this much, no step can
- * resolve the function (for example a random function). It is then sampled in equal steps. */
+/* If rejected steps outnumber accepted steps by this number, no step length resolves the function
+ * (for example a random function). The function is then sampled in equal steps. */
 enum { most_refused = 200 };
 
 /* Components of the integrated vector: k of the cylinder, k of the plate, friction. */
@@ -44,16 +46,17 @@ typedef struct integration {
   const wear_rate *rate;
   arc_error *error;
   double length;        /* sliding distance of the plan [mm] */
-  double at;            /* fraction of the update that is integrated so far */
-  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over this fraction */
+  double at;            /* fraction of the update that has been integrated */
+  double y[COMPONENTS]; /* integrals of k [mm2/N] and of friction over the fraction `at` */
   double k[COMPONENTS]; /* coefficients at `at` */
   double first[COMPONENTS];
-  int calls, changed[COMPONENTS]; /* `changed` is 1 if any value differed from `first` */
+  int calls, changed[COMPONENTS]; /* number of evaluations; 1 if any value of the coefficient
+                                     differed from `first` */
   int refused;                    /* number of rejected minus accepted steps */
   int sampled;                    /* 1 if no step could resolve the function */
 } integration;
 
-/* Returns the value to which errors of component b of the coefficients are relative. */
+/* Returns the reference value for relative errors of component b of the coefficients k. */
 static double size_of(int b, const double k[COMPONENTS]) {
   return b == FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
@@ -84,7 +87,8 @@ static arc_status evaluate(integration *s, double share, const double y[COMPONEN
 }
 
 /* Makes one step of the Runge-Kutta pair over the fraction h of the update. Computes the integrals
- * y and the coefficients k at the end of the step, and the error divided by the tolerance. */
+ * y and the coefficients k at the end of the step, and the estimated error divided by the
+ * tolerance. */
 static arc_status try_step(integration *s, double h, double y[COMPONENTS], double k[COMPONENTS],
                            double *error) {
   const double *k1 = s->k;
@@ -139,8 +143,7 @@ static double next_end(const integration *s) {
   return end;
 }
 
-/* Returns true if a table jumps in the interval of the table that ends at the fraction `share` of
- * the update. */
+/* Returns true if a table jumps in its interval that ends at the fraction `share` of the update. */
 static int table_jumps(const integration *s, const arc_series *t, double share, double range) {
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
@@ -228,7 +231,7 @@ static arc_status integrate(integration *s) {
       s->refused++;
       continue;
     }
-    if (total(y) > most * (1 + near)) { /* the integral is too large: repeat with a step that ends
+    if (total(y) > most * (1 + near)) { /* the integral is too large: the step is repeated and ends
                                            at the largest integral */
       h = length * (most - total(s->y)) / (total(y) - total(s->y));
       if (h > shortest) continue;
@@ -249,8 +252,8 @@ static int varies(const arc_wear *w) {
          arc_wear_friction_changes(w);
 }
 
-/* Computes the length of an update with constant coefficients, which need no integration. The
- * last two updates of a run have equal lengths. */
+/* Computes the length of an update with constant coefficients, without integration. The last two
+ * updates of a run have equal lengths. */
 static arc_status integrate_constant(integration *s) {
   const arc_status status = evaluate(s, 0, s->y, s->k);
   const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));

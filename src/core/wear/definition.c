@@ -1,4 +1,4 @@
-/* Definitions of wear runs: defaults, checks and copies. */
+/* Sets the defaults of definitions of wear runs, and checks and copies definitions. */
 #include "core/wear/run.h"
 #include "core/base/memory.h"
 
@@ -95,15 +95,16 @@ static int closes(int count, const double *value) {
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Returns the limit of the tangential force under a load [N]. Forces from this limit on are
- * rejected. If friction is a table or a function, the run checks the force instead. */
+/* Returns the tangential force [N] that would cause gross slip under a load [N]; forces must be
+ * smaller. If friction is a table or a function, it returns INFINITY, and the run checks the
+ * force. */
 static double carried(const arc_wear_def *d, double load) {
   if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
 }
 
-/* Rejects a force above friction times load (if the friction coefficient is constant) and a
- * cycle that is not closed. */
+/* Rejects a force that reaches friction times load (if the friction coefficient is constant), and a
+ * cycle that does not end where it begins. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
   const int last = l->count - 1;
@@ -218,8 +219,8 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
 }
 
-/* Rejects settings that are not allowed with friction: settings that need the slip in advance,
- * or a state stored between updates. */
+/* Rejects settings that need friction if there is none, and settings that are not allowed with
+ * friction. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (!arc_wear_has_friction(d) && d->tangential > 0)
     return arc_fail(
@@ -243,7 +244,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-/* Checks the fields that state where the loading of a changed run starts. */
+/* Checks the distance and the cycle at which the loading of a changed run starts. */
 static arc_status check_start(const arc_wear_def *d, arc_error *error) {
   if (d->start_distance >= 0 && isfinite(d->start_distance) && d->start_cycle >= 0 &&
       isfinite(d->start_cycle))
@@ -279,7 +280,7 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
 }
 
 /* Copies two arrays of n doubles to one block of memory. Returns the block, which starts with the
- * first copy. */
+ * first copy; NULL if out of memory. */
 static double *copy_pair(int n, const double *first, const double *second) {
   double *block = malloc(2 * (size_t)n * sizeof *block);
   if (!block) return NULL;
@@ -292,7 +293,8 @@ static arc_series *series_of(const arc_setting *s, arc_wear_def *def) {
   return (arc_series *)(void *)((char *)def + s->series);
 }
 
-/* Copies all tables. A table that could not be copied is empty in the copy. */
+/* Replaces all tables of a definition by copies. A table that cannot be copied becomes empty.
+ * Error: ARC_MEMORY. */
 static arc_status copy_series(arc_wear_def *def) {
   arc_status status = ARC_OK;
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {

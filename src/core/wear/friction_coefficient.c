@@ -1,12 +1,12 @@
-/* Computes the friction coefficient of a state, and checks that friction carries the tangential
- * force. */
+/* Computes the friction coefficient for the state of a run, and checks that friction can carry the
+ * tangential force. */
 #include "core/base/callbacks.h"
 #include "core/wear/run.h"
 
 #include <math.h>
 
 /* Returns the index of the point of a block that needs the largest friction coefficient. Sets
- * *needed to this coefficient, which is infinite for a force at load 0. */
+ * *needed to this coefficient. It is infinite if a force acts at a load of 0. */
 static int worst_point(const wear_block *b, double *needed) {
   int worst = 0;
   *needed = 0;

@@ -1,8 +1,9 @@
-/* Implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the geometry
- * at the end of the step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at the start
- * of the step, at an intermediate stage, and at the end. Sites that enter the contact within a step
- * limit its length, because they wear only in the last stages. Among similar methods, TR-BDF2
- * overestimates the pressures at these sites least. The kind of pair solves the stages. */
+/* Makes implicit updates. At order 1 (backward Euler) the wear follows from the pressures on the
+ * geometry at the end of a step. At order 2 (TR-BDF2, L-stable) it follows from the pressures at
+ * the start of the step, at an intermediate stage, and at the end. Sites that enter the contact
+ * within a step limit the length of the step, because they wear only in the last stages. Among
+ * similar methods, TR-BDF2 overestimates the pressures at these sites least. The kind of pair
+ * solves the stages. */
 #include "core/base/carve.h"
 #include "core/wear/step.h"
 
@@ -15,7 +16,7 @@
  * the edge of the contact crosses a node. The largest error of several steps varies less. */
 enum { steps_by_tolerance = 4 };
 
-/* Indices of the results of a cycle other than the wear of sites. */
+/* Indices of those results of a cycle that are not values of sites. */
 enum { ENERGY, EVEN, PRESSED, SUMS };
 typedef struct sums {
   double of[SUMS];
@@ -26,10 +27,10 @@ typedef struct implicit {
   wear_stage at;
   const update_coefficients *coefficients;
   int n;
-  int steps, done; /* number of steps of the update; index of the present step */
-  sums mean;       /* mean over the steps */
+  int steps, done; /* number of steps in the update; index of the present step */
+  sums mean;       /* mean of the results over the steps so far */
   double worst;    /* largest error of a step divided by the tolerance */
-  double *rate[3]; /* [n] k times the wear of a cycle [mm], at the start and at both stages */
+  double *rate[3]; /* [n] wear of a cycle, k times the rate [mm], at the start and at both stages */
   double *defect;  /* [n] estimated error of the depths [mm] */
 } implicit;
 
@@ -39,13 +40,13 @@ typedef struct implicit {
  * 5 um.
  */
 static const double share_per_step = 0.5;
-/* Accepted error of forces, divided by the tolerance. It is large because forces follow from the
- * depths, so their errors do not accumulate. */
+/* Accepted error of pressures, divided by the tolerance. It is large because pressures follow from
+ * the depths, so their errors do not accumulate. */
 static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* Computes the friction coefficient at the fraction `share` of a step. It must be called before the
- * stages, because it overwrites the depths. */
+/* Computes the friction coefficient at the fraction `share` of a step. Must be called before the
+ * stages, because it overwrites the workspace of the depths. */
 static arc_status friction_at(implicit *s, double share, double *mu) {
   *mu = s->at.window.mu;
   share = (s->done + share) / s->steps;
@@ -60,8 +61,9 @@ static sums of_last(const implicit *s) {
   return (sums){{s->at.last.energy, s->at.last.even, s->at.last.pressed}};
 }
 
-/* Adds a step to the mean of all steps. The value of the step is its value at the end, corrected by
- * `part` of the difference to each stage. Equal values remain exactly equal. */
+/* Adds a step to the mean of all steps. The value of a step is the value at its end plus `part`
+ * times the differences of the values at the start and at the middle stage from it, so that equal
+ * values remain exactly equal. */
 static void add_step(implicit *s, double part, sums start, sums middle) {
   const sums end = of_last(s);
   for (int i = 0; i < SUMS; i++) {
@@ -70,8 +72,8 @@ static void add_step(implicit *s, double part, sums start, sums middle) {
   }
 }
 
-/* Makes a step by backward Euler. The error s->defect is the difference from the trapezoidal
- * rule. */
+/* Makes a step by backward Euler. Its estimated error, s->defect, is the difference from the
+ * trapezoidal rule. */
 static arc_status first_order(implicit *s, double cycles) {
   double *defect = s->defect;
   const size_t bytes = (size_t)s->n * sizeof(double);
@@ -85,8 +87,9 @@ static arc_status first_order(implicit *s, double cycles) {
   return status;
 }
 
-/* Makes a step by the trapezoidal rule up to 2 gamma and by BDF2 to the end. The error s->defect
- * is the difference from the quadrature through the start and both stages. */
+/* Makes a step: by the trapezoidal rule up to the fraction 2 gamma of its length, and by BDF2 to
+ * the end. Its estimated error, s->defect, is the difference from the quadrature through the start
+ * and both stages. */
 static arc_status second_order(implicit *s, double cycles) {
   const double g = gamma2, h = g * cycles, c = 2 * g, part = (1 - g) / 2;
   const double b1 = 1 / (6 * c * (1 - c)), b2 = (1 / 3.0 - c / 2) / (1 - c), b0 = 1 - b1 - b2;
@@ -116,10 +119,11 @@ static arc_status second_order(implicit *s, double cycles) {
 
 /* --- the error -------------------------------------------------------------------------------- */
 
-/* Returns the largest error of the depths of one body, at sites deeper than `counts` times the
- * largest depth. The error is divided by the largest depth. */
+/* Returns the largest error of the depths of one body divided by the largest depth. Only sites
+ * deeper than `counts` times the largest depth are included. */
 static double depth_error(const implicit *s, int b) {
-  static const double counts = 0.05; /* smallest depth included, relative to the largest */
+  static const double counts =
+      0.05; /* smallest depth that is included, as a fraction of the largest depth */
   const arc_wear *w = s->at.run;
   const wear_sites on = w->kind->sites(s->at.window.shape, (arc_body)b);
   const double *depth = sites_from(w, s->at.worn, b), *off = sites_from(w, s->defect, b);

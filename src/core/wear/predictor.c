@@ -1,4 +1,5 @@
-/* Computes the depths that a rate causes in an update, and predicts the state within an update. */
+/* Computes the depths that a wear rate causes in an update, and predicts states within an
+ * update. */
 #include "archard/measure.h"
 #include "core/wear/step.h"
 
@@ -20,13 +21,13 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
 
 /* --- prediction of measured quantities */
 
-/* Returns the integral of k over the distance [mm3/N] between the previous state and a state. */
+/* Returns the integral of k over the distance [mm3/N] from the state `before` to the next state. */
 static double k_integral_to(const arc_wear_record *state, const arc_wear_record *before) {
   return state->k * (state->distance - before->distance);
 }
 
-/* The previous, the present and the predicted final state, and the integrals of k between them. A
- * state that is not available is NULL. */
+/* The previous, the present and the predicted final state of an update, and the integrals of k
+ * between them. A state that is not available is NULL. */
 typedef struct course {
   const arc_wear_record *before, *now, *end_state;
   double since, to; /* [mm3/N] integral of k from `before` to `now`, and from `now` to
@@ -42,9 +43,10 @@ static course course_of(const arc_wear *w, const wear_plan *plan) {
   return c;
 }
 
-/* Returns the predicted value of a column after the integral of k has increased by `wear` [mm3/N].
- * The value is interpolated by the parabola through the three states, or by a line if they are not
- * monotonic. Without a final state it is extrapolated with a decreasing rate. */
+/* Returns the predicted value of a column after k, integrated over the distance from the present
+ * state, reaches `wear` [mm3/N]. The value is interpolated by the parabola through the three
+ * states, or by a line if they are not monotonic. Without a final state it is extrapolated with a
+ * decreasing slope. */
 static double on_course(const course *c, int column, double wear) {
   const double now = arc_wear_record_get(c->now, column);
   const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;
@@ -55,8 +57,8 @@ static double on_course(const course *c, int column, double wear) {
   return now + rise * wear + bend * wear * (wear - c->to);
 }
 
-/* Predicts the pressures and the half width of an intermediate state, and also the depths if the
- * plan has a final state. */
+/* Predicts the pressures and the half width of an intermediate state. Predicts the depths too if
+ * the plan has a final state. */
 static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
                           arc_wear_record *state) {
   const course c = course_of(w, plan);
@@ -100,8 +102,8 @@ arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double
 
 arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
                                     double share, double *mu, arc_error *error) {
-  static const double last =
-      1 - 1e-7; /* largest fraction used, because a jump at the end belongs to the next update */
+  static const double last = 1 - 1e-7; /* largest fraction that is evaluated, because a jump at the
+                                          end belongs to the next update */
   if (!coefficients->plan) return ARC_OK;
   const wear_rate *rate = w->def.friction_function ? &w->start.rate : NULL;
   const update_coefficients gone = {.cycles = share * coefficients->cycles,

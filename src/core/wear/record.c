@@ -1,4 +1,4 @@
-/* The history of a run and the records in it. */
+/* Checks and stores the records in the history of a run. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -28,7 +28,7 @@ const char *arc_wear_column_name(int column) {
 
 /* --- validity of rows */
 
-/* Limit of valid values in a record. Up to this limit squares and sums do not overflow. */
+/* Largest valid value in a record. The squares and sums of valid values do not overflow. */
 static const double largest = 1e100;
 
 static const struct column_rule {
@@ -40,8 +40,8 @@ static const struct column_rule {
 #undef COLUMN_RULE
 };
 
-/* Checks one column of a row. An invalid value fails with the status `refused`. `before` is the
- * previous row (NULL for the first row). */
+/* Checks the value of one column in a row. Returns the status `refused` if it is invalid. `before`
+ * is the previous row (NULL for the first row). */
 static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
                               size_t row, int column, arc_status refused, arc_error *error) {
   const struct column_rule *r = &rules[column];

@@ -1,4 +1,4 @@
-/* Members of a wear run (arc_wear), and functions that operate on them. */
+/* Declares the wear run (arc_wear), and functions that use its members. */
 #ifndef WEAR_RUN_H
 #define WEAR_RUN_H
 
@@ -10,20 +10,21 @@ typedef struct wear_work {
   wear_depths depth;
 } wear_work;
 
-/* Cached wear rate of a cycle on the present surfaces, which is the start of the next update.
- * The cache does not change results. */
+/* Cached wear rate of a cycle on the present surfaces, from which the next update starts. The cache
+ * does not change results. */
 typedef struct wear_start {
   const wear_block *block; /* NULL: nothing is cached */
   wear_rate rate;
-  int solutions;         /* number of solutions not yet counted in a record */
-  wear_tangent *tangent; /* tangent of the rate; NULL: not needed so far */
-  int linear;            /* 1 if the tangent was computed with this rate */
-  double mu;             /* friction coefficient of this cycle */
+  int solutions; /* number of contact solutions that no record has counted yet */
+  wear_tangent
+      *tangent; /* derivative of the rate with respect to the depths; NULL: not needed so far */
+  int linear;   /* 1 if `tangent` was computed with this rate */
+  double mu;    /* friction coefficient with which the rate was computed */
 } wear_start;
 
 /* Inputs and result of the last computation of the stability limit. */
 typedef struct wear_judged {
-  const wear_block *block; /* NULL: no limit computed so far */
+  const wear_block *block; /* block of loading of the computation; NULL: no limit computed so far */
   double k[ARC_BODIES];    /* [mm2/N] */
   double p_center;         /* [MPa] */
   double eigenvalue;       /* [1/cycle] */
@@ -34,18 +35,18 @@ struct arc_wear {
   arc_model *model;
   const arc_kind *kind;
 
-  /* the stored state, from which a restored run continues with identical results */
-  arc_wear_def def; /* with copies of tables and loading */
+  /* state that is stored, from which a restored run continues with identical results */
+  arc_wear_def def; /* definition, with its own copies of tables and loading */
   arc_shape *shape;
   size_t records, capacity;
   arc_wear_record *history;
 
-  /* derived from the definition */
+  /* members derived from the definition */
   wear_manner manner;
   int blocks;
   wear_block *block;
 
-  /* solver objects, without influence on results */
+  /* members of the solver, which do not influence results */
   int nc, np; /* numbers of sites of the upper and lower body */
   void *own;  /* data of the kind of pair */
   wear_work work;
@@ -60,7 +61,7 @@ static inline int splits_cycles(const arc_wear *w) {
   return w->def.update == ARC_UPDATE_INCREMENT && w->manner.procedure == ARC_SP;
 }
 
-/* Returns the wear coefficient for the sites of a body [mm2/N]. It is 0 for a body that wears
+/* Returns the wear coefficient [mm2/N] for the sites of a body. It is 0 for a body that wears
  * uniformly, because its sites do not wear individually. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
   return body == ARC_LOWER && w->manner.even ? 0 : k[body];
@@ -80,11 +81,11 @@ static inline double *sites_from(const arc_wear *w, double *vector, int body) {
  * an error (ARC_MEMORY) there is nothing to free. */
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
-/* Returns true if only the upper body ever wears. */
+/* Returns true if alpha is 1 throughout the run, so that only the upper body wears. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
 int arc_wear_jump_is_auto(const arc_wear_def *def);
-/* Returns 1 for a run with friction. arc_wear_friction_is_known returns 1 if the friction
- * coefficient is constant. */
+/* arc_wear_has_friction returns 1 for a run with friction, arc_wear_friction_is_known if the
+ * friction coefficient is constant. */
 int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);
 
@@ -104,7 +105,7 @@ arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *
 void arc_wear_blocks_free(wear_block **block, int count);
 /* Returns the distance at the end of a block [mm]. */
 double arc_wear_block_end(const wear_block *block);
-/* Returns the block of the loading in which a cycle number lies. */
+/* Returns the block of the loading that contains a cycle number. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 
 /* --- coefficient.c ---------------------------------------------------------------------------- */
@@ -124,18 +125,18 @@ arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], ar
 int arc_wear_has_state_functions(const arc_wear *w);
 /* Stores k and alpha in a record, computed from the coefficients of both bodies. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
-/* Returns the wear rate of the law without friction [MPa]: the pressure times the factor of the
- * law. */
+/* Returns the wear per sliding distance, divided by k [MPa]: the pressure times the factor of the
+ * wear law. For the energy law it must be multiplied by the coefficient of friction. */
 double arc_wear_law(const arc_wear *w, double p);
-/* Returns the wear rate of the law with friction [MPa]. For the energy law the rate is
- * multiplied by mu. */
+/* Returns the wear per sliding distance, divided by k [MPa], with the coefficient of friction mu,
+ * on which only the energy law depends. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
-/* Computes the local factors of one body at sites under pressures p [sites]; factor [sites] is 1
- * for runs without local factors. */
+/* Computes the local factors of one body at sites with the pressures p [sites] [MPa]. Without a
+ * local_factor in the definition, factor [sites] is 1. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
                           const wear_sites *on, const double *p, double *factor, arc_error *error);
-/* Returns the slope dq/dp [-] of the wear law at a node with the pressure p [MPa], where q [MPa] is
- * the wear per sliding distance divided by k. */
+/* Returns the derivative dq/dp [-] of the wear law at a node with the pressure p [MPa]. q [MPa] is
+ * the wear per sliding distance, divided by k. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
 /* Creates a run as arc_wear_create does, but without a check of the zones. */
@@ -143,8 +144,8 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
                               arc_wear **wear, arc_error *error);
 
 /* --- record.c --------------------------------------------------------------------------------- */
-/* Stores the loads and the travel in a record, for a cycle of a block or for increment `first`
- * of a loading without repetition. */
+/* Stores the largest and the smallest load and the stroke of a cycle of a block in a record. In a
+ * block that runs once, they are those of the increment `first`. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
@@ -152,15 +153,16 @@ arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error
 /* --- friction_coefficient.c ------------------------------------------------------------------- */
 /* Returns true if the friction coefficient is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
-/* Computes the friction coefficient of a state. Errors: errors of the user's function. */
+/* Computes the friction coefficient for the state of a run. Errors: errors of the user's
+ * function. */
 arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
                                 arc_error *error);
-/* Returns ARC_ARGUMENT if friction does not carry the tangential force at a state, otherwise
- * ARC_OK. */
+/* Returns ARC_ARGUMENT if friction cannot carry the tangential force at a state of the run,
+ * otherwise ARC_OK. */
 arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
                                      arc_error *error);
-/* Computes the friction coefficient of a state and checks that friction carries the tangential
- * force. */
+/* Computes the friction coefficient for the state of a run, and checks that friction can carry the
+ * tangential force. */
 arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
                              arc_error *error);
 

@@ -1,4 +1,4 @@
-/* Stability of explicit updates: growth rate of ripples, and warnings. */
+/* Computes the growth rate of ripples in explicit updates, and warns about unstable updates. */
 #include "core/base/callbacks.h"
 #include "core/pair/units.h"
 #include "core/wear/step.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Computes the largest eigenvalue [1/cycle] of a cycle of a block on the present surfaces, for
- * the given coefficients. */
+/* Computes the growth rate of ripples (the largest eigenvalue [1/cycle]) in a cycle of a block, on
+ * the present surfaces and with the wear coefficients k [mm2/N]. */
 static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                                   const arc_callbacks *callbacks, double *eigenvalue,
                                   arc_error *error) {
@@ -44,8 +44,8 @@ static int may_ripple(const arc_wear *w, const wear_block *block) {
   return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
-/* Returns an upper bound of the present eigenvalue [1/cycle]. The eigenvalue is proportional to the
- * wear coefficients. */
+/* Returns an upper bound of the present eigenvalue [1/cycle], from the last computed one and the
+ * increase of the wear coefficients, to which the eigenvalue is proportional. */
 static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
   static const double noticed = 1.01;
   double growth = 1;
@@ -65,11 +65,11 @@ static int may_be_past(const arc_wear *w, const wear_block *block, const double 
   if (j->block != block) return 1;
   if ((!(arc_law_properties[w->def.law] & ARC_LAW_LINEAR) || w->def.local_factor) &&
       arc_wear_last(w)->p_center < fallen * j->p_center)
-    return 1; /* coefficients may be larger at other pressures */
+    return 1; /* a law or a local factor may have larger values at other pressures */
   return cycles * eigenvalue_at_most(j, k) > 2;
 }
 
-/* Gives a warning, once, about an update beyond the stability limit, whose ripples grow. */
+/* Warns, once, that ripples grow because an update is longer than the stability limit. */
 static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIES], double cycles,
                   const arc_callbacks *callbacks) {
   wear_judged *j = &w->judged;
@@ -91,9 +91,10 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
            cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
 }
 
-/* Largest accepted ripple: the difference of the pressures at neighbouring nodes, divided by their
- * mean. In tests on elements of 20 and 10 um the ripple was below 0.3 for steps of 0.9 of the
- * limit, and above 1 for steps beyond the limit. */
+/* Largest accepted ripple: the difference between the pressure at a node and the mean of its
+ * neighbours, divided by the mean pressure. In tests on elements of 20 and 10 um the ripple was
+ * below 0.3 for steps of 0.9 times the stability limit, and above 1 for steps longer than the
+ * limit. */
 static const double most_ripple = 0.5;
 
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
@@ -127,9 +128,9 @@ void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block,
   judge(w, block, k, now->jump, callbacks);
 }
 
-/* Gives warnings of values that suggest wrong units. The stroke is not checked for loadings and
- * for sliding along z (which have no stroke), with friction (short strokes stick), and for
- * conforming bodies (any stroke is short relative to the contact). */
+/* Warns of values that suggest wrong units. The stroke is not checked with a loading (which
+ * replaces it), for sliding along z (where it may be short), with friction (short strokes may
+ * stick), and for conforming bodies (every stroke is short relative to the contact). */
 static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
   const arc_model_def *model = arc_model_definition(w->model);

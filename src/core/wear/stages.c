@@ -1,5 +1,5 @@
-/* Explicit updates in stages, for automatic jumps: the Runge-Kutta method of second order with s
- * stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1) of the
+/* Makes explicit updates in stages, for automatic jumps, by the Runge-Kutta method of second order
+ * with s stages and equal weights (SSPRK(s,2)). Each stage is an Euler step over 1 / (s - 1) of the
  * update, and the update uses the mean of all rates. Longer updates have more stages, so stability
  * does not limit their length. All stages use the compliance at the start of the update. Volumes
  * remain exact. */
@@ -12,11 +12,11 @@
 
 /* Parameters of the stages, which depend on the kind of law. */
 typedef struct staging {
-  int fewest, most; /* smallest and largest number of stages; `fewest` still gives an error
-                     * estimate */
-  double share;     /* length of a stage divided by the limit 2 / eigenvalue */
-  int by_thirds;    /* 1 to estimate the error from means over thirds of the update, because single
-                       rates are noisy */
+  int fewest,
+      most; /* smallest and largest number of stages; an error estimate needs at least `fewest` */
+  double share;  /* length of a stage divided by the limit 2 / eigenvalue */
+  int by_thirds; /* 1: the error is estimated from means over thirds of the update, because single
+                    rates are noisy */
 } staging;
 
 /* Returns the parameters for the law of the run. With a discontinuous law the pressures at nodes
@@ -26,20 +26,22 @@ static staging staging_of(const arc_wear *w) {
   return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
 }
 
-/* Nodes with less than this fraction of the largest depth are excluded from the error norm. */
+/* Nodes that are worn by less than this fraction of the largest depth are excluded from the error
+ * norm. */
 static const double worn = 0.05;
 
 typedef struct staged {
   arc_wear *w;
-  wear_window window; /* window of the stages */
+  wear_window window; /* window that is solved at each stage */
   update_coefficients coefficients;
-  wear_rate *rate; /* rate of the last stage */
+  wear_rate *rate; /* wear rate of the last stage */
   int n, stages;
-  double even, energy;  /* sums of the rates so far */
+  double even, energy;  /* sums over the stages so far: rate of uniform wear, and energy */
   double pressed;       /* sum of wear_rate.pressed so far [N] */
-  double peak;          /* pressure at the first stage */
-  double *z, *sum;      /* [n] depths so far [mm]; sum of the rates */
-  double *first, *bend; /* [n] first rate; second difference of the sums over thirds */
+  double peak;          /* largest pressure at the first stage [MPa] */
+  double *z, *sum;      /* [n] depths so far [mm]; sum of the rates so far */
+  double *first, *bend; /* [n] rate of the first stage; second difference of the sums over thirds of
+                           the update */
 } staged;
 
 static arc_status staged_create(staged *s) {
@@ -57,8 +59,8 @@ static void go_through_layers(const staged *s, double *depth) {
   if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
-/* Returns the wear of site i in the update divided by its mean rate [mm per MPa mm]. It is 0 for a
- * body that wears uniformly. */
+/* Returns the factor by which the mean rate [MPa mm] of site i is multiplied for its wear in the
+ * update [mm]. It is 0 for a body that wears uniformly. */
 static double scale(const staged *s, int i) {
   return s->coefficients.cycles *
          sites_k(s->w, s->coefficients.mean.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);

@@ -1,5 +1,5 @@
-/* One step of a run: plans the step, attempts it, shortens it if necessary, and ends it at targets.
- * A step that fails does not change the run. */
+/* Makes a step of a run: plans the step, attempts it, shortens it if necessary, and ends it at
+ * targets. A step that fails does not change the run. */
 #include "core/base/callbacks.h"
 #include "core/wear/step.h"
 
@@ -14,11 +14,12 @@ static void add_deviation(double value, double predicted, double scale, double *
   if (scale > 0) *largest = fmax(*largest, fabs(value - predicted) / scale);
 }
 
-/* Computes the difference between the coefficients of wear and friction at the end of a step and
- * their predictions, divided by the largest value. The difference is 0 without a prediction. */
+/* Computes the largest relative difference between the coefficients of wear and friction at the end
+ * of a step and their predictions; 0 without a prediction. */
 static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *deviation,
                                  arc_error *error) {
-  static const double margin = 1e-6; /* fraction of the step before its end, where a jump may be */
+  static const double margin = 1e-6; /* distance from the end of the step, where a coefficient may
+                                        jump, as a fraction of the step */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
   wear_coefficients now;
@@ -35,15 +36,15 @@ static arc_status find_deviation(arc_wear *w, const wear_outcome *out, double *d
   return ARC_OK;
 }
 
-/* Returns the larger of the changes of both bodies' wear coefficients between two records, divided
- * by the larger k. */
+/* Returns the change of the wear coefficients between two records, for the body where it is larger,
+ * divided by the larger k. */
 static double apart(const arc_wear_record *a, const arc_wear_record *b) {
   const double c = fabs(a->k * a->alpha - b->k * b->alpha);
   const double p = fabs(a->k * (1 - a->alpha) - b->k * (1 - b->alpha)), k = fmax(a->k, b->k);
   return k > 0 ? fmax(c, p) / k : 0;
 }
 
-/* Makes the planned step on a copy of the shape. The run does not change. */
+/* Makes the planned step on a copy of the shape. The run is unchanged. */
 static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
@@ -62,16 +63,16 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_progress *prog
   return w->kind->measure(w, out->shape, record, error);
 }
 
-/* Returns the sliding distance of a step divided by the sliding distance of the run up to the end
- * of the step. */
+/* Returns the sliding distance of the step that ends at `end`, divided by the sliding distance of
+ * the run up to `end`. */
 static double added_by(const arc_wear *w, const arc_wear_record *end) {
   const double gone = end->distance - w->block[0].start_distance;
   return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
 }
 
-/* Makes a step. If functions of the state differ from their predictions, a step of second order is
- * repeated with the computed final state as the prediction. The error of steps with error control
- * includes a part of the remaining difference. */
+/* Makes a step. If the values of functions of the state differ from their predictions, a step of
+ * second order is repeated, with its computed final state as the prediction. In steps with error
+ * control, the error includes a part of the remaining difference. */
 static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *end_state,
                          wear_progress *progress, wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
@@ -104,7 +105,7 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_progress *progress,
 }
 
 /* Replaces the implicit step of a plan by an explicit step of at most half the stability limit,
- * because with a discontinuous law there may be no implicit solution. */
+ * because a discontinuous law may have no implicit solution. */
 static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_progress *progress,
                                    arc_error *error) {
   double eigenvalue;
@@ -121,9 +122,9 @@ static double cut_share(const arc_wear *w, const wear_plan *plan, double error) 
   return fmax(0.1, 0.8 * pow(error, -power));
 }
 
-/* Returns the largest accepted error, divided by the tolerance. For steps in stages the
- * tolerance is the target and twice the tolerance is accepted, because such a step is expensive
- * and its error estimate jumps when the edge crosses a node. */
+/* Returns the largest accepted error, divided by the tolerance. A step in stages aims at the
+ * tolerance but is accepted up to twice the tolerance, because it is expensive and its error
+ * estimate jumps when the edge of the contact crosses a node. */
 static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
@@ -232,7 +233,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
                            wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
-  wear_progress progress = {.callbacks = callbacks}; /* also counts solutions of failed attempts */
+  wear_progress progress = {.callbacks = callbacks}; /* includes the solutions of failed attempts */
   arc_status status = arc_wear_plan_step(w, limit, callbacks, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &progress, &out, error);
@@ -258,8 +259,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   return status;
 }
 
-/* Makes a step. A step that failed at the edge of the zones is repeated on larger meshes. If
- * this fails as well, the run does not change and the first error is reported. */
+/* Makes a step. If the contact reaches the edge of its zones, the step is repeated on larger
+ * meshes. If this fails as well, the run is unchanged and the first error is reported. */
 static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
                                wear_targets *targets, int *moved, arc_error *error) {
   enum { most_tries = 4 };

@@ -1,4 +1,4 @@
-/* A step of a run: its plan and its outcome. */
+/* Declares the plan and the outcome of a step of a run, and the functions that make the step. */
 #ifndef WEAR_STEP_H
 #define WEAR_STEP_H
 
@@ -7,17 +7,19 @@
 /* Plan of a step. */
 typedef struct wear_plan {
   const wear_block *block;
-  double cycles; /* number of cycles; the update may use fewer */
-  double times;  /* factor of the wear of the window: number of cycles, or part of an increment */
-  double end;    /* distance at the end of the step [mm] */
-  double most;   /* largest integral of k over the distance [mm3/N], at which the step ends */
-  int first;     /* index of the increment in a loading that does not repeat, otherwise 0 */
-  int explicit;  /* 1 for an explicit step of an implicit run */
-  int staged;    /* 1 for an explicit step in stages, with an error estimate */
-  const arc_wear_record *end_state; /* final state of an earlier attempt; NULL: none */
+  double cycles; /* number of cycles; the update may be shortened */
+  double
+      times;  /* factor on the wear of the window: number of cycles, or fraction of an increment */
+  double end; /* distance at the end of the step [mm] */
+  double
+      most;  /* integral of k over the distance [mm3/N] at which the step ends, if it is reached */
+  int first; /* index of the increment in a loading that does not repeat, otherwise 0 */
+  int explicit;                     /* 1 for an explicit step of an implicit run */
+  int staged;                       /* 1 for an explicit step in stages, with an error estimate */
+  const arc_wear_record *end_state; /* final state of an earlier attempt at this step; NULL: none */
 } wear_plan;
 
-/* Coefficients that may change during a run. */
+/* Coefficients of wear and friction, which may change during a run. */
 typedef struct wear_coefficients {
   double k[ARC_BODIES]; /* wear coefficients [mm2/N] */
   double friction;      /* friction coefficient [-] */
@@ -27,16 +29,19 @@ typedef struct wear_coefficients {
 typedef struct wear_outcome {
   arc_shape *shape;
   arc_wear_record record;
-  wear_coefficients predicted; /* prediction for the end of the step; NaN: no prediction */
+  wear_coefficients
+      predicted; /* coefficients predicted for the end of the step; NaN: no prediction */
 } wear_outcome;
 
-/* Number of cycles of an update, and the coefficients in it. */
+/* Number of cycles of an update, and its coefficients of wear and friction. */
 typedef struct update_coefficients {
   double cycles;
   wear_coefficients mean;
-  wear_coefficients last;   /* prediction for the end of the update; NaN: no prediction */
-  double friction_at_start; /* friction coefficient at the start, after a jump there */
-  const wear_plan *plan;    /* plan along which friction changes; NULL: friction is constant */
+  wear_coefficients last; /* coefficients predicted for the end of the update; NaN: no prediction */
+  double friction_at_start; /* friction coefficient at the start of the update; the value after the
+                               jump if it jumps there */
+  const wear_plan
+      *plan; /* plan of an update in which friction changes; NULL: friction is constant */
 } update_coefficients;
 
 /* --- step_length.c ---------------------------------------------------------------------------- */
@@ -44,7 +49,7 @@ typedef struct update_coefficients {
  * reached, otherwise to 1. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
                               wear_plan *plan, int *moved, arc_error *error);
-/* Reduces the number of cycles of a plan and adapts its end. */
+/* Shortens a plan to the given number of cycles. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* Returns true if the wear of the plan is negligible compared with the wear of an automatic
  * update. */
@@ -58,12 +63,12 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate,
  * (updates of second order), false if they are evaluated with the values at the start. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
 /* Returns the predicted state at the fraction `share` (0 to 1) of an update. If `rate` is not NULL,
- * the state includes the depths for these coefficients. */
+ * the state includes the wear that this rate causes with the given coefficients. */
 arc_wear_record arc_wear_state_within(arc_wear *w, const wear_plan *plan, double share,
                                       const wear_rate *rate,
                                       const update_coefficients *coefficients);
-/* Computes the friction coefficient at the fraction `share` (0 to 1) of an update. *mu does not
- * change if the coefficient is constant. */
+/* Computes the friction coefficient at the fraction `share` (0 to 1) of an update. If the
+ * coefficient is constant, *mu is unchanged. */
 arc_status arc_wear_friction_within(arc_wear *w, const update_coefficients *coefficients,
                                     double share, double *mu, arc_error *error);
 
@@ -75,7 +80,7 @@ arc_status arc_wear_integrate_coefficients(arc_wear *w, wear_plan *plan, const w
                                            update_coefficients *coefficients, arc_error *error);
 
 /* --- stages.c --------------------------------------------------------------------------------- */
-/* Accepted estimated error of an update in stages, relative to the depth. */
+/* Accepted estimated error of an update in stages, relative to the largest depth. */
 #define ARC_STAGED_TOLERANCE 3e-3
 /* Returns the longest stable update in stages [cycles] for an eigenvalue [1/cycle]. */
 double arc_wear_longest_staged(const arc_wear *w, double eigenvalue);
@@ -88,35 +93,34 @@ arc_status arc_wear_stages(arc_wear *w, const wear_window *window,
                            arc_error *error);
 
 /* --- implicit.c ------------------------------------------------------------------------------- */
-/* Computes the depths of an implicit update over a window, with an error estimate if the
- * definition has a tolerance. Errors: ARC_NOT_CONVERGED if the update needs fewer cycles; errors
- * of a contact solution. */
+/* Computes the depths of an implicit update over a window, with an error estimate if the definition
+ * has a tolerance. Errors: ARC_NOT_CONVERGED if the update must be shorter; errors of a contact
+ * solution. */
 arc_status arc_wear_implicit(arc_wear *w, const wear_window *window,
                              const update_coefficients *coefficients, wear_progress *progress,
                              wear_depths *depth, arc_error *error);
 
 /* --- update.c --------------------------------------------------------------------------------- */
-/* Makes the update of a plan on the shape of an outcome, which is a copy of the run's shape. The
- * plan may be shortened. Adds update, volumes, coefficients and error to the record of the outcome,
- * which initially equals the last record of the run. */
+/* Makes the planned update on the shape of an outcome, which is a copy of the run's shape. The plan
+ * may be shortened. The record of the outcome, initially the last record of the run, receives the
+ * number of the update, the volumes, the coefficients and the error. */
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_progress *progress, wear_outcome *out,
                            arc_error *error);
 
-/* Solves a cycle on the surfaces after an explicit update and stores its largest pressure in the
- * record. The solution is also the start of the next update. */
+/* Solves a cycle on the surfaces after an explicit update, and stores its largest pressure in the
+ * record. The next update starts from this solution. */
 arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                                      const arc_callbacks *callbacks, arc_error *error);
 
 /* --- stability.c ------------------------------------------------------------------------------ */
-/* Gives the warnings about a definition before the run continues. Each definition is checked
- * once. */
+/* Warns about a definition before the run continues. Each definition is checked once. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
-/* Returns ARC_NOT_CONVERGED for an outcome of a step beyond the stability limit whose pressures at
- * neighbouring nodes differ by half of their mean. */
+/* Returns ARC_NOT_CONVERGED if a step was longer than the stability limit and the pressures at
+ * neighbouring nodes differ by more than half of their mean. */
 arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
                                    const arc_callbacks *callbacks, arc_error *error);
-/* Gives a warning once per definition if the last update exceeded the stability limit. Computes
- * the limit again if coefficients or path have changed. */
+/* Warns once per definition if the last update was longer than the stability limit. Computes the
+ * limit again if the wear coefficients or the block of loading have changed. */
 void arc_wear_warn_of_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif

@@ -4,33 +4,34 @@
 
 #include <math.h>
 
-/* A remaining distance below this fraction of the whole distance is treated as a rounding error. */
+/* A remaining distance shorter than this fraction of the whole distance is a rounding error. */
 static const double rounding = 1e-12;
-/* Relative tolerance with which the last step counts as complete. */
+/* Relative tolerance within which a step is extended or shortened to end with its block. */
 static const double whole = 1e-9;
 
 /* --- lengths of updates */
 
-/* Returns the integral of k over the distance [mm3/N] after which the deepest node has worn by
- * `depth` [mm] at the present pressure. */
+/* Returns the integral of k over the distance [mm3/N] that causes the wear depth `depth` [mm] at
+ * the present pressure in the centre of the contact. */
 static double k_integral_for(const arc_wear *w, double depth) {
   const double p = arc_wear_last(w)->p_center;
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Returns the number of cycles for an integral of k over the distance [mm3/N]. */
+/* Returns the number of cycles over which k, integrated over the distance, reaches k_integral
+ * [mm3/N]. */
 static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double k_integral) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
   return per_cycle > 0 ? k_integral / per_cycle : INFINITY;
 }
 
-/* Largest wear of an update, as a fraction of the natural depth (scale of elastic displacements) in
- * the first updates, or of the present depth in later updates. */
+/* Largest wear of an update. In the first updates it is a fraction of the natural depth (the scale
+ * of elastic displacements), in later updates a fraction of the present depth. */
 static const double first_depth = 0.15, later_depth = 0.05;
 /* Largest wear of the first implicit update, which has no error estimate, as a fraction of the
  * natural depth. */
 static const double first_implicit_depth = 0.06;
-/* Length of automatic updates, as a fraction of the stability limit 2 / eigenvalue. */
+/* Length of automatic updates of one stage, as a fraction of the stability limit 2 / eigenvalue. */
 static const double safe_share = 0.6;
 
 static double total_depth(const arc_wear *w) {
@@ -45,8 +46,8 @@ static double depth_limit(const arc_wear *w) {
 
 /* --- uniform wear */
 
-/* Returns true if the plate wears uniformly and no other wear occurs. Such wear changes the contact
- * only because layers become thinner. */
+/* Returns true if the plate wears uniformly and no other wear occurs. Uniform wear changes the
+ * contact only because layers become thinner. */
 static int only_evenly(const arc_wear *w) {
   return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
@@ -55,8 +56,8 @@ static double layer_k_integral(const arc_wear *w, int scars) {
   return w->kind->layer_k_integral ? w->kind->layer_k_integral(w, scars) : INFINITY;
 }
 
-/* Returns the largest integral of k of an update [mm3/N] if only uniform wear occurs. The integral
- * does not depend on the pressure in the contact. */
+/* Returns the largest integral of k over the distance of an update [mm3/N] if only uniform wear
+ * occurs. It does not depend on the pressure in the contact. */
 static double most_evenly(const arc_wear *w) {
   return fmin(w->kind->even_k_integral(w, depth_limit(w)), layer_k_integral(w, 0));
 }
@@ -81,9 +82,9 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
   return status;
 }
 
-/* Returns the largest integral of k of an update in stages [mm3/N], from the estimated error of
- * the last update. The value depends only on the history, so a stored run continues with the
- * same steps. */
+/* Returns the largest integral of k over the distance of an update in stages [mm3/N], from the
+ * estimated error of the last update. The value depends only on the history, so a stored run
+ * continues with the same steps. */
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
@@ -102,7 +103,8 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
-/* Returns true if the last step removed no material, as after the end of wear in partial slip. */
+/* Returns true if the last step removed no material. This happens when wear in partial slip has
+ * ended. */
 static int removed_nothing(const arc_wear *w) {
   const arc_wear_record *now = arc_wear_last(w);
   return w->records > 1 && now->volume_cylinder == now[-1].volume_cylinder &&
@@ -121,8 +123,9 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
   if (now->error > 0) {
     const double order = w->def.order == 1 ? 2 : 3;
     const double growth = safety * pow(now->error, -1 / order);
-    const double before =
-        w->records > 2 ? now[-1].jump : 0; /* previous jump, as the last step may be shortened */
+    const double before = w->records > 2
+                              ? now[-1].jump
+                              : 0; /* jump before the last one, which may have been shortened */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
     *jump = cycles_for(block, k,
@@ -142,7 +145,8 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
   *jump = INFINITY;
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
-  if (own && w->def.jump > 0) *jump = w->def.jump; /* largest length of updates in stages */
+  if (own && w->def.jump > 0)
+    *jump = w->def.jump; /* upper limit of the length of updates in stages */
   if (arc_wear_jump_is_auto(&w->def) || own) return plan_automatic(w, callbacks, plan, error);
   *jump = w->def.jump;
   if (!w->def.jump_function) return ARC_OK;
@@ -158,8 +162,8 @@ static double bound(const arc_wear *w, const wear_block *block, double limit) {
              : fmin(limit, arc_wear_block_end(block));
 }
 
-/* Plans a step of a loading that does not repeat: sets the index of the present increment and the
- * fraction of it that ends at `limit` [cycles]. */
+/* Plans a step of a loading that runs once: the rest of the present increment, up to the distance
+ * `limit` [mm]. */
 static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const arc_wear_record *now = arc_wear_last(w);
   const wear_block *b = plan->block;

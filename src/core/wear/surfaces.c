@@ -1,4 +1,5 @@
-/* Returns the surfaces of a run as arrays, for output and for the stored state. */
+/* Returns the surfaces and the stored state of a run as arrays, checks such arrays, and restores
+ * runs. */
 #include "core/pair/model.h"
 #include "core/wear/run.h"
 
@@ -19,7 +20,7 @@ arc_status arc_wear_surfaces(const arc_wear *w, arc_array **surfaces, size_t *co
 typedef struct shown {
   const arc_array *first;
   size_t count;
-  int line; /* 1 if sites are sorted by x, their only coordinate */
+  int line; /* 1 if x is the only coordinate of the sites, so that they are sorted by x */
 } shown;
 
 static int is_named(const arc_array *array, const char *name) {

@@ -1,11 +1,12 @@
-/* One update of the geometry: computes the coefficients, then the depths by the scheme of the
+/* Makes one update of the geometry: computes the coefficients, then the depths by the scheme of the
  * run. */
 #include "core/wear/step.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Removes the depths from the outcome's shape, and adds volumes and error to its record. */
+/* Applies the wear depths to the shape of an outcome, and adds volumes, energy and error to its
+ * record. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
   out->record.error = depth->error;
@@ -15,9 +16,10 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
-/* Returns the integral of the load over the sliding distance of a window [N mm], by the
- * integration rule of the wear. The load balances the forces on both bodies, so under rigid slip
- * the result equals the integral of p ds over the area of each body (Eq. 15) for any pressures. */
+/* Returns the integral of the load over the sliding distance of a window [N mm], by the integration
+ * rule of the wear. The load balances the pressures on each body. Under rigid slip the result is
+ * therefore the integral of pressure times sliding distance over the area of either body (Eq. 15 of
+ * the reference paper). */
 static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
   double sum = 0;
   for (int at = first + 1; at <= last; at++) {
@@ -46,8 +48,8 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
   return status;
 }
 
-/* Updates the geometry at every increment of a cycle (Eq. 4 with the pressure p_{i-1} of the
- * previous geometry). */
+/* Updates the geometry at every increment of a cycle (Eq. 4 of the reference paper, with the
+ * pressure on the geometry before the increment). */
 static arc_status split_update(arc_wear *w, wear_plan *plan, wear_progress *progress,
                                wear_outcome *out, arc_error *error) {
   update_coefficients whole;
@@ -98,7 +100,7 @@ typedef struct whole {
   wear_plan *plan;
   wear_window window;
   wear_progress *progress;
-  wear_rate *rate; /* rate at the start; NULL: not computed */
+  wear_rate *rate; /* wear rate at the start of the update; NULL: not computed */
   update_coefficients coefficients;
 } whole;
 
@@ -109,8 +111,8 @@ static arc_status want_tangent(arc_wear *w, arc_error *error) {
   return w->start.tangent ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for an update");
 }
 
-/* Solves a window at the start of an update. The rate of a whole cycle is cached unless local
- * factors depend on the state. */
+/* Solves a window at the start of an update. The rate of a whole cycle is cached unless there are
+ * local factors, which depend on the state. */
 static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
                               wear_progress *progress, arc_error *error) {
   wear_start *s = &w->start;
@@ -127,13 +129,14 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   return ARC_OK;
 }
 
-/* Copies the cached rate to `rate`. Its contact solutions are counted only once. */
+/* Copies the cached wear rate to `rate`. Sets the number of its uncounted contact solutions to 0,
+ * so that they are counted only once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
   arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
 }
 
-/* Writes the friction results of a cycle to the record of its surfaces. */
+/* Writes the friction results of a cycle to the record of the surfaces on which it was solved. */
 static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_record *record) {
   const double thickness = w->manner.thickness;
   record->cycle_energy = rate->energy * thickness;
@@ -163,8 +166,8 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
   return ARC_OK;
 }
 
-/* Computes the rate at the start if it is needed: for explicit updates, and for the prediction of
- * functions of the state. */
+/* Computes the wear rate at the start of an update if it is needed: for explicit updates, and for
+ * the prediction of functions of the state. */
 static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
@@ -180,8 +183,8 @@ static arc_status find_start(whole *u, arc_error *error) {
   return status;
 }
 
-/* Computes the eigenvalue and the coefficients of the plan. The plan is shortened if it would need
- * more than the largest number of stages. */
+/* Computes the coefficients of the planned update and, for an update in stages, its eigenvalue. The
+ * plan is shortened if it needs more than the largest number of stages. */
 static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_integrate_coefficients(w, u->plan, u->rate, &u->coefficients, error);
@@ -196,8 +199,8 @@ static arc_status find_coefficients(whole *u, double *eigenvalue, arc_error *err
 }
 
 /* Chooses the friction coefficient at the start of an update. Explicit updates of one stage use the
- * mean coefficient over their length. Updates that evaluate the coefficient in stages use the value
- * after a jump at the start. */
+ * mean of the coefficient over the update. Updates of several stages use its value at the start; if
+ * it jumps there, the value after the jump. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
   const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
@@ -209,9 +212,8 @@ static arc_status find_friction(whole *u, arc_error *error) {
   return status == ARC_OK ? find_start(u, error) : status;
 }
 
-/* Predicts the surface at the middle of the update, and lets the shape compute data such as its
- * compliance for that surface. Does nothing unless the update is implicit and periodic and has a
- * tolerance. */
+/* Predicts the surface at the middle of an update, for which the shape computes data such as its
+ * compliance. Does nothing unless the update is implicit, of whole cycles, and has a tolerance. */
 static arc_status look_ahead(whole *u, arc_shape *shape, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   wear_rate *rate = &w->work.rate;

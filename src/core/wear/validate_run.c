@@ -1,4 +1,4 @@
-/* Checks of a run: its history, its volumes, and the checks of its kind of pair. */
+/* Checks a run: its history, its wear volumes, and the properties that its kind of pair checks. */
 #include "core/wear/run.h"
 
 #include <assert.h>
@@ -7,8 +7,8 @@
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Checks that all values of a record are finite. Only alpha-tilde may be NaN, and only before
- * any wear. */
+/* Checks that all values of a record are finite. Only alpha-tilde (depth_partition) may be NaN, as
+ * long as both bodies are unworn. */
 static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
   arc_wear_record known = *r;
   if (isnan(r->depth_partition) && !(r->depth_cylinder + r->depth_plate > 0))
@@ -42,8 +42,9 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
 /* --- volumes: k L d of Archard's law ---------------------------------------------------------- */
 
 /* Returns true if the wear volume of a record must equal k L d (wear coefficient, load, sliding
- * distance). It need not in runs with a loading, spin, friction, a nonlinear law, local factors or
- * elastic slip, or if coefficients change while the geometry is updated at every increment. */
+ * distance). This does not hold in runs with a loading, spin, friction, a nonlinear law, local
+ * factors or elastic slip, or if coefficients change while the geometry is updated at every
+ * increment. */
 static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =
@@ -78,10 +79,10 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
   for (size_t i = 1; i < count && status == ARC_OK; i++) {
     status = check_finite(&r[i], error);
     if (status == ARC_OK) status = check_growth(&r[i - 1], &r[i], error);
-    /* earlier rows may have another definition */
+    /* volumes of rows before the last change of the definition are not checked */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      if (!w->manner.layered[b]) /* the record does not contain the k of layers */
+      if (!w->manner.layered[b]) /* the record does not contain the wear coefficients of layers */
         status = check_volume(d, &r[i - 1], &r[i], (arc_body)b, error);
   }
   return status;

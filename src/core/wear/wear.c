@@ -1,4 +1,4 @@
-/* The wear run: creation, restoring, change of definition, and queries. */
+/* Creates, restores and changes wear runs, and returns their results. */
 #include "core/base/carve.h"
 #include "core/pair/model.h"
 #include "core/wear/run.h"
@@ -21,7 +21,7 @@ static arc_status allocate(arc_wear *w) {
   return ARC_CARVE(parts) ? ARC_OK : ARC_MEMORY;
 }
 
-/* Copies a checked definition and derives values from it. */
+/* Copies a checked definition to a run, and sets the members that are derived from it. */
 static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   const arc_model_def *md = arc_model_definition(w->model);
   arc_status status = arc_wear_def_copy(def, &w->def);
@@ -35,7 +35,7 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   return status;
 }
 
-/* Computes row 0 of the history, from the initial shape, which may be worn. */
+/* Computes row 0 of the history from the initial shape, which may be worn. */
 static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
@@ -83,7 +83,7 @@ arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const a
   return status;
 }
 
-/* Destroys one run and replaces it by another run. */
+/* Destroys the run *w and sets *w to the run `by`. */
 static void replace(arc_wear **w, arc_wear *by) {
   arc_wear_destroy(w);
   *w = by;
@@ -134,8 +134,8 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Copies a run to larger surfaces if its contact does not fit on the present ones after a change of
- * the definition. */
+/* Copies a run to larger surfaces if, after a change of the definition, its contact does not fit on
+ * the present surfaces. */
 static arc_status enlarge_model(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
   const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
@@ -211,8 +211,8 @@ double arc_wear_strokes(const arc_wear *w) {
   return w->manner.strokes;
 }
 
-/* Returns the number of cycles over the whole distance of the run. The last block continues to
- * the end of the distance. */
+/* Returns the number of cycles in the whole distance of the run. The last block lasts to the end of
+ * the distance. */
 double arc_wear_cycles(const arc_wear *w) {
   double cycles = 0, left = w->def.distance - w->block[0].start_distance;
   for (int b = 0; b < w->blocks && left > 0; b++) {
