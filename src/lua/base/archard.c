@@ -9,8 +9,8 @@
 
 #include <lauxlib.h>
 
-/* Classes written in C: name of the global, and the function that pushes the value of this
- * global. */
+/* List of the classes written in C: the name of each global, and the function that pushes its
+ * value. */
 static const luaL_Reg classes[] = {
     {"material", luaopen_archard_material},
     {"hertz", luaopen_archard_hertz},
@@ -21,7 +21,7 @@ static const luaL_Reg classes[] = {
     {NULL, NULL},
 };
 
-/* Modules written in C that have no global. Scripts load them by require. */
+/* List of the modules written in C that define no global. Scripts load these modules by require. */
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
     {"archard.gnuplot", luaopen_archard_gnuplot},
@@ -42,8 +42,8 @@ static const luaL_Reg modules[] = {
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"
 
-/* Classes written in Lua: name of the global, and the module in scripts/ that returns the value of
- * this global. */
+/* List of the classes written in Lua: the name of each global, and the module in scripts/ that
+ * returns its value. */
 static const char *const scripted[][2] = {
     {"help", "archard.help"},         {"plot", "archard.plot"},
     {"study", "archard.study"},       {"fit", "archard.fit"},
@@ -55,8 +55,8 @@ static const char *const scripted[][2] = {
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
-/* Functions written in Lua, loaded at their first call: name of the global, the module, and the
- * field of the module (NULL if the module is the function). */
+/* List of the functions written in Lua, which are loaded at their first call: the name of the
+ * global, the module, and the field of the module (NULL: the module itself is the function). */
 static const char *const functions[][3] = {
     {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
     {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
@@ -64,8 +64,8 @@ static const char *const functions[][3] = {
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
-/* Pops a value and stores it as field `name` of the module table below it, as a global of the user
- * and as a global of the built-in scripts. */
+/* Pops a value and stores it in three tables: as field `name` of the module table below it, as a
+ * global of the user, and as a global of the built-in scripts. */
 static void publish(lua_State *L, const char *name) {
   if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
@@ -110,8 +110,8 @@ int luaopen_archard(lua_State *L) {
   lua_pushliteral(L, ARC_VERSION);
   lua_setfield(L, -2, "version");
 
-  /* The module is registered before the classes are opened, because their scripts require
-   * "archard". */
+  /* The module is registered before the classes are opened, because the scripts of some classes
+   * require "archard". */
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_pushvalue(L, -2);
   lua_setfield(L, -2, "archard");

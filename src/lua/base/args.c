@@ -1,4 +1,4 @@
-/* Reads and checks tables of named fields. */
+/* Reads tables of named fields into structs and checks the values. */
 #include "lua/base/args.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
@@ -94,7 +94,7 @@ void args_check_names(lua_State *L, int index, args_location location, const arc
 
 /* --- reading arguments ------------------------------------------------------------------------ */
 
-enum { LONGEST_TEXT = 240 }; /* [bytes] largest length of the description of a setting's values */
+enum { LONGEST_TEXT = 240 }; /* [bytes] buffer for a text that describes valid values */
 
 static void refuse(lua_State *L, args_location location, const arc_setting *s)
     __attribute__((noreturn));
@@ -123,8 +123,8 @@ double args_number(lua_State *L, args_location location, const arc_setting *s) {
   return value;
 }
 
-/* Returns the index in `choices` of the text at stack index `index`, or -1 if there is no such
- * choice. The text "plane" means "plane strain". */
+/* Returns the index in `choices` of the text at stack index `index`, or -1 if the text is not one
+ * of the choices. The text "plane" is a short form of "plane strain". */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
   if (choices == arc_switch_names) return lua_isboolean(L, index) ? lua_toboolean(L, index) : -1;
   if (lua_type(L, index) != LUA_TSTRING) return -1;
@@ -154,8 +154,8 @@ static void set_number(const arc_setting *s, void *definition, double value) {
     *(double *)arc_setting_member(s, definition) = value;
 }
 
-/* Returns true if the value on top of the stack is "auto", a function or a series, and the setting
- * allows this form. "auto" is stored as 0. */
+/* Returns true if the value on top of the stack is "auto", a function or a series and the setting
+ * allows such a value. Stores "auto" as 0. */
 static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   const int type = lua_type(L, -1);
   int automatic = 0;
@@ -179,7 +179,7 @@ static void read_text(lua_State *L, args_location location, const arc_setting *s
   memcpy(to, text, length + 1);
 }
 
-/* Reads a group of settings from a table of its fields or from an object of its class. */
+/* Reads a group of settings from a table of fields, or from an object of the group's class. */
 static void read_group(lua_State *L, args_location location, const arc_setting *s,
                        void *definition) {
   void *member = arc_setting_member(s, definition);
@@ -190,7 +190,7 @@ static void read_group(lua_State *L, args_location location, const arc_setting *
   lua_pop(L, 1);
 }
 
-/* Reads the value on top of the stack into the struct member of the setting. */
+/* Stores the value on top of the stack in the struct member of the setting. */
 static void read_value(lua_State *L, args_location location, const arc_setting *s,
                        void *definition) {
   switch (s->kind) {

@@ -15,7 +15,7 @@ void array_set(lua_State *L, const char *name, const double *values, size_t coun
 void array_set_number(lua_State *L, const char *name, double value);
 
 /* Pushes a userdata with `count` uninitialised doubles and returns its address. The garbage
- * collector frees it. */
+ * collector frees the userdata. */
 double *array_buffer(lua_State *L, size_t count);
 
 #endif

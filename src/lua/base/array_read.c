@@ -5,7 +5,7 @@
 #include <lauxlib.h>
 #include <math.h>
 
-/* A test that each item of a list must pass, and its description for the error message. */
+/* A test for each item of a list, and the description of a valid item for the error message. */
 typedef struct kind {
   int (*fits)(double value);
   const char *expected;

@@ -6,9 +6,9 @@
 #include "lua/base/args.h"
 #include "lua/base/array.h"
 
-/* Returns the number of items in the list on top of the stack, without metamethods. Raises an
- * error if the list has more than `most` items. The size of every list from a script is checked
- * by this function. */
+/* Returns the number of items in the list on top of the stack; metamethods are not called. Raises
+ * an error if the list has more than `most` items. Every list from a script must be checked by this
+ * function. */
 size_t array_length(lua_State *L, args_location location, const char *name, size_t most);
 
 enum { ARRAY_MOST = 100000000 }; /* largest allowed length of a list */

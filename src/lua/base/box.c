@@ -9,13 +9,13 @@
 #include <stdint.h>
 #include <string.h>
 
-static const char class_key[] = "archard.class %s"; /* registry key of a class */
+static const char class_key[] = "archard.class %s"; /* format of the registry keys of classes */
 
 static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Raises an error for the unknown name at index 2 if the user's code reads it. Upvalue 4 is the
+/* Raises an error for the unknown name at index 2, but only if the user's code reads it. Upvalue 4:
  * list of all valid names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
@@ -23,8 +23,8 @@ static int unknown_field(lua_State *L) {
   return 0;
 }
 
-/* Returns the value at index 3. If the value is a table without a metatable, makes it a strict
- * table with the name "CLASS.FIELD". */
+/* Returns the value at index 3. A table without a metatable becomes strict with the name
+ * "CLASS.FIELD": reading an unknown field of the table is then an error. */
 static int guarded(lua_State *L) {
   if (!lua_istable(L, 3)) return 1;
   if (lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
@@ -124,8 +124,8 @@ static int class_eq(lua_State *L) {
   return 1;
 }
 
-/* Pushes a pointer as light userdata. Lua's light userdata are not const, but the objects at
- * these pointers are only read. */
+/* Pushes a pointer as light userdata. The cast removes const, which is safe because the object at
+ * the pointer is only read. */
 static void push_pointer(lua_State *L, const void *pointer) {
   lua_pushlightuserdata(L, (void *)(uintptr_t)pointer);
 }
@@ -158,7 +158,7 @@ static void push_readers(lua_State *L, const box_class *class) {
   if (class->fields) luaL_setfuncs(L, class->fields, 0);
 }
 
-/* Pushes the list of the names of the fields. */
+/* Pushes the list of all field names. */
 static void push_field_names(lua_State *L, const box_class *class) {
   lua_newtable(L);
   int count = 0;
@@ -173,7 +173,7 @@ static void push_field_names(lua_State *L, const box_class *class) {
   }
 }
 
-/* Pushes the list of the names of fields and methods. */
+/* Pushes the list of all field and method names. */
 static void push_names(lua_State *L, const box_class *class) {
   push_field_names(L, class);
   for (const luaL_Reg *method = class->methods; method && method->name; method++) {
@@ -182,7 +182,7 @@ static void push_names(lua_State *L, const box_class *class) {
   }
 }
 
-/* Fills the new metatable on top of the stack. */
+/* Fills the new metatable on top of the stack for objects of the class. */
 static void fill_metatable(lua_State *L, const box_class *class) {
   lua_pushstring(L, class->name);
   lua_setfield(L, -2, "__name");
@@ -216,7 +216,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
-  lua_pushfstring(L, "archard.%s", class->name); /* registry key for the help on methods */
+  lua_pushfstring(L, "archard.%s", class->name); /* registry key of the metatable, for help */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
@@ -239,7 +239,7 @@ box *box_push(lua_State *L, const box_class *class) {
   return made;
 }
 
-/* Compares the class and the metatable, because a script may have set the metatable of a box on
+/* Checks the class and the metatable, because a script may have set the metatable of a box on
  * another userdata. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);

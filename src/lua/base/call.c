@@ -1,20 +1,20 @@
 /* Each running function has a frame on the C stack, with a list of the objects that it uses.
- * Functions end in the reverse order of their start, because nothing yields across them and errors
- * stop at each frame. */
+ * Functions end in the reverse order of their start, because coroutines cannot yield across them
+ * and each frame catches errors. */
 #include "lua/base/call.h"
 
 #include <assert.h>
 
-enum { MOST_HELD = 16 }; /* largest number of objects that one function may use */
+enum { MOST_HELD = 16 }; /* largest number of objects that one function can mark as used */
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* first argument of the function; it exists as long as the frame */
-  int count, keeps;  /* keeps: true if the registry has a table of values for this frame */
+  const void *first; /* first argument of the function, which is alive as long as the frame */
+  int count, keeps;  /* keeps: true if the registry has values of call_keep for this frame */
   call_held *held[MOST_HELD];
 } frame;
 
-static _Thread_local frame *current; /* frame of the running function */
+static _Thread_local frame *current; /* frame of the innermost running function; NULL: none */
 
 /* --- saved functions -------------------------------------------------------------------------- */
 
@@ -80,7 +80,7 @@ static void release(lua_State *L, const frame *f) {
 /* --- calls ------------------------------------------------------------------------------------ */
 
 void call_now(lua_State *L, int arguments, int results) {
-  frame own; /* set below without memset for speed, as each read of a field calls call_now */
+  frame own; /* initialised below without memset, because each read of a field calls call_now */
   own.outer = current;
   own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
   own.count = own.keeps = 0;
@@ -91,8 +91,8 @@ void call_now(lua_State *L, int arguments, int results) {
   if (status != LUA_OK) lua_error(L);
 }
 
-/* Calls the function in upvalue 1. During the call a copy of the first argument stays on the
- * stack below the function. */
+/* Calls the wrapped function, which is upvalue 1. A copy of the first argument stays on the stack
+ * below the function, so that the garbage collector does not free the object. */
 static int call(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments > 0)

@@ -2,8 +2,8 @@
  *
  * Lua code may run at any allocation (the garbage collector calls finalizers), in every callback
  * and in every metamethod. Therefore a C function marks each object that it uses until it returns
- * or fails. A marked object is not moved, changes are refused, and closing is deferred. All
- * functions that use boxes (box.h) are wrapped by this file before scripts can call them. */
+ * or fails. While an object is marked, changes are refused and closing is deferred. Every function
+ * that uses boxes (box.h) must be wrapped before scripts can call it. */
 #ifndef LUA_CALL_H
 #define LUA_CALL_H
 
@@ -36,7 +36,7 @@ typedef struct call_held {
  * member for marks. Repeated calls in one function count as one mark. */
 void call_hold(lua_State *L, int index, call_held *held);
 
-/* Returns true if a function other than the running one uses the object. */
+/* Returns true if a function other than the running function uses the object. */
 int call_is_held_outside(const call_held *held);
 
 /* Pops a value and keeps it alive until the running function returns. */

@@ -1,6 +1,6 @@
-/* Restricts file access to two folders, and limits writing by the free space of the disk. The
- * check in this file replaces arc_file_allowed of the library, which allows all files. It
- * applies to the whole process. */
+/* Restricts file access of the whole process to two folders, and refuses writing if the disk has
+ * too little free space. The function arc_file_allowed in this file replaces the function of this
+ * name in the library, which allows all files. */
 #include "lua/base/confine.h"
 
 #include <limits.h>
@@ -8,11 +8,11 @@
 #include <string.h>
 #include <sys/statvfs.h>
 
-/* Folders for reading and writing, as absolute paths without symbolic links. An empty text means
- * that there is no restriction. */
+/* Folders in which reading and writing are allowed, as absolute paths without symbolic links. An
+ * empty text means that there is no restriction. */
 static struct {
   char read[PATH_MAX], write[PATH_MAX];
-  double least; /* free bytes that must remain on the disk; 0: no limit */
+  double least; /* [bytes] free space that must remain on the disk; 0: no limit */
 } confined;
 
 static arc_status no_folder(const char *folder, arc_error *error) {

@@ -1,4 +1,4 @@
-/* The Lua files of scripts/ as strings in the program; this table is generated at build time. */
+/* The Lua files of scripts/ as strings in the program. The table is generated at build time. */
 #ifndef LUA_EMBEDDED_H
 #define LUA_EMBEDDED_H
 

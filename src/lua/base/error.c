@@ -19,7 +19,7 @@ static const char *push_text(lua_State *L, const char *name) {
   return lua_tostring(L, -1);
 }
 
-/* Returns the text "file:line: where: message (update 12)". */
+/* Metamethod __tostring: returns "file:line: where: message (update 12)" for an error object. */
 static int error_tostring(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const char *position = push_text(L, "position");
@@ -33,7 +33,7 @@ static int error_tostring(lua_State *L) {
   return 1;
 }
 
-/* Metamethod __concat: allows "failed: " .. err for error objects, as for text messages. */
+/* Metamethod __concat: makes "failed: " .. err valid for error objects. */
 static int error_concat(lua_State *L) {
   luaL_tolstring(L, 1, NULL);
   luaL_tolstring(L, 2, NULL);
@@ -84,8 +84,8 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setmetatable(L, -2);
 }
 
-/* Raises the error. This function is declared as noreturn, because the declaration of lua_error
- * is not. */
+/* Raises the error on top of the stack. The function is declared as noreturn, because lua_error is
+ * not. */
 __attribute__((noreturn)) static void throw(lua_State * L) {
   lua_error(L);
   abort();
@@ -120,8 +120,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes the value on top of the stack as a string. A __tostring of the user may raise an error, so
- * the call is protected. */
+/* Pushes the error value on top of the stack as a string. The call is protected, because a
+ * __tostring of the user may raise an error. */
 static void push_error_text(lua_State *L) {
   lua_pushcfunction(L, to_text);
   lua_pushvalue(L, -2);
@@ -142,7 +142,7 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   throw(L);
 }
 
-/* Pushes a copy of the traceback at index 1 without the lines of built-in scripts. */
+/* Pushes the traceback at index 1 without the lines about built-in scripts. */
 static int without_own(lua_State *L) {
   luaL_Buffer kept;
   luaL_buffinit(L, &kept);

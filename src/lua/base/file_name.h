@@ -1,4 +1,4 @@
-/* lua/base/file_name.h - file names from scripts. */
+/* lua/base/file_name.h - checks file names from scripts. */
 #ifndef LUA_PATH_H
 #define LUA_PATH_H
 

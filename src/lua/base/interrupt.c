@@ -11,20 +11,20 @@
 static volatile sig_atomic_t requests, ever;
 static lua_State *volatile running;
 
-/* Instruction limit of the sandbox: remaining instructions, function called at the limit, and text
- * of the exceeded limit. */
+/* Instruction limit of the sandbox: the remaining instructions, the function called at the limit,
+ * and the error message of an exceeded limit (NULL: not exceeded). */
 static double instructions_left;
 static void (*limit_reached)(void);
 static const char *volatile exceeded;
-enum { PERIOD = 10000 }; /* instructions between two checks */
+enum { PERIOD = 10000 }; /* number of instructions between two checks of the limit */
 
-/* Error messages of an interrupt: `plain` does not contain the progress of the run, `explained`
- * does. `explained` is set outside the signal handler. */
+/* Error messages of an interrupt: `explained` contains the progress of the run, `plain` does not.
+ * `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
-/* Text that describes the progress of a search over many runs. In the error it replaces the
- * progress of the present run. */
+/* Text that describes the progress of a search over many runs, or "". In error messages it replaces
+ * the progress of the present run. */
 static char report[240];
 
 static void rest(lua_State *L);
@@ -38,7 +38,7 @@ static void push_place(lua_State *L) {
   luaL_where(L, 1);
 }
 
-/* Raises the text `explained`, which contains the progress, without "file:line:" before it. */
+/* Raises the message `explained`, without "file:line:" before it. */
 static void raise_explained(lua_State *L) {
   lua_pushstring(L, explained);
   lua_error(L);
@@ -46,8 +46,8 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* the hook is from an earlier request and was set before the
-                                     coroutine yielded */
+  if (!interrupt_pending(NULL)) { /* no request is pending: the hook was set for an earlier request,
+                                     before the coroutine yielded */
     rest(L);
     return;
   }
@@ -59,8 +59,8 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
   lua_error(L);
 }
 
-/* Installs the stop hook. Signal handlers may call this function, because they may call
- * lua_sethook. */
+/* Installs the stop hook. Signal handlers may call this function, because lua_sethook is safe in
+ * signal handlers. */
 static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
@@ -72,7 +72,7 @@ static void charge(void) {
   if (limit_reached) limit_reached();
 }
 
-/* Hook that counts instructions for the sandbox's instruction limit while no request is pending. */
+/* Hook that counts instructions for the limit of the sandbox, while no request is pending. */
 static void count_hook(lua_State *L, lua_Debug *event) {
   charge();
   if (exceeded) stop_hook(L, event);
@@ -176,7 +176,7 @@ static int tracked_resume(lua_State *L) {
   return count + 1;
 }
 
-/* Closes a coroutine that failed. Has no effect on a coroutine that could not be resumed. */
+/* Closes a coroutine that failed. If the coroutine could not be resumed at all, has no effect. */
 static void close_failed(lua_State *L, lua_State *co) {
   int status = lua_status(co);
   if (status == LUA_OK || status == LUA_YIELD) return;
@@ -201,8 +201,8 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-/* Creates a coroutine. Each coroutine counts its own periods of instructions, so one period is
- * subtracted from the limit for the new coroutine. */
+/* Creates a coroutine. Subtracts one period of instructions from the limit, because each coroutine
+ * counts its periods separately. */
 static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);

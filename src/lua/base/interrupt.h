@@ -1,7 +1,8 @@
 /* lua/base/interrupt.h - stops running Lua code or the engine at the user's request (Ctrl-C). A
  * request sets a flag, which the engine reads by interrupt_pending, and installs a hook in the
  * running coroutine. Flag and hook stay until interrupt_clear, so that pcall in a script cannot
- * discard the request. While there is no request, no hook slows Lua down. */
+ * discard the request. Without a request and without an instruction limit no hook is installed, so
+ * that Lua is not slowed down. */
 #ifndef LUA_INTERRUPT_H
 #define LUA_INTERRUPT_H
 
@@ -23,8 +24,8 @@ int interrupt_request(void);
 /* Returns true if a stop was requested at any time in this process. */
 int interrupt_ever(void);
 
-/* Returns true if a stop is requested. The type is arc_stop_fn for the engine; `context` is not
- * used. */
+/* Returns true if a stop is requested. The function has the type arc_stop_fn, so that the engine
+ * can call it. `context` is not used. */
 int interrupt_pending(void *context);
 
 /* Raises the error of a pending request: the text `progress`, which describes the progress of the
@@ -37,18 +38,21 @@ void interrupt_raise(lua_State *L, const char *progress);
 void interrupt_report(const char *text);
 
 /* Limits the number of Lua instructions (0: no limit). A limit slows Lua down. At the limit,
- * execution is stopped as by a request that cannot be cleared. The hook cannot stop all code:
- * Lua calls no hook while handlers or __close methods run because of the hook's own error.
+ * execution is stopped as by a request that cannot be cleared. Code that runs because of the
+ * resulting error is not stopped: Lua calls no hook in message handlers and __close methods.
  * Therefore the function `reached` (may be NULL) is called once at the limit. */
 void interrupt_limit(lua_State *L, double instructions, void (*reached)(void));
 
-/* Reports that a limit was exceeded; async-signal-safe. `text` is not copied. */
+/* Stops execution because a limit was exceeded; async-signal-safe. `text` is the error message and
+ * is not copied. */
 void interrupt_exceed(const char *text);
 
-/* Returns the text of the exceeded limit, or NULL; async-signal-safe. */
+/* Returns the message of the exceeded limit, or NULL if no limit was exceeded;
+ * async-signal-safe. */
 const char *interrupt_exceeded(void);
 
-/* Clears the request. Must be called only while no code of the user runs. */
+/* Clears all pending requests, but not an exceeded limit. Must be called only while no code of the
+ * user runs. */
 void interrupt_clear(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* Shows values in messages and searches for the most similar valid name. C code calls the functions
- * directly; scripts use the module `archard.names`, which can also raise errors. */
+/* Formats values for messages and searches for the most similar valid name. C code calls the
+ * functions directly; scripts use the module `archard.names`, which can also raise errors. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* --- the most similar valid name -------------------------------------------------------------- */
+/* --- search for the most similar valid name --------------------------------------------------- */
 
 enum { LONGEST = 31 };
 
@@ -18,8 +18,8 @@ static int least(int a, int b, int c) {
   return low < c ? low : c;
 }
 
-/* Returns the edit distance of two names: the number of letters to change, insert, delete or swap.
- * Returns LONGEST if a name is too long. */
+/* Returns the edit distance of two names: the smallest number of letters to change, insert, delete
+ * or swap. Returns LONGEST if a name has more than LONGEST letters. */
 static int distance_of(const char *a, const char *b) {
   int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
   if (la > LONGEST || lb > LONGEST) return LONGEST;
@@ -71,7 +71,6 @@ static const char *meaning_of(const char *name) {
   return "";
 }
 
-/* Begins a search. A name of one letter must match exactly. */
 const char *names_relation(const names_search *search) {
   static const char *const list[][3] = {{"diameter", "radius", ", half of the diameter"},
                                         {"amplitude", "stroke", ", twice the amplitude"}};
@@ -98,8 +97,8 @@ void names_offer(names_search *search, const char *known) {
   search->limit = distance;
 }
 
-/* nearest(name, list of valid names) returns the most similar name and how its value is related to
- * that of the name (names_relation), or nil if no name is similar. */
+/* nearest(name, list of valid names) returns the most similar name and the text of names_relation,
+ * or nil if no name is similar. */
 static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -116,7 +115,7 @@ static int names_nearest(lua_State *L) {
 
 /* --- values ----------------------------------------------------------------------------------- */
 
-/* Zero bytes are shown as \0, because they would end a C string. */
+/* Writes zero bytes as \0, because a zero byte would end a C string. */
 const char *names_push_text(lua_State *L, int index) {
   size_t length;
   const char *text = lua_tolstring(L, index, &length);
@@ -132,8 +131,8 @@ const char *names_push_text(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
-/* Pushes a string in quotes. A long string is replaced by the start of its first line and the
- * length of the string. */
+/* Pushes a string in quotes. Of a string with more than 200 bytes, pushes the start of its first
+ * line and its length. */
 static const char *push_quoted(lua_State *L, int index) {
   enum { most = 200 };
   size_t length, shown;
@@ -180,7 +179,7 @@ static int names_plain(lua_State *L) {
 
 /* --- errors ----------------------------------------------------------------------------------- */
 
-/* raise(where, status, message) raises an error object. */
+/* raise(where, status, message) raises an error object. `status` is a name such as "ARGUMENT". */
 static int names_raise(lua_State *L) {
   const char *where = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
   const char *message = luaL_checkstring(L, 3);

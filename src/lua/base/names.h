@@ -1,4 +1,4 @@
-/* lua/base/names.h - shows values in messages and searches for the most similar valid name. Lua
+/* lua/base/names.h - formats values for messages and searches for the most similar valid name. Lua
  * scripts use this file as the module `archard.names`. */
 #ifndef LUA_NAMES_H
 #define LUA_NAMES_H
@@ -9,20 +9,25 @@
  * (mu, R, Q) are replaced by the valid name of the quantity. */
 typedef struct names_search {
   const char *name;
-  const char *best; /* most similar name so far, alphabetically first if equal; NULL: none */
-  int limit;        /* largest allowed number of different letters */
+  const char *best; /* most similar name so far; of equally similar names, the first in the
+                       alphabet; NULL: none */
+  int limit;        /* largest edit distance that is still similar; -1 after an exact match */
 } names_search;
 
+/* names_begin begins a search; a name of one letter must match exactly. names_offer compares the
+ * name with the valid name `known`. names_relation requires a `best` that is not NULL: it returns a
+ * text such as ", half of the diameter" if `best` is another quantity than the searched name,
+ * otherwise "". */
 names_search names_begin(const char *name);
 void names_offer(names_search *search, const char *known);
-/* Returns how the best name is related to the searched one if their values differ, such as ", half
- * of the diameter", else "". `best` must not be NULL. */
 const char *names_relation(const names_search *search);
 
-/* Pushes a short description of the value at `index`. Numbers and texts are shown by value. */
+/* Pushes and returns a short description of the value at `index`. Numbers, texts and booleans are
+ * shown by value, other values by type. */
 const char *names_push_shown(lua_State *L, int index);
 
-/* Pushes the text at `index`, such as the name of a field, with zero bytes shown as \0. */
+/* Pushes and returns the text at `index`, such as the name of a field, with zero bytes written as
+ * \0. */
 const char *names_push_text(lua_State *L, int index);
 
 #endif

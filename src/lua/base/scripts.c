@@ -84,8 +84,8 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Replacement of pairs that ignores metamethods of the user's tables. raw_ipairs replaces
- * ipairs. */
+/* raw_pairs and raw_ipairs replace pairs and ipairs in built-in scripts. They ignore metamethods of
+ * the user's tables. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -186,7 +186,8 @@ static const embedded_script *find_script(const char *name) {
   return script->name ? script : NULL;
 }
 
-/* Metamethod __index(modules, name): loads the module. Upvalue: the list of modules in C. */
+/* Metamethod __index of the table of modules: loads the module `name`. Upvalue: the list of modules
+ * in C. */
 static int open_module(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   const luaL_Reg *module = lua_touserdata(L, lua_upvalueindex(1));

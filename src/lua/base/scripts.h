@@ -17,8 +17,9 @@ void script_preload(lua_State *L, const luaL_Reg *modules);
 /* Pushes the value that a built-in module returns. Raises the errors of the module's script. */
 void script_require(lua_State *L, const char *name);
 
-/* Calls the function that a module returns, with the arguments on top of the stack. Returns a
- * status as lua_pcall does. If the module or the function fails, the error value is on top. */
+/* Calls the function that a module returns, with the arguments on top of the stack. Returns the
+ * status of lua_pcall. If the module or the function fails, the error value is on top of the
+ * stack. */
 int script_pcall(lua_State *L, const char *name, int arguments, int results);
 
 /* Pops a value and registers it as module `name` for built-in scripts. */

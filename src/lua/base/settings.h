@@ -6,8 +6,8 @@
 
 #include <lua.h>
 
-/* Pushes the value of one setting: a number, a text, "auto", { distance=, value= } or the table of
- * a group. Pushes nil if the setting is not set. */
+/* Pushes the value of one setting: a number, a text, a boolean, "auto", { distance=, value= } or
+ * the table of a group. Pushes nil if the setting has no value. */
 void settings_push(lua_State *L, const arc_setting *setting, const void *definition);
 
 /* Sets all values of the list as fields of the table on top of the stack. */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char lax_key = 0; /* The address of this variable is a registry key. */
+static const char lax_key = 0; /* registry key of the option --lax; only the address is used */
 
 void strict_lax(lua_State *L) {
   lua_pushboolean(L, 1);
@@ -113,7 +113,8 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-/* Metamethod __index(table, name). Upvalues: name of the table, aliases of its fields or nil. */
+/* Metamethod __index(table, name): returns the field of an alias, or raises the error for an
+ * unknown name. Upvalues: name of the table, table of aliases or nil. */
 static int table_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -141,7 +142,7 @@ static int table_tostring(lua_State *L) {
 }
 
 /* Sets __index of the metatable on top of the stack. `words` is the absolute index of the table of
- * aliases, or 0 without aliases. */
+ * aliases; 0: no aliases. */
 static void set_index(lua_State *L, const char *where, int words) {
   lua_pushstring(L, where);
   if (words)
@@ -152,8 +153,8 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* Fills a metatable. Its field __table is the name of the type of table (see strict_is). Its
- * field __plain makes the prompt print the table as an ordinary table. */
+/* Fills a metatable for strict tables. The field __table is the name by which strict_is recognises
+ * the table. The field __plain makes the prompt print it as an ordinary table. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
   lua_pushstring(L, where);
@@ -221,8 +222,8 @@ static int was_assigned(lua_State *L) {
   return found;
 }
 
-/* Metamethod __index(globals, name). Upvalue: the set of assigned names, whose values may be
- * nil. */
+/* Metamethod __index(globals, name): raises an error for a name that was never assigned. Upvalue:
+ * the set of assigned names, whose values may be nil. */
 static int global_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
@@ -266,7 +267,8 @@ static const char *const asked_of_libraries[] = {
     "pow",  "ldexp", "frexp",   "cosh",     "sinh",    "tanh",    "log10", "mod",   "maxn", "getn",
     "setn", "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",   "clear", NULL};
 
-/* Metamethod __index(library, name). Upvalue: name of the library. */
+/* Metamethod __index(library, name): raises an error for an unknown name. Upvalue: name of the
+ * library. */
 static int library_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -299,7 +301,7 @@ void strict_libraries(lua_State *L) {
 
 /* --- the module archard.strict ---------------------------------------------------------------- */
 
-/* table(t, where) makes the table t strict with the name `where` and returns it. */
+/* table(t, where) makes the table t strict, with the name `where` in messages, and returns t. */
 static int module_table(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const char *where = luaL_checkstring(L, 2);
@@ -319,17 +321,17 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known): raises the error for an unknown name. It is called by an __index
- * function in Lua, so the code that reads the name is two levels up. Returns nil if this code is
- * not code of the user, or if the name is in the list `known` (the field may be nil). */
+/* refuse(where, name, known) raises the error for an unknown name if the user's code reads it. An
+ * __index function in Lua calls refuse, so the code that reads the name is two levels up. Returns
+ * nil for other code, and for a name in the list `known`, because such a field may be nil. */
 static int module_refuse(lua_State *L) {
   luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }
 
-/* Pushes the field `name` (index 2) of the object at index 1. A read-only object is a userdata,
- * and its user value 1 is the table of its fields. Other objects have no such table: pushes nil. */
+/* Pushes the field `name` (index 2) of the object at index 1. The fields of a read-only object (a
+ * userdata) are in its user value 1. For any other object, pushes nil. */
 static int push_own(lua_State *L) {
   if (lua_type(L, 1) != LUA_TUSERDATA) return lua_pushnil(L), LUA_TNIL;
   lua_getiuservalue(L, 1, 1);
@@ -337,8 +339,8 @@ static int push_own(lua_State *L) {
   return lua_rawget(L, -2);
 }
 
-/* Metamethod __index(object, name). Upvalues: methods of the class, names of all its fields, name
- * of the class. */
+/* Metamethod __index(object, name): returns a method or field, or raises the error for an unknown
+ * name. Upvalues: methods of the class, names of all methods and fields, name of the class. */
 static int object_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -375,8 +377,8 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
-/* Checks the class of an object made in Lua and then calls the method of the object. Upvalues: the
- * method, the metatable of its class. */
+/* Checks that the first argument is an object of the class, and then calls the method. Upvalues:
+ * the method, the metatable of the class. */
 static int object_method(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -394,8 +396,8 @@ static int object_method(lua_State *L) {
   return lua_gettop(L);
 }
 
-/* methods(metatable) wraps each function in __methods, so that it checks the class of its object,
- * and returns the metatable. */
+/* methods(metatable) wraps each function in __methods, so that the function checks the class of its
+ * first argument. Returns the metatable. */
 static int module_methods(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -412,11 +414,11 @@ static int module_methods(lua_State *L) {
 }
 
 static const char lua_classes[] =
-    "archard.lua_classes"; /* registry key of the metatables by __name */
+    "archard.lua_classes"; /* registry key of the table that maps each __name to its metatable */
 
-/* class(metatable) completes a metatable for objects made in Lua and returns it. Its __index
- * returns the methods in __methods and raises errors for unknown names. Fields in __fields may be
- * nil. */
+/* class(metatable) completes the metatable of a class of objects made in Lua, and returns it. Its
+ * __index returns the methods in __methods and the fields of the object, and raises errors for
+ * unknown names. A field in __fields may be nil. */
 static int module_class(lua_State *L) {
   module_methods(L);
   lua_newtable(L);
@@ -444,7 +446,7 @@ static int module_class(lua_State *L) {
   return 1;
 }
 
-/* class_named(name) returns the metatable of class() whose __name is `name`, or nil. */
+/* class_named(name) returns the metatable that class() completed for the class `name`, or nil. */
 static int module_class_named(lua_State *L) {
   luaL_checkstring(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
@@ -453,7 +455,7 @@ static int module_class_named(lua_State *L) {
   return 1;
 }
 
-/* is(value, name) returns true if the value is an object of the class with the __name `name`. */
+/* is(value, name) returns true if the value is an object of the class `name` (its __name). */
 static int module_is(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   lua_settop(L, 1);

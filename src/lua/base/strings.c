@@ -22,8 +22,8 @@ static int is_text(lua_State *L, int index, const char *text) {
 
 /* --- methods ---------------------------------------------------------------------------------- */
 
-/* Pushes the value that the user's __index, which is on top of the stack, gives for the name at
- * index 2. Upvalue 2: the string library. */
+/* Pushes the value for the name at index 2 from the user's __index (a function or a table), which
+ * is on top of the stack. Upvalue 2: the string library. */
 static int call_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -42,7 +42,8 @@ static int call_user(lua_State *L) {
   return 1;
 }
 
-/* Metamethod __index(string or methods, name). Upvalue 1: the protected methods. */
+/* Metamethod __index(string or methods, name): returns a protected method, or the value of the
+ * user's __index. Upvalue 1: the protected methods. */
 static int string_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
@@ -52,8 +53,8 @@ static int string_index(lua_State *L) {
 }
 
 /* Pops the user's __index and installs an __index for strings. A table as __index is much faster
- * than a function. A function is installed only if the user's __index is a function, because a
- * function receives the string and a table does not. */
+ * than a function. Therefore a function is installed only if the user's __index is a function,
+ * which must receive the string. */
 static void take_index(lua_State *L) {
   const int wants_string = lua_isfunction(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
@@ -66,7 +67,7 @@ static void take_index(lua_State *L) {
 
 /* --- the proxy metatable ---------------------------------------------------------------------- */
 
-/* Metamethod __index(proxy, name). */
+/* Metamethod __index(proxy, name): reads an entry of the real metatable, or the user's __index. */
 static int shown_index(lua_State *L) {
   lua_settop(L, 2);
   if (is_text(L, 2, "__index")) return push(L, &index_key), 1;
@@ -77,7 +78,8 @@ static int shown_index(lua_State *L) {
   return 1;
 }
 
-/* Metamethod __newindex(proxy, name, value). */
+/* Metamethod __newindex(proxy, name, value): sets an entry of the real metatable, or the user's
+ * __index. */
 static int shown_newindex(lua_State *L) {
   lua_settop(L, 3);
   if (is_text(L, 2, "__index")) {

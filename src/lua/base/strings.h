@@ -8,7 +8,8 @@
 
 #include <lua.h>
 
-/* Must be called once, after Lua's libraries are open and the globals of scripts exist. */
+/* Installs the protection. Must be called once, after Lua's libraries are open and the globals of
+ * scripts exist. */
 void strings_keep(lua_State *L);
 
 #endif

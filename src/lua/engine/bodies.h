@@ -6,11 +6,11 @@
 #include "lua/base/args.h"
 
 /* Reads the fields `upper` and `lower` of the definition table at `index` into the bodies and
- * materials of `def`, whose radius must be set. The data of profiles in `def` are valid until
- * the calling C function returns. */
+ * materials of `def`. The radius of `def` must be set before. The data of profiles in `def` are
+ * valid until the calling C function returns. */
 void body_read(lua_State *L, int index, args_location location, arc_model_def *def);
 
-/* Reads only kind and name of the bodies and raises no errors. It is for code that runs before
+/* Reads only the kinds and names of the bodies and raises no errors. The function is used before
  * the model is built. */
 void body_read_names(lua_State *L, int index, arc_model_def *def);
 

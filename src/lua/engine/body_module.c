@@ -49,8 +49,8 @@ static void add_name(name_list *to, const char *name) {
   if (to->count < MOST_NAMES) to->name[to->count++] = name;
 }
 
-/* Appends the names of all settings in `list` to `to`, except string settings (the setting
- * `name`). */
+/* Appends the names of the settings in `list` to `to`. String settings (the setting `name`) are
+ * omitted. */
 static void add_settings(name_list *to, const arc_setting *list) {
   for (const arc_setting *s = list; s->name; s++)
     if (s->kind != ARC_TEXT) add_name(to, s->name);
@@ -85,7 +85,7 @@ static void refuse_body_name(lua_State *L, args_location location, arc_solid kin
   for (const char *const *own = arc_body_fields(kind); *own; own++) add_name(&known, *own);
   add_name(&known, "name");
   add_settings(&known, arc_material_settings);
-  add_settings(&known, common + 2); /* + 2 skips the settings kind and name */
+  add_settings(&known, common + 2); /* skips kind and name, the first two settings */
   refuse_name(L, location, name, lua_pushfstring(L, " of a %s", arc_solid_names[kind]), &known);
 }
 
@@ -98,7 +98,7 @@ static void check_names(lua_State *L, int index, args_location location, arc_sol
   }
 }
 
-/* Reads the fields of the table at `index` that are in `list`. Groups and series (materials,
+/* Reads those fields of the table at `index` that are in `list`. Groups and series (materials,
  * layers) are omitted, because other functions read them. */
 static void read_part(lua_State *L, int index, args_location location, const arc_setting *list,
                       void *definition) {
@@ -218,7 +218,7 @@ static void read_layers(lua_State *L, int index, args_location location, arc_bod
 
 /* --- materials of a mesh by name -------------------------------------------------------------- */
 
-/* Inserts a name into the first `count` names of the layers, which are sorted alphabetically. */
+/* Inserts a name into the first `count` names of the layers, which are in alphabetical order. */
 static void enter_name(arc_body_def *def, int count, const char *name) {
   for (; count > 0 && strcmp(def->layer[count - 1].name, name) > 0; count--)
     def->layer[count] = def->layer[count - 1];
@@ -243,8 +243,8 @@ static int read_names(lua_State *L, int index, args_location location, arc_body_
   return count;
 }
 
-/* Reads the table `materials`. The materials are stored sorted by name, because Lua tables have
- * no order. */
+/* Reads the table `materials`. Lua tables have no order, so the materials are stored sorted by
+ * name. */
 static void read_materials(lua_State *L, int index, args_location location, arc_body_def *def) {
   const int top = lua_gettop(L);
   if (lua_getfield(L, index, "materials") != LUA_TNIL) {
@@ -409,7 +409,7 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
-/* Sets kind, name and the fields of this kind of body in the table on top of the stack. Optional
+/* Sets kind, name and the fields of the kind of body in the table on top of the stack. Optional
  * fields with the value 0 are omitted. */
 static void set_shape(lua_State *L, const arc_body_def *def) {
   lua_pushstring(L, arc_solid_names[def->kind]);

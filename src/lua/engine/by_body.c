@@ -1,6 +1,6 @@
-/* Creates tables of results by body. Such a table has one field for each body, whose key is the
- * name of the body. Roles (upper, lower), kinds and the default names of the bodies are aliases of
- * these fields. */
+/* Creates tables of results with one field for each body. The key of the field is the name of the
+ * body. Other words for a body are aliases of this key: its role (upper, lower), its kind and its
+ * default name. */
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
@@ -68,8 +68,8 @@ static void push_words(lua_State *L, const arc_model_def *def) {
   for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
 }
 
-/* Sets the metatable of the table on top of the stack. The metatable is created only once for
- * each pair of bodies. `push` pushes the table of aliases. */
+/* Sets the metatable of the table on top of the stack. Each pair of bodies has one metatable, which
+ * is created at its first use. `push` pushes the table of aliases. */
 static void set_answering(lua_State *L, const arc_model_def *def, const char *where,
                           void (*push)(lua_State *L, const arc_model_def *def)) {
   const arc_model_def *pair = def ? def : &usual;

@@ -1,6 +1,5 @@
-/* lua/engine/classes.h - the classes of the engine: functions shared between the files of the
- * binding. luaopen_archard_NAME pushes the value of the global NAME, a constructor (function or
- * callable table). */
+/* lua/engine/classes.h - functions shared between the files of the binding. luaopen_archard_NAME
+ * pushes the value of the global NAME, a constructor (function or callable table). */
 #ifndef LUA_CLASSES_H
 #define LUA_CLASSES_H
 
@@ -9,8 +8,8 @@
 #include "lua/base/box.h"
 #include "lua/base/settings.h"
 
-/* Defines the function that pushes a computed field whose value is a number. `expression` may use
- * L. */
+/* Defines the function that pushes a computed field. The value of the field is the number
+ * `expression`, which may use L. */
 #define NUMBER_FIELD(class, field, expression)                                                     \
   static int class##_##field(lua_State *L) {                                                       \
     lua_pushnumber(L, (lua_Number)(expression));                                                   \
@@ -48,19 +47,19 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* Pops a value and stores it in the table below it, in the field of the body `body`. */
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
-/* Sets the metatable of the table on top of the stack, which has one field for each body, so that
- * every word that identifies a body is an alias of its field. */
+/* Sets the metatable of the table on top of the stack, which has one field for each body. Every
+ * name, role or kind that identifies a body becomes an alias of its field. */
 void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table with one number for each body. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
-/* Adds aliases of the columns depth_NAME and volume_NAME to the history on top of the stack, one
+/* Adds aliases of the columns depth_NAME and volume_NAME to the history on top of the stack: one
  * for each name, role or kind that identifies a body. */
 void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table of the names of both bodies. */
 void push_body_names(lua_State *L, const arc_model_def *def);
-/* Pushes a copy of the table at `index`. Keys that name bodies are replaced in the copy by
- * body_names. */
+/* Pushes a copy of the table at `index`, in which each key that identifies a body is replaced by
+ * the body's name in body_names. */
 void push_usual_names(lua_State *L, int index, args_location location, const arc_model_def *def);
 
 /* Pushes a material object. */
@@ -75,27 +74,28 @@ int joint_takes(lua_State *L, const char *method);
 
 /* --- models (model_class.c) ------------------------------------------------------------------- */
 
-/* Computes the half widths of the zones [mm] that a contact or a run with the definition
- * `definition` needs on a model. */
+/* Computes the half widths of the zones [mm] of both bodies that a contact or a run with this
+ * definition needs. `def` is the model. */
 typedef arc_status (*zones_fn)(const void *definition, const arc_model_def *def,
                                double zone[ARC_BODIES], arc_error *error);
 
-/* Pushes the model for field `model` of the definition table at index 1. The field is a model
- * object or a table of its fields. If it is nil, the model has the definition of the worn
- * object's model (index `worn`), or the default definition. "auto" values of the mesh are set
- * from the load [N], finer with friction (arc_model_fit_friction), and "auto" zones from
- * `zones`. */
+/* Pushes and returns the model for the definition table at index 1. Its field `model` is a model
+ * object or a table of the fields of a model. If it is nil, the model has the definition of the
+ * worn object's model (index `worn`), or the default definition. "auto" sizes of the mesh are
+ * chosen for the load [N], and smaller with friction (arc_model_fit_friction). "auto" zones are
+ * computed by `zones`. */
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, int friction,
                           zones_fn zones, const void *definition);
 
-/* If field `model` of the definition table at index 1 is an object, pushes a new model with the
- * zones that `zones` requires and prints a warning. Pushes nothing and returns NULL if `model`
- * is a table, the zones are wide enough, or the meshes were imported. */
+/* Replaces a model object in the field `model` of the definition table at index 1 if its zones are
+ * too narrow: pushes a new model with the zones that `zones` computes, and prints a warning. Pushes
+ * nothing and returns NULL if `model` is a table, the zones are wide enough, or the meshes were
+ * imported. */
 arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
                             const void *definition);
 
-/* Changes the mesh of a run by the field `mesh` of the table at `index`, for arc_wear_set. Returns
- * 0 if the field is nil. */
+/* Reads the field `mesh` of the table at `index` into `mesh`, the new mesh settings of a run
+ * (arc_wear_set). Returns 0 if the field is nil. */
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);
 
 /* Raises an error if the bodies have no meshes (surface_maps.c). */
@@ -103,28 +103,29 @@ void model_check_meshed(lua_State *L, const arc_model *model, const char *where)
 
 /* --- models shared by runs (model_share.c) ---------------------------------------------------- */
 
-/* Pushes a box with the model of the definition `def`. If the cache has this model, the model in
- * the cache is used, otherwise a new one is built. */
+/* Pushes a box with the model of the definition `def`. The model is from the cache, or new if the
+ * cache does not have it. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
 /* Works like model_push for a model with two imported meshes, indexed by arc_body. A new model
  * becomes the owner of the meshes, and the pointers are set to NULL. */
 arc_model *model_push_given(lua_State *L, const arc_model_def *def, arc_mesh **given,
                             const char *where);
 
-/* Pushes a new box for an existing model. */
+/* Pushes a new box for a model that already exists. */
 void model_push_living(lua_State *L, arc_model *model);
 
 /* Pushes the mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);
 
-/* Pushes { cylinder=, plate= }, the meshes with the present nodes of the worn shape. */
+/* Pushes a table with the mesh objects of both bodies, which have the present nodes of the worn
+ * shape. */
 void mesh_push_worn(lua_State *L, const arc_shape *shape);
 
-/* Returns the mesh in the box at `index`. Raises the errors of box_check. */
+/* Returns the mesh in the box at `index`. Raises the same errors as box_check. */
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where);
 
-/* Pushes a flat list of the elements' nodes with four numbers (from 1) per element. The fourth
- * number of a triangle is 0. */
+/* Pushes a flat list with four node numbers (from 1) for each element. The fourth number of a
+ * triangle is 0. */
 void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
 
 /* --- worn shapes (worn.c) --------------------------------------------------------------------- */
@@ -156,25 +157,27 @@ arc_model *worn_given_model(lua_State *L, int worn);
 
 /* --- other modules ---------------------------------------------------------------------------- */
 
-/* Pushes the table { x=, p= } of positions [mm] and pressures [MPa] on a body. */
+/* Pushes the table { x=, p= } of positions [mm] and pressures [MPa] on the surface of a body. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
 
 /* Pushes a userdata that owns an array of the engine and frees it. Returns the address of the
  * userdata's pointer to the array. */
 arc_array **arrays_push_holder(lua_State *L);
 
-/* Lua method contact:stress() (stress_class.c). */
+/* Implements the Lua method contact:stress() (stress_class.c). */
 int stress_new(lua_State *L);
 
 /* Returns the contact of the stress object at `index`, or NULL if the value is not a stress
  * object. */
 const arc_contact *stress_contact(lua_State *L, int index, const char *where);
 
-/* Pushes a box with the stress field of one body. The field is freed with the box. */
+/* Pushes a box with the stress field of one body and returns the field. The field is freed with the
+ * box. */
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where);
 
-/* Writes the geometry as text, such as "thickness 1 mm" or "axisymmetric". */
+/* Writes a text about the geometry, such as "thickness 1 mm" or "axisymmetric", into `text` and
+ * returns it. */
 const char *model_show_space(const arc_model_def *def, char *text, size_t size);
 
 #endif

@@ -89,7 +89,8 @@ static int contact_model(lua_State *L) {
   return 1;
 }
 
-/* Writes the position of the largest pressure as text, or "" if the position is the centre. */
+/* Writes the position of the largest pressure as text, or "" if the largest pressure is at the
+ * centre. */
 static void show_peak(const arc_contact *contact, const arc_contact_result *solved, char *text,
                       size_t size) {
   arc_error error = {0};
@@ -102,11 +103,11 @@ static void show_peak(const arc_contact *contact, const arc_contact_result *solv
   free(arrays);
 }
 
-/* Pushes the lines of a printed contact that describe friction. */
+/* Pushes the lines about friction in the text of a printed contact. */
 static void push_friction_text(lua_State *L, const arc_contact_def *def,
                                const arc_contact_result *solved) {
   char text[240];
-  const double least = 1e-8 * def->load; /* [N] smaller forces are printed as 0 */
+  const double least = 1e-8 * def->load; /* [N] forces below this limit are printed as 0 */
   const double along_x = fabs(solved->tangential) < least ? 0 : solved->tangential;
   const double along_z = fabs(solved->tangential_z) < least ? 0 : solved->tangential_z;
   if (arc_model_has_maps(model_of(self(L))))
@@ -203,7 +204,8 @@ static int push_friction(lua_State *L, const arc_contact *contact, const char *w
   return 1;
 }
 
-/* contact:pressure() returns a map, contact:pressure{ z = 0 } a section { x=, p= }. */
+/* Pushes the pressures of a 3-D contact: a map for contact:pressure(), a section { x=, p= } for
+ * contact:pressure{ z = 0 }. */
 static int push_spatial(lua_State *L, const arc_contact *contact) {
   static const char where[] = "contact:pressure", *const names[] = {"p", NULL};
   size_t count;
@@ -219,8 +221,8 @@ static int push_spatial(lua_State *L, const arc_contact *contact) {
   return 1;
 }
 
-/* contact:pressure(body) returns { x=, p= }, with x in the coordinates of the cylinder for both
- * bodies. */
+/* contact:pressure(body) returns { x=, p= }. For both bodies x is in the coordinates of the
+ * cylinder. */
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
   if (arc_model_has_maps(model_of(contact))) return push_spatial(L, contact);
@@ -229,7 +231,7 @@ static int contact_pressure(lua_State *L) {
   return 1;
 }
 
-/* contact:shear(body) returns { x=, q= }. In 3-D contact:shear() returns a map. */
+/* contact:shear(body) returns { x=, q= }. In 3-D contact:shear() returns a map of the magnitude. */
 static int contact_shear(lua_State *L) {
   static const char *const names[] = {"q", "qz", NULL};
   const arc_contact *contact = self(L);
@@ -243,7 +245,8 @@ static int contact_shear(lua_State *L) {
   return 1;
 }
 
-/* contact:slip() returns { x=, s= } at the cylinder's nodes. In 3-D it returns a map. */
+/* contact:slip() returns { x=, s= } at the cylinder's nodes. In 3-D it returns a map of the
+ * magnitude. */
 static int contact_slip(lua_State *L) {
   static const char *const names[] = {"s", "sz", NULL};
   const arc_contact *contact = self(L);
@@ -322,20 +325,20 @@ static arc_status needed_zones(const void *definition, const arc_model_def *mode
                               .material = {model->material[0], model->material[1]}};
   arc_hertz hertz = {0};
   const arc_status status =
-      arc_hertz_of(&pair, &hertz, error); /* also checks the ranges of the definition */
+      arc_hertz_of(&pair, &hertz, error); /* arc_hertz_of also checks the ranges of the settings */
   if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }
 
-/* Pushes the shape of the contact: the shape of the object `worn` if it has the same model,
- * otherwise a new shape. */
+/* Pushes the shape of the contact. It is the shape of the wear object `worn` if this object has the
+ * same model, otherwise a new shape. */
 static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, double load) {
   arc_wear_def def = arc_wear_default();
   if (arc_model_is_given(model)) def.geometry = ARC_FROZEN;
   def.refresh = 0;
   def.load = load;
   def.alpha = 1;
-  def.procedure = ARC_NSP; /* a contact has only one position of the plate */
+  def.procedure = ARC_NSP; /* the plate has only one position, so no sliding is simulated */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
     return worn_push_shape(L, worn, model, &def, "contact");
@@ -371,7 +374,7 @@ static arc_status push_contact(lua_State *L, int holder, const request *asked, a
   return status;
 }
 
-/* Constructor contact{ model=, load=, x=, worn=, friction= }. */
+/* Constructor contact{ model=, load=, x=, worn=, friction= }: solves and returns a contact. */
 static int contact_new(lua_State *L) {
   arc_contact_def def = arc_contact_default();
   lua_settop(L, 1);

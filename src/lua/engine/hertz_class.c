@@ -1,4 +1,4 @@
-/* Class hertz: closed-form Hertz contact (line, ball, or elliptic in 3-D). */
+/* Class hertz: Hertz contact in closed form (line contact, ball, or elliptic contact in 3-D). */
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"

@@ -1,6 +1,6 @@
-/* Module `archard.sphere`: ball-and-socket joints of the engine. It is used by scripts/joint, which
- * checks the user's arguments. A gait is a list of 15 numbers per increment: rotation matrix,
- * rotation vector, load. */
+/* Module `archard.sphere`: functions of the engine for ball-and-socket joints. Only scripts/joint
+ * uses this module; it checks the user's arguments. A gait is a list of 15 numbers per increment:
+ * rotation matrix (9), rotation vector (3), load (3). */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
@@ -122,7 +122,8 @@ static int increments(lua_State *L, int index) {
   return (int)n;
 }
 
-/* named(name, increments, angle, load) returns a built-in gait. */
+/* named(name, increments, angle, load) returns a built-in gait. `angle` [degree] and `load` [N] are
+ * used by some of the gaits. */
 static int sphere_named(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 2);
@@ -144,7 +145,7 @@ static double *list_at(lua_State *L, int index, const char *name, size_t expecte
 }
 
 /* angles(increments, { flexion, adduction, rotation, ... }, { Fx, Fy, Fz, ... }, order) returns a
- * gait. */
+ * gait from joint angles [degree] and loads [N]. */
 static int sphere_angles(lua_State *L) {
   arc_error error = {0};
   const int n = increments(L, 1);
@@ -177,8 +178,8 @@ static int sphere_path(lua_State *L) {
 
 /* --- contact ---------------------------------------------------------------------------------- */
 
-/* press(joint, Fx, Fy, Fz, rotation of the head or nil) solves a contact and returns { p_max=, ...
- * }. */
+/* press(joint, Fx, Fy, Fz, rotation) solves a contact under the load [N] and returns { p_max=, ...
+ * }. `rotation` is the rotation matrix of the head, or nil. */
 static int sphere_press(lua_State *L) {
   arc_joint *joint = joint_at(L, 1, "contact");
   const double load[] = {luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checknumber(L, 4)};
@@ -206,7 +207,8 @@ static size_t sites_of(const arc_joint *joint) {
   return 2 * (size_t)arc_joint_rows(joint) * (size_t)arc_joint_rows(joint);
 }
 
-/* map(joint, quantity) returns the number of rows and a flat list of [rows][2 rows] values. */
+/* map(joint, quantity) returns the number of rows of a grid, and a flat list of the values in its
+ * cells, row by row. Each row has twice as many cells as the grid has rows. */
 static int sphere_map(lua_State *L) {
   static const char *const what[] = {"head", "cup", "pressure", "cross shear", "creep", NULL};
   const arc_joint *joint = joint_at(L, 1, "map");
@@ -224,7 +226,7 @@ static int sphere_map(lua_State *L) {
   return 2;
 }
 
-/* set(joint, "head" or "cup", depths) sets the wear depths. */
+/* set(joint, "head" or "cup", depths) sets the wear depths of this body [mm]. */
 static int sphere_set(lua_State *L) {
   static const char *const body[] = {"head", "cup", NULL};
   arc_error error = {0};
@@ -239,7 +241,8 @@ static int sphere_set(lua_State *L) {
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
-/* Stack indices of the user's functions, and the name of a function that failed. */
+/* Data for calls of the user's functions: their stack indices, and a description of the function
+ * that failed (NULL: none). */
 typedef struct called {
   lua_State *L;
   int k, alpha, creep;
@@ -323,7 +326,7 @@ typedef struct worn {
   called functions;
   arc_joint_record record;
   double cycles;
-  size_t bytes; /* size of the joint in memory before the update */
+  size_t bytes; /* [bytes] size of the joint in memory before the update */
 } worn;
 
 static const arc_callbacks interruptible = {.stop = interrupt_pending};
@@ -351,14 +354,14 @@ static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) 
   const size_t bytes = arc_joint_bytes(w->holder->thing);
   w->holder->busy = 0;
   if (bytes > w->bytes)
-    box_weigh(L, bytes - w->bytes); /* the joint has allocated larger contact arrays */
+    box_weigh(L, bytes - w->bytes); /* the update has allocated larger contact arrays */
   if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);
 }
 
 /* update(joint, gait, k, alpha, cycles, record, explicit, creep) wears the joint by one update of
- * `cycles` cycles and returns the new record. */
+ * `cycles` cycles and returns the new record. `explicit` is true for the explicit scheme. */
 static int sphere_update(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -369,8 +372,8 @@ static int sphere_update(lua_State *L) {
   return end_wear(L, &w, status, &error);
 }
 
-/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) wears the joint by one
- * error-controlled step of at most `most` cycles. Returns the new record and the length of the next
+/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) wears the joint by one step
+ * with error control, of at most `most` cycles. Returns the new record and the length of the next
  * step [cycles]. */
 static int sphere_advance(lua_State *L) {
   worn w;
@@ -385,7 +388,8 @@ static int sphere_advance(lua_State *L) {
   return 2;
 }
 
-/* state(joint) returns a list of numbers, from which set_state(joint, list) restores the state. */
+/* state(joint) returns the state of the joint as a list of numbers. set_state(joint, list) restores
+ * this state. */
 static int sphere_state(lua_State *L) {
   const arc_joint *joint = joint_at(L, 1, "wear");
   const size_t count = arc_joint_state_count(joint);
@@ -405,7 +409,7 @@ static int sphere_set_state(lua_State *L) {
   return 0;
 }
 
-/* limit(joint, gait, k) returns the stability limit of an explicit update [cycles]. */
+/* limit(joint, gait, k) returns the largest stable length of an explicit update [cycles]. */
 static int sphere_limit(lua_State *L) {
   arc_joint_wear_def def = {.k = luaL_checknumber(L, 3)};
   const arc_joint *joint = joint_at(L, 1, "wear");
@@ -414,7 +418,7 @@ static int sphere_limit(lua_State *L) {
   return 1;
 }
 
-/* sensitivity(run, options) returns the sensitivities of a joint's run. */
+/* sensitivity(run, options) returns the sensitivities of the results of a joint's run. */
 static int sphere_sensitivity(lua_State *L) {
   lua_settop(L, 2);
   script_require(L, "archard.uncertainty.sensitivity");
@@ -430,8 +434,8 @@ static int has_field(lua_State *L, const char *name) {
   return has;
 }
 
-/* Returns true if the value on top of the stack is a joint, or a table of the fields of a joint,
- * which is then replaced by a joint. */
+/* Returns true if the value on top of the stack is a joint, or a table of the fields of a joint.
+ * Replaces such a table by a joint. */
 static int is_joint(lua_State *L) {
   if (luaL_getmetafield(L, -1, "__name") != LUA_TNIL) {
     const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "joint") == 0;

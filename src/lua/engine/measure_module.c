@@ -1,5 +1,5 @@
-/* Module `archard.measure`: measures of wear profiles for scripts, and functions that push these
- * measures for the classes in C. */
+/* Module `archard.measure`: computes quantities from wear profiles, and creates tables by body. The
+ * classes in C use the functions of measure_module.h directly. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
@@ -56,23 +56,24 @@ static arc_depths read_profile(lua_State *L, const char *where, int index) {
   return read_columns(L, (args_location){where, ""}, top - 1, top);
 }
 
-/* combined(cylinder, plate) returns { x=, h= }, the sum of two profiles (Eq. 31). */
+/* combined(cylinder, plate) returns { x=, h= }, the sum of two profiles (Eq. 31 of Mattei and Di
+ * Puccio). */
 static int measure_combined(lua_State *L) {
   static const char where[] = "measure.combined";
   const arc_depths cylinder = read_profile(L, where, 1);
   return measure_push_combined(L, cylinder, read_profile(L, where, 2));
 }
 
-/* local_partition(cylinder, plate) returns { x=, value= }, the cylinder's part of the combined
- * depth (Eq. 30). */
+/* local_partition(cylinder, plate) returns { x=, value= }, the cylinder's share of the combined
+ * depth (Eq. 30 of Mattei and Di Puccio). */
 static int measure_local_partition(lua_State *L) {
   static const char where[] = "measure.local_partition";
   const arc_depths cylinder = read_profile(L, where, 1);
   return measure_push_partition(L, cylinder, read_profile(L, where, 2));
 }
 
-/* sawtooth(x, y, reach) returns the root mean square of the sawtooth (node-to-node) part of y for
- * |x| <= reach. */
+/* sawtooth(x, y, reach) returns the root mean square of the part of y that alternates from node to
+ * node, for |x| <= reach. */
 static int measure_sawtooth(lua_State *L) {
   const double reach = luaL_checknumber(L, 3);
   const arc_depths y = read_columns(L, (args_location){"measure.sawtooth", ""}, 1, 2);
@@ -80,9 +81,9 @@ static int measure_sawtooth(lua_State *L) {
   return 1;
 }
 
-/* --- measures of each body -------------------------------------------------------------------- */
+/* --- tables by body --------------------------------------------------------------------------- */
 
-/* Reads the names of the bodies from the model table at index 1. If it is nil, the bodies have
+/* Reads the names of the bodies from the model table at index 1. Without a table, the bodies have
  * the default names. */
 static arc_model_def read_names(lua_State *L) {
   arc_model_def def = {0};
@@ -90,23 +91,23 @@ static arc_model_def read_names(lua_State *L) {
   return def;
 }
 
-/* bodies(model) returns { upper=, lower= }, like the field `bodies` of a model. */
+/* bodies(model) returns a table of the names of both bodies, like the field `bodies` of a model. */
 static int measure_bodies(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_body_names(L, &def);
   return 1;
 }
 
-/* by_body(model, upper, lower, where) returns a table by body of the numbers `upper` and
- * `lower`, like w.depth. */
+/* by_body(model, upper, lower, where) returns a table by body, like w.depth, of the number `upper`
+ * for the upper body and `lower` for the lower body. */
 static int measure_by_body(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_by_body(L, &def, luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checkstring(L, 4));
   return 1;
 }
 
-/* columns(model, history, where) adds aliases of the columns with the names of the bodies to the
- * history and returns it. */
+/* columns(model, history, where) adds aliases with the names of the bodies to the columns of the
+ * history, and returns the history. */
 static int measure_columns(lua_State *L) {
   const arc_model_def def = read_names(L);
   luaL_checktype(L, 2, LUA_TTABLE);

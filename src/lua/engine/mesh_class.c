@@ -13,9 +13,9 @@
 #include <string.h>
 
 typedef struct mesh_view {
-  arc_model *model; /* the model, of which the view owns one reference */
-  arc_mesh mesh;    /* mesh of the model, or its shallow copy with worn nodes */
-  double *xy;       /* [mm] worn nodes; NULL: the model's nodes are used */
+  arc_model *model; /* model of the mesh; the view owns one reference */
+  arc_mesh mesh;    /* shallow copy of the model's mesh; its nodes are `xy` if the mesh is worn */
+  double *xy;       /* [mm] positions of the worn nodes; NULL: the model's nodes are used */
 } mesh_view;
 
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where) {
@@ -71,8 +71,8 @@ static int mesh_body(lua_State *L) {
   return 1;
 }
 
-/* Pushes a list of node numbers, which are increased by 1 because they start at 0 in C and at 1
- * in Lua. Hence -1 (no node) becomes 0. */
+/* Pushes a list of node numbers. The numbers are increased by 1, because they start at 0 in C and
+ * at 1 in Lua; -1 (no node) becomes 0. */
 static int push_numbers(lua_State *L, const int *numbers, int count) {
   lua_createtable(L, count, 0);
   for (int i = 0; i < count; i++) {
@@ -87,8 +87,8 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh) {
   push_numbers(L, mesh->element, 4 * mesh->elements);
 }
 
-/* mesh:elements() returns a flat list of four node numbers per element. The fourth number of a
- * triangle is 0. */
+/* mesh:elements() returns a flat list with four node numbers for each element. The fourth number of
+ * a triangle is 0. */
 static int mesh_elements(lua_State *L) {
   mesh_push_elements(L, self(L));
   return 1;
@@ -101,26 +101,26 @@ static int mesh_surface(lua_State *L) {
   return push_numbers(L, mesh->surface_node, mesh->surface);
 }
 
-/* mesh:box() returns the numbers of the nodes of the wear box. Each surface node has rows + 1
- * nodes, listed from the surface inwards. */
+/* mesh:box() returns the numbers of the nodes of the wear box. The list has rows + 1 nodes for each
+ * surface node, from the surface inwards. */
 static int mesh_box(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
 }
 
-/* mesh:outline() returns the boundary nodes, counter-clockwise. */
+/* mesh:outline() returns the numbers of the boundary nodes, counter-clockwise. */
 static int mesh_outline(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->outline_node, mesh->outline);
 }
 
-/* mesh:fixed() returns the nodes that are clamped or tied to the rigid base. */
+/* mesh:fixed() returns the numbers of the nodes that are clamped or tied to the rigid base. */
 static int mesh_fixed(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->fixed_node, mesh->fixed);
 }
 
-/* mesh:node(i) returns x and y of a node. */
+/* mesh:node(i) returns x and y of node i [mm]. */
 static int mesh_node(lua_State *L) {
   const arc_mesh *mesh = self(L);
   int valid;
@@ -144,7 +144,7 @@ static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
   strict_table(L, "list of numbers");
 }
 
-/* mesh:coordinates() returns { x=, y= } of all nodes. */
+/* mesh:coordinates() returns { x=, y= } of all nodes [mm]. */
 static int mesh_coordinates(lua_State *L) {
   const arc_mesh *mesh = self(L);
   lua_createtable(L, 0, 2);
@@ -166,8 +166,8 @@ static void push_quality(lua_State *L, arc_quality quality) {
   strict_table(L, "mesh:quality");
 }
 
-/* mesh:quality() returns the worst value of each shape measure over all elements. The field
- * `box` of the result has the worst values over the wear box. */
+/* mesh:quality() returns the worst value of each measure of element shape over all elements. The
+ * field `box` of the result has the worst values over the elements of the wear box. */
 static int mesh_quality(lua_State *L) {
   push_quality(L, arc_mesh_quality(self(L), NULL));
   push_quality(L, arc_mesh_box_quality(self(L), NULL));
@@ -196,7 +196,7 @@ static arc_status write_msh(const char *path, const arc_mesh *mesh, arc_error *e
   return arc_export_msh(path, bodies, error);
 }
 
-/* mesh:write(path) writes a file, whose extension selects the format. */
+/* mesh:write(path) writes the mesh to a file. The extension of the file name selects the format. */
 static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
   const arc_mesh *mesh = self(L);
@@ -281,7 +281,8 @@ const box_class mesh_class = {
     .value = sizeof(mesh_view),
 };
 
-/* Pushes the mesh object of a body, with the worn nodes of `shape` unless this is NULL. */
+/* Pushes the mesh object of a body. If `shape` is not NULL, the mesh has the worn nodes of the
+ * shape. */
 static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
   if (!arc_model_mesh(model, body))
     error_raise(L, ARC_ARGUMENT, "mesh", "a pair of kind \"%s\" has no meshes",

@@ -21,8 +21,8 @@ static arc_model_def begin_definition(void) {
   return def;
 }
 
-/* Raises an error if both mesh.size and mesh.fineness are set. Setting the size switches fineness
- * off. */
+/* Raises an error if both mesh.size and mesh.fineness are set. If the size is set, switches the
+ * fineness off. */
 static void check_fineness(lua_State *L, int index, args_location location, arc_mesh_def *mesh) {
   if (args_get(L, index, "mesh") == LUA_TTABLE) {
     const int at = lua_gettop(L);
@@ -36,8 +36,8 @@ static void check_fineness(lua_State *L, int index, args_location location, arc_
   lua_pop(L, 1);
 }
 
-/* Replaces the names of bodies in the field mesh.zone by body_names. The definition on top of
- * the stack is a copy. */
+/* Replaces the names of bodies in the field mesh.zone of the definition on top of the stack by
+ * body_names. The definition is a copy, so the user's table is not changed. */
 static void rename_zones(lua_State *L, args_location location, const arc_model_def *def) {
   const int top = lua_gettop(L);
   if (args_get(L, top, "mesh") == LUA_TTABLE && args_get(L, top + 1, "zone") == LUA_TTABLE) {
@@ -52,8 +52,8 @@ static void rename_zones(lua_State *L, args_location location, const arc_model_d
   lua_settop(L, top);
 }
 
-/* Pushes a copy of the table at `index` without the fields upper and lower, which body_read
- * reads. */
+/* Pushes a copy of the table at `index` without the fields upper and lower, because body_read reads
+ * these fields. */
 static void push_without_bodies(lua_State *L, int index, args_location location) {
   /* raises the error for a value that is not a table */
   if (!lua_istable(L, index)) args_read(L, index, location, arc_model_settings, NULL);
@@ -78,8 +78,8 @@ static void read_definition(lua_State *L, int index, args_location location, arc
   check_fineness(L, index, location, &def->mesh);
 }
 
-/* Prepares reading a table of mesh settings. If the table has a size or a fineness, the values
- * that were derived from the old size become "auto". Other values are kept. */
+/* Prepares reading a table of mesh settings. If the table has a size or a fineness, resets the
+ * values that were derived from the old size to "auto". Other values are not changed. */
 static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
   const int size = args_given(L, at, "size"), fineness = args_given(L, at, "fineness");
   if (!size && !fineness) return;
@@ -106,8 +106,8 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 
 /* --- imported meshes -------------------------------------------------------------------------- */
 
-/* Frees two imported meshes. A box owns them until the model becomes their owner, so that a Lua
- * error leaks no memory. */
+/* Frees two imported meshes. Until the model becomes their owner, a box owns the meshes, so that a
+ * Lua error leaks no memory. */
 static void free_given(void *thing) {
   arc_mesh **given = thing;
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
@@ -123,8 +123,8 @@ static const box_class given_class = {.name = "two meshes",
                                       .destroy = free_given,
                                       .value = ARC_BODIES * sizeof(arc_mesh *)};
 
-/* Replaces the text on top of the stack by a box with both meshes. The text is a file name, or the
- * contents of a mesh file if it contains newlines. */
+/* Replaces the text on top of the stack by a box with the meshes of both bodies. A text with
+ * newlines is the contents of a mesh file, any other text is a file name. */
 static arc_mesh **push_meshes(lua_State *L, args_location location) {
   const int top = lua_gettop(L);
   size_t length;
@@ -143,7 +143,7 @@ static arc_mesh **push_meshes(lua_State *L, args_location location) {
 }
 
 /* Reads all fields of the table at `index` except the field `mesh`, which is a file name or the
- * text of a mesh file. */
+ * contents of a mesh file. */
 static void read_beside_mesh(lua_State *L, int index, args_location location, arc_model_def *def) {
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -294,7 +294,7 @@ static int model_lower(lua_State *L) {
   return 1;
 }
 
-/* Field model.mesh: a table of the mesh settings and of the mesh object of each body. */
+/* Field model.mesh: a table of the mesh settings, with the mesh object of each body. */
 static int model_mesh(lua_State *L) {
   const arc_model_def *def = arc_model_definition(self(L));
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);

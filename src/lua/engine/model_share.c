@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-static const char cache_key = 0, last_key = 0; /* their addresses are registry keys */
+static const char cache_key = 0, last_key = 0; /* registry keys; only the addresses are used */
 
 /* --- building and sharing --------------------------------------------------------------------- */
 
@@ -78,7 +78,7 @@ static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* nil: the model is built without showing progress */
+  lua_pushnil(b->L); /* nil: no progress is displayed */
 }
 
 static void tell(building *b, int arguments) {
@@ -86,7 +86,7 @@ static void tell(building *b, int arguments) {
 }
 
 static void show(void *context, const char *what, double share, double seconds) {
-  static const double patience = 1; /* [s] time before the display starts */
+  static const double patience = 1; /* [s] time before progress is displayed */
   building *b = context;
   if (seconds < patience || interrupt_pending(NULL)) return;
   if (!b->begun) begin_showing(b);
@@ -116,8 +116,8 @@ static void end_build(lua_State *L, box *holder, arc_model *model, building *sho
   box_weigh(L, arc_model_bytes(model));
 }
 
-/* Pushes a holder with a new model. The model becomes the owner of the meshes in `given` (or
- * NULL). */
+/* Pushes a holder with a new model. The model becomes the owner of the imported meshes in `given`
+ * (NULL: none). */
 static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                          const char *where) {
   arc_error error = {0};
@@ -130,8 +130,8 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   end_build(L, holder, model, &shown, status, &error, where);
 }
 
-/* Pushes the holder of the model with the definition `def`. The holder is from the cache if it
- * exists there, otherwise new. */
+/* Pushes the holder of the model with the definition `def`. The holder is from the cache, or new if
+ * the cache does not have it. */
 static void push_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                         const char *where) {
   push_cache(L);

@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indentation of lines below a label in the text of a run. */
+/* Line break and indentation for a line below a label in the text of a run. */
 static const char *const indent = "\n            ";
 
-/* Adds a text such as "E 200000 MPa nu 0.3". If the wear coefficient is > 0, also adds `before`
- * and the coefficient. */
+/* Adds a text such as "E 200000 MPa nu 0.3". If the wear coefficient is above 0, also adds the text
+ * `before` and the coefficient. */
 static void add_material(luaL_Buffer *to, arc_material material, const char *before) {
   char text[100];
   snprintf(text, sizeof text, "%.31s%sE %.6g MPa nu %.6g", material.name,

@@ -1,4 +1,4 @@
-/* Describes a pair of bodies as text. */
+/* Describes the two bodies of a model as text. */
 #ifndef LUA_PAIR_TEXT_H
 #define LUA_PAIR_TEXT_H
 
@@ -6,16 +6,17 @@
 
 #include <lauxlib.h>
 
-/* Writes "radius 10 mm" for the default bodies, and "pin (disc of radius 9.95 mm) on block" for
- * other bodies. */
+/* Writes a text such as "radius 10 mm" for the default bodies, or "pin (disc of radius 9.95 mm) on
+ * block" for other bodies. */
 const char *pair_show(const arc_model_def *model, char *text, size_t size);
 
 /* Adds a line such as "  materials both E 200000 MPa nu 0.3", with the wear coefficients if they
  * are set. */
 void pair_add_materials(luaL_Buffer *text, const arc_model_def *model);
 
-/* Adds the layers of a body from the surface inwards. Each layer is the text `before` and a
- * description such as "0.003 mm of E 400000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)". */
+/* Adds the layers of a body from the surface inwards. Before each layer the text `before` is added.
+ * The text of a layer is such as "0.003 mm of E 400000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N
+ * m)". */
 void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body body,
                      const char *before);
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Two pressures are regarded as equal if their relative difference is at most `alike`. Two
- * positions are regarded as equal if their relative difference is at most `same_position`. */
+/* Largest relative differences at which two pressures (`alike`) or two positions (`same_position`)
+ * are regarded as equal. */
 static const double alike = 1e-3, same_position = 1e-6;
 
 static size_t largest(const arc_array *p) {
@@ -15,8 +15,8 @@ static size_t largest(const arc_array *p) {
   return most;
 }
 
-/* Returns true if the pressure is equally large at the mirrored point, where `along` has the
- * opposite sign and `across` (unless NULL) is equal. */
+/* Returns true if the pressure at the mirrored point is equally large. The mirrored point has the
+ * opposite value of `along`, and the same value of `across` unless this is NULL. */
 static int is_mirrored(const arc_array *p, const arc_array *along, const arc_array *across,
                        size_t most) {
   const double at = along->values[most], least = (1 - alike) * p->values[most];

@@ -8,9 +8,9 @@
 #include <stddef.h>
 
 /* Writes the position of the largest pressure of the upper body into text [size], such as " (x =
- * 1.8 mm)", in 3-D also z. `arrays` are the `count` surface arrays of a contact, which include the
- * pressure p [MPa]. The position has "+-" if the pressure at the mirrored point is equal. Writes ""
- * if the pressure `center` at the centre [MPa] is as large, or if there are no arrays. */
+ * 1.8 mm)"; in 3-D also z. In "x = +-1.8 mm" the pressure at the mirrored point is equally large.
+ * Writes "" if `center`, the pressure at the centre [MPa], is as large, or without arrays. `arrays`
+ * are the `count` surface arrays of a contact, which include the pressure p [MPa]. */
 void peak_position(const arc_array *arrays, size_t count, double center, char *text, size_t size);
 
 #endif

@@ -23,7 +23,7 @@ static void set_text(lua_State *L, const char *name, const char *text) {
   lua_setfield(L, -2, name);
 }
 
-/* Sets field `name` to a bound of a range. An infinite bound is omitted. */
+/* Sets field `name` to the lower or upper bound of a range. An infinite bound is omitted. */
 static void set_bound(lua_State *L, const char *name, double value) {
   if (!isfinite(value)) return;
   array_set_number(L, name, value);
@@ -39,8 +39,8 @@ static int is_choice(const arc_setting *s) {
   return s->kind == ARC_CHOICE && s->choices != arc_switch_names;
 }
 
-/* Sets the field `values`, a list of the valid strings, which completion suggests. No list is set
- * if it would be empty. */
+/* Sets the field `values` to the list of the valid strings, which completion suggests. An empty
+ * list is omitted. */
 static void set_values(lua_State *L, const arc_setting *s) {
   lua_newtable(L);
   int count = 0;
@@ -59,8 +59,8 @@ static void set_values(lua_State *L, const arc_setting *s) {
     lua_pop(L, 1);
 }
 
-/* Sets the field with the description of the valid values. The description has no unit, because the
- * unit is a separate field. */
+/* Sets the field `type` to a description of the valid values. The description has no unit, because
+ * the unit is a separate field. */
 static void set_type(lua_State *L, const arc_setting *s) {
   arc_setting bare = *s;
   char text[240];
@@ -68,8 +68,8 @@ static void set_type(lua_State *L, const arc_setting *s) {
   set_text(L, "type", arc_setting_expected(&bare, text, sizeof text));
 }
 
-/* Pushes the table that describes one setting. `path` is the name of the setting with the names
- * of its groups before it. */
+/* Pushes the table that describes one setting. `path` is the name of the setting after the names of
+ * its groups, such as "mesh.size". */
 static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   lua_newtable(L);
   set_text(L, "path", path);
@@ -92,9 +92,8 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
-/* Appends the settings of a list to the table on top of the stack. The settings of a group
- * follow the group, unless the group is a class, because the settings of a class are listed
- * under the class. */
+/* Appends the settings of a list to the table on top of the stack. The settings of a group follow
+ * the group, unless the group has a class of its own, where its settings are listed. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {

@@ -78,8 +78,8 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   return best;
 }
 
-/* Pushes a line of text with the largest value of one stress in the table on top of the stack,
- * and the position of this value. */
+/* Pushes a line of text with the largest value of one stress in the table on top of the stack, and
+ * the position of the largest value. */
 static void push_largest(lua_State *L, const char *label, const char *stress) {
   char line[160];
   lua_Integer at = largest_of(L, stress);
@@ -105,11 +105,11 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   lua_gettable(L, -2);
   const arc_contact *contact =
       lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
-  lua_pop(L, 2); /* the weak table's entry keeps the contact alive */
+  lua_pop(L, 2); /* the entry of the weak table keeps the contact alive */
   return contact;
 }
 
-/* Returns the model definition of a stress object; NULL means the default bodies. */
+/* Returns the model definition of a stress object, or NULL for the default bodies. */
 static const arc_model_def *pair_of(lua_State *L, int index) {
   const arc_contact *contact = stress_contact(L, index, "stress");
   return contact ? arc_model_definition(arc_contact_model(contact)) : NULL;
@@ -159,7 +159,7 @@ static int stress_index(lua_State *L) {
   return 1;
 }
 
-/* contact:stress() returns { cylinder=, plate= }, tables of nodal arrays. */
+/* contact:stress() returns { cylinder=, plate= }, a table of nodal arrays for each body. */
 int stress_new(lua_State *L) {
   static const luaL_Reg events[] = {
       {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};

@@ -11,8 +11,8 @@
 enum { COMPONENTS = 6, MISES = COMPONENTS, ARRAYS, DEPTHS = 41 };
 static const char *const names[] = {"sxx", "syy", "szz", "sxy", "syz", "sxz", "mises"};
 
-/* The requested cut: the plane at a depth y <= 0, or a section at a position x or z. Default: the
- * section of the lower body at z = 0. */
+/* The requested cut: the plane at a depth y <= 0 [mm], or the section at a position x or z [mm].
+ * Default: the section of the lower body at z = 0. */
 typedef struct cut {
   char axis;
   double at;
@@ -53,7 +53,7 @@ typedef struct window {
   size_t nx, nz;
 } window;
 
-/* Fills value[ARRAYS][n] with the stresses in the plane at `y`. */
+/* Fills value[ARRAYS][n] with the stresses [MPa] at the n grid points of the plane at depth `y`. */
 static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, double y, size_t n,
                        double *value, const char *where) {
   arc_error error = {0};
@@ -84,8 +84,8 @@ static void set_map(lua_State *L, const char *name, const double *x, size_t nx, 
   lua_setfield(L, -2, name);
 }
 
-/* Returns the index of the grid point before the position of the cut. `share` is the weight of the
- * next grid point. */
+/* Returns the index of the grid point before the position of the cut. `share` is the interpolation
+ * weight of the next grid point. */
 static size_t locate(lua_State *L, const char *where, const cut *c, const double *at, size_t n,
                      double *share) {
   size_t i = 0;
@@ -98,8 +98,8 @@ static size_t locate(lua_State *L, const char *where, const cut *c, const double
   return i;
 }
 
-/* Pushes maps over the depth and the coordinate along the section (x or z). The depths are
- * sorted from the deepest point to the surface. */
+/* Pushes maps of the stresses in a section over the depth and the coordinate along the section (x
+ * or z). The depths are sorted from the deepest point to the surface. */
 static void push_section(lua_State *L, const arc_contact *contact, const cut *c, const window *w,
                          const double *x, const double *z, const char *where) {
   const size_t n = w->nx * w->nz, along = c->axis == 'z' ? w->nx : w->nz;

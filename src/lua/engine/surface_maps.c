@@ -1,4 +1,4 @@
-/* Pushes surfaces over x and z as maps and sections. */
+/* Pushes arrays over x and z as maps and sections. */
 #include "lua/engine/surface_maps.h"
 
 #include "lua/engine/classes.h"
@@ -73,8 +73,8 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   lua_call(L, 1, 1);
 }
 
-/* Computes the index `first` of the grid point before the position `wanted`, and the weight `share`
- * of the next grid point. */
+/* Computes the index `first` of the grid point before the position `wanted`, and the interpolation
+ * weight `share` of the next grid point. */
 static void find(lua_State *L, const char *where, const char *axis, const double *at, size_t step,
                  size_t n, double wanted, size_t *first, double *share) {
   size_t i = 0;

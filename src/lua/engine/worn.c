@@ -31,8 +31,8 @@ static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."
 
 /* --- profiles given as arrays ----------------------------------------------------------------- */
 
-/* Pushes field `name` of the profile at `index` and a buffer with its numbers. Returns the
- * numbers. */
+/* Pushes field `name` of the profile at `index`, and a buffer with its numbers. Returns the
+ * buffer. */
 static const double *push_column(lua_State *L, int index, args_location location, const char *name,
                                  size_t *count) {
   lua_getfield(L, index, name);
@@ -53,8 +53,8 @@ static void check_profile(lua_State *L, args_location location, arc_depths profi
   }
 }
 
-/* Reads and checks the profile { x=, h= } at `index`. For an object it reads the result of its
- * metamethod __worn. The buffers stay on the stack. */
+/* Reads and checks the profile { x=, h= } at `index`. If the value has a metamethod __worn, reads
+ * the table that __worn returns. The buffers stay on the stack. */
 static arc_depths push_profile(lua_State *L, int index, args_location location) {
   size_t depths = 0;
   arc_depths profile = {0, NULL, NULL};
@@ -88,8 +88,8 @@ static arc_model_def names_of_model(lua_State *L, int index) {
   return def;
 }
 
-/* Replaces the table on top of the stack, whose keys name bodies, by a copy whose keys are
- * body_names. */
+/* Replaces the table on top of the stack by a copy. The keys of the table name bodies; the keys of
+ * the copy are body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
   push_usual_names(L, -1, (args_location){where, "worn."}, &def);
@@ -158,7 +158,8 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
   return depth;
 }
 
-/* Computes the depths of one body from the table at `worn`. Returns 0 if the body is not worn. */
+/* Computes the depths [mm] of one body at its nodes from the table at `worn`. Returns 0 if the body
+ * is not worn. */
 static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body, double *depth,
                   const char *where) {
   const arc_profile nodes = arc_shape_profile(shape, body);

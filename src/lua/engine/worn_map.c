@@ -1,5 +1,5 @@
-/* Reads the field `worn` of 3-D models. For each body the field contains a function (x, z) -> depth
- * or a map of depths. The depths are sampled at the initial cells of the run. */
+/* Reads the field `worn` of 3-D models, which contains a function (x, z) -> depth or a map of
+ * depths for each body. The depths are sampled at the initial cells of the run. */
 #include "archard/space.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -29,14 +29,14 @@ int worn_is_map(lua_State *L, int index) {
 
 /* --- maps of depths --------------------------------------------------------------------------- */
 
-/* Depths on a uniform grid, with the index of z fastest. The depth is 0 outside the grid. */
+/* Depths [mm] on a uniform grid. The depth at x[i] and z[j] is h[i * nz + j]. Outside the grid the
+ * depth is 0. */
 typedef struct depth_map {
   size_t nx, nz;
   const double *x, *z, *h;
 } depth_map;
 
-/* Reads the map at `index` without checks, because it was checked when it was created. The
- * buffers stay on the stack. */
+/* Reads the map at `index` and checks the lengths of its lists. The buffers stay on the stack. */
 static depth_map push_depth_map(lua_State *L, int index, args_location location) {
   depth_map m;
   size_t count;
@@ -54,8 +54,8 @@ static depth_map push_depth_map(lua_State *L, int index, args_location location)
   return m;
 }
 
-/* Computes the grid point before a position and the weight of the next grid point. Returns 0
- * outside the grid. */
+/* Computes the index of the grid point before a position, and the interpolation weight of the next
+ * grid point. Returns 0 outside the grid. */
 static int locate(const double *at, size_t n, double wanted, size_t *before, double *share) {
   const double step = (at[n - 1] - at[0]) / (double)(n - 1), u = (wanted - at[0]) / step;
   if (!(u >= 0 && u <= (double)(n - 1))) return 0;
@@ -72,7 +72,7 @@ static double depth_at(const depth_map *m, double x, double z) {
   return (1 - u) * ((1 - v) * h[0] + v * h[1]) + u * ((1 - v) * h[m->nz] + v * h[m->nz + 1]);
 }
 
-/* Enlarges the half widths so that they include all points with a depth > 0. */
+/* Enlarges the half widths [mm] so that they include all points with a depth > 0. */
 static void widen(const depth_map *m, double half[2]) {
   for (size_t i = 0; i < m->nx; i++)
     for (size_t j = 0; j < m->nz; j++)

@@ -8,11 +8,11 @@
  */
 const char *export_ending(const char *path);
 
-/* Pushes the file name for one body, such as "file-cylinder.vtk" for "file.vtk". `usual` is the
- * extension if `path` has none. */
+/* Pushes the file name for one body, such as "file-cylinder.vtk" for "file.vtk". If `path` has no
+ * extension, the extension `usual` is used. */
 const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual);
 
-/* Lua function export.csv (export_csv.c). */
+/* Implements the Lua function export.csv (export_csv.c). */
 int export_csv(lua_State *L);
 
 #endif

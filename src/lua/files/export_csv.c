@@ -35,7 +35,7 @@ typedef struct csv_table {
   size_t columns, rows;
 } csv_table;
 
-/* Pushes buffers for `columns` columns without units. */
+/* Pushes buffers for the names, units and data of `columns` columns. The units are NULL. */
 static csv_table push_columns(lua_State *L, size_t columns) {
   csv_table table = {.columns = columns};
   const size_t bytes = sizeof(void *) * (columns ? columns : 1);
@@ -68,7 +68,7 @@ static void write_history(lua_State *L, const char *path, const arc_wear *wear) 
   write_columns(L, path, table);
 }
 
-/* Pushes a copy of `count` values, extended with NaN to `rows` values. */
+/* Pushes a copy of `count` values, followed by NaN up to `rows` values. */
 static const double *push_padded(lua_State *L, const double *values, size_t count, size_t rows) {
   double *padded = array_buffer(L, rows);
   for (size_t i = 0; i < rows; i++) padded[i] = i < count ? values[i] : NAN;
@@ -86,7 +86,7 @@ static void add_nodal(lua_State *L, csv_table *table, const char *name, const ch
 }
 
 /* Writes the pressures of both bodies in adjacent columns. With friction also writes the shear of
- * both bodies and the slip at the nodes of the cylinder. Shorter columns are extended with NaN. */
+ * both bodies and the slip at the nodes of the cylinder. Shorter columns end with NaN. */
 static void write_contact(lua_State *L, const char *path, const arc_contact *contact) {
   enum { most_columns = 7 };
   csv_table table = push_columns(L, most_columns);
@@ -135,8 +135,8 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
 
 /* --- tables of the user ----------------------------------------------------------------------- */
 
-/* Returns the rank of a column name for sorting the columns of a user's table: first the
- * coordinates, then all other columns by name. */
+/* Returns the rank of a column name for sorting the columns of a user's table: first distance, t, x
+ * and y, then all other columns by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
   for (int i = 0; i < 4; i++)
@@ -158,8 +158,8 @@ static void insert_name(const char **names, size_t count, const char *name) {
   names[count] = name;
 }
 
-/* Collects the names of the columns of the table at `index` and sorts them. The table is a copy
- * that scripts cannot change between counting and collecting. */
+/* Pushes the sorted names of the columns of the table at `index`. The table is a copy, which
+ * scripts cannot change between counting and collecting the names. */
 static csv_table push_names(lua_State *L, int index) {
   size_t columns = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
@@ -197,8 +197,7 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
-/* Returns true if an object of the program returned the table at `index`, so that its units are
- * known. */
+/* Returns true if the table at `index` is a result of the program, whose units are known. */
 static int is_own(lua_State *L, int index) {
   static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
                                      "case:pressure", "combined",     "mesh:coordinates",
@@ -209,7 +208,7 @@ static int is_own(lua_State *L, int index) {
   return own;
 }
 
-/* Sets the known units of the columns, for a table that is a result of the program. */
+/* Sets the known units of the columns of a table that is a result of the program. */
 static void set_own_units(csv_table table) {
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
@@ -239,7 +238,7 @@ static void use_copy(lua_State *L, int index) {
   lua_replace(L, index);
 }
 
-/* Writes a user's table of arrays of equal length. */
+/* Writes a user's table of arrays, which must have equal length. */
 static void write_table(lua_State *L, const char *path, int index, int units) {
   const int own = is_own(L, index);
   use_copy(L, index);
@@ -274,7 +273,7 @@ static const char *csv_path(lua_State *L) {
 }
 
 /* csv(object, path, units) writes a file. The object is a wear, contact or stress object, or a
- * table of arrays. The table `units` has the units by column name and is optional. Returns the
+ * table of arrays. The optional table `units` contains the unit of each column by name. Returns the
  * file name, or two names for a stress object. */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);

@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the file name at index 2, which stays on the stack. If the name has no extension, the
- * first item of `endings` is added. */
+/* Returns the file name at index 2, which stays on the stack. Adds the first item of `endings` if
+ * the name has no extension, and raises an error if its extension is not in `endings`. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -66,7 +66,7 @@ static const char vtk_where[] = "export.vtk";
 /* Data for the VTK files of one object. */
 typedef struct vtk_source {
   const arc_model *model;
-  const arc_contact *contact; /* NULL: only the mesh is written */
+  const arc_contact *contact; /* contact of the object; NULL: only the mesh is written */
   double time;
 } vtk_source;
 
@@ -159,7 +159,7 @@ static int push_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes a text and frees it, even if Lua runs out of memory. */
+/* Pushes a C text as a string and frees the C text, even if Lua runs out of memory. */
 static int push_and_free(lua_State *L, char *text, size_t length) {
   lua_pushcfunction(L, push_text);
   lua_pushlightuserdata(L, text);
@@ -169,7 +169,7 @@ static int push_and_free(lua_State *L, char *text, size_t length) {
   return failed ? lua_error(L) : 1;
 }
 
-/* Pushes the text of a Gmsh file. */
+/* Pushes the contents of a Gmsh file as a text. */
 static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], const char *where) {
   arc_error error = {0};
   char *text;
@@ -260,8 +260,8 @@ static int files_find(lua_State *L) {
   return 2;
 }
 
-/* confine(folder, least) restricts reading to `folder` and the working folder. Writing is
- * allowed only in the working folder, and only while its disk has at least `least` free bytes. */
+/* confine(folder, least) restricts reading to `folder` and the working folder. Writing is allowed
+ * only in the working folder, and only while its disk has at least `least` bytes of free space. */
 static int files_confine(lua_State *L) {
   arc_error error = {0};
   const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);

@@ -42,7 +42,8 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
   return store;
 }
 
-/* store.open(path, mode) opens a run file and returns it as a store object. */
+/* store.open(path, mode) opens a run file and returns a store object. `mode` is "read" (default),
+ * "write" or "create". */
 static int store_open(lua_State *L) {
   int mode = args_choice(L, 2, (args_location){"store.open", ""}, "mode", mode_names, 0);
   const char *path = path_argument(L, 1, "store.open", "file");
@@ -51,7 +52,7 @@ static int store_open(lua_State *L) {
 }
 
 /* store:publish() finishes a file begun by store.replace: it renames the temporary file to the
- * final name and closes it. */
+ * final name and closes the file. */
 static int store_publish(lua_State *L) {
   box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
@@ -62,8 +63,8 @@ static int store_publish(lua_State *L) {
   return 0;
 }
 
-/* store.replace(path, kind) returns a new store in a temporary file. store:publish replaces the
- * file `path` by this file. */
+/* store.replace(path, kind) returns a new store in a temporary file. store:publish then replaces
+ * the file `path` by the temporary file. */
 static int store_replace(lua_State *L) {
   const char *path = path_argument(L, 1, "store.replace", "file");
   const char *kind = luaL_checkstring(L, 2);
@@ -107,7 +108,7 @@ static int store_info(lua_State *L) {
   return 1;
 }
 
-/* store:set_info(name, text) stores a note. */
+/* store:set_info(name, text) stores a note, or removes the note if `text` is nil. */
 static int store_set_info(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:set_info");
@@ -136,7 +137,8 @@ static int store_add(lua_State *L) {
   return 0;
 }
 
-/* store:mark(id, status, message, seconds) sets the status of a case. */
+/* store:mark(id, status, message, seconds) sets the status of a case, and optionally a message and
+ * the computing time. */
 static int store_mark(lua_State *L) {
   static const char where[] = "store:mark";
   arc_error error = {0};
@@ -165,8 +167,8 @@ static void push_case(lua_State *L, const arc_case *one) {
   if (isfinite(one->seconds)) array_set_number(L, "seconds", one->seconds);
 }
 
-/* Pushes the list of cases. The address of the cases is passed as light userdata, so that the
- * caller can free them if this function raises an error. */
+/* Pushes the list of cases. Lua arguments: the address of the cases and their number. The address
+ * is light userdata, so that the caller can free the cases if this function raises an error. */
 static int push_cases(lua_State *L) {
   const arc_case *cases = lua_touserdata(L, 1);
   size_t count = (size_t)lua_tointeger(L, 2);

@@ -1,5 +1,5 @@
-/* lua/files/store_module.h - run files as Lua objects, for the module `archard.store` and for
- * wear.open. */
+/* lua/files/store_module.h - run files as Lua objects, for the module `archard.store` and the
+ * function wear.open. */
 #ifndef LUA_STORE_H
 #define LUA_STORE_H
 

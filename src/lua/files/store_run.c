@@ -54,7 +54,7 @@ static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   return count;
 }
 
-/* Saves a run with its present surfaces and `count` arrays of earlier surfaces. */
+/* Saves a run with its present surfaces and with `count` arrays of earlier surfaces. */
 static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc_array *earlier,
                        size_t count, arc_error *error) {
   arc_array *present;
@@ -73,8 +73,8 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc
   return status;
 }
 
-/* Reads the list of surfaces at index 4. Pushes the arrays, and a table that keeps their numbers
- * alive. */
+/* Reads the list of surfaces at index 4 as arrays. Pushes the arrays, and a table that keeps their
+ * numbers alive. */
 static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays) {
   enum { most_names = 16 };
   const size_t count = lua_istable(L, 4)
@@ -109,8 +109,8 @@ int store_save(lua_State *L) {
 
 /* --- history and surfaces --------------------------------------------------------------------- */
 
-/* Calls `push` by lua_pcall with the block and its length, and then frees the block. The result
- * of `push` (or the error) stays on top of the stack. */
+/* Calls `push` by lua_pcall with the address and the length of the block, and then frees the block.
+ * The result of `push` (or the error) stays on top of the stack. */
 static int push_and_free(lua_State *L, lua_CFunction push, void *block, size_t count) {
   lua_pushcfunction(L, push);
   lua_pushlightuserdata(L, block);
@@ -200,7 +200,8 @@ static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const
   return run;
 }
 
-/* Writes the settings that may be functions to `list`, which ends with a NULL name. */
+/* Writes the settings that may be functions to `list`. The last item of the list has the name
+ * NULL. */
 static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
@@ -208,8 +209,8 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   list[count] = (arc_setting){.name = NULL};
 }
 
-/* Checks that the user passes functions for exactly those settings that were functions in the
- * saved run. Pushes the holder of the functions, or nil if there are none. */
+/* Raises an error unless the user passes functions for exactly those settings that were functions
+ * in the saved run. Pushes the holder of the functions, or nil if there are none. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_location location = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
@@ -260,7 +261,7 @@ int store_wear(lua_State *L) {
   return 1;
 }
 
-/* store.note_saved(wear) marks the present state as saved in a file. */
+/* store.note_saved(wear) marks the present state of a run as saved in a file. */
 int store_note_saved(lua_State *L) {
   box *made = lua_touserdata(L, 1);
   box_check(L, 1, &wear_class, "store.note_saved");
@@ -334,9 +335,9 @@ static int is_of_joint(lua_State *L, arc_store *store) {
   return joint;
 }
 
-/* Pushes a joint's run from a file with one run (`id` 0) or from case `id` of a study. Pushes
- * nil if the stored run is not a joint's. The path is at index 1, the table of functions at
- * index 3. */
+/* Pushes a joint's run from a file with one run (`id` 0) or from case `id` of a study. If the
+ * stored run is not a joint's run, pushes nil and returns 0. The path is at index 1, the table of
+ * functions at index 3. */
 static int open_joint(lua_State *L, int id) {
   script_require(L, "archard.joint.file");
   lua_getfield(L, -1, id > 0 ? "open_case" : "open");

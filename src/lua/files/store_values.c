@@ -7,8 +7,8 @@
 
 /* --- writing named values --------------------------------------------------------------------- */
 
-/* Reads the value on top of the stack. If it is an array, its numbers stay on the stack below
- * the value. */
+/* Reads the value on top of the stack. If the value is an array, its numbers stay on the stack
+ * below the value. */
 static arc_value read_value(lua_State *L, const char *name, const char *where) {
   arc_value value = {.kind = ARC_VALUE_NUMBER, .name = name};
   switch (lua_type(L, -1)) {

@@ -1,7 +1,7 @@
 /* Module `archard.gnuplot`: passes figures, which are Lua tables, to the plot layer
- * (archard/plot.h). scripts/plot/init.lua is the user's interface and checks the arguments; this
- * file only prevents crashes. All arrays of a figure are userdata in one table that is alive during
- * the call, so that Lua errors leak nothing. */
+ * (archard/plot.h). scripts/plot/init.lua is the user's interface and checks the arguments; the
+ * checks in this file only prevent crashes. All arrays of a figure are userdata in one table, which
+ * is alive during the call, so that Lua errors leak nothing. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/interrupt.h"
@@ -29,7 +29,7 @@ typedef struct reader {
   size_t panel, curve;
 } reader;
 
-/* Allocates zeroed memory that is alive during the call. */
+/* Allocates zeroed memory that is valid during the call. */
 static void *anchored(reader *r, size_t count, size_t size) {
   void *memory = lua_newuserdatauv(r->L, count ? count * size : 1, 0);
   memset(memory, 0, count * size);
@@ -92,7 +92,7 @@ static size_t length_of(reader *r, const char *name, size_t most) {
   return array_length(r->L, (args_location){"plot", ""}, name, most);
 }
 
-/* Reads a list of numbers as an array. */
+/* Reads the field `name`, a list of numbers, as an array. */
 static double *read_column(reader *r, const char *name, size_t *count) {
   if (lua_getfield(r->L, -1, name) != LUA_TTABLE)
     luaL_error(r->L, "panel %d: curve %d: %s must be a list of numbers, got %s", (int)r->panel,
@@ -164,8 +164,8 @@ static const arc_plot_field *read_field(reader *r) {
   return field;
 }
 
-/* Reads the user's ticks for the axis on top of the stack. The field has the form places = { at
- * = { numbers }, words = { labels } }. */
+/* Reads the user's tick labels of the axis on top of the stack from the field places = { at = {
+ * numbers }, words = { labels } }. */
 static void read_places(reader *r, arc_plot_axis *axis) {
   if (lua_getfield(r->L, -1, "places") == LUA_TTABLE) {
     axis->places = read_column(r, "at", &axis->place_count);

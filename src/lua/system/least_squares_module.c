@@ -27,7 +27,7 @@ static double number_field(lua_State *L, int table, const char *name, double low
 
 /* --- nonlinear least squares ------------------------------------------------------------------ */
 
-enum { PROBLEM = 1 }; /* stack index of the problem's table */
+enum { PROBLEM = 1 }; /* stack index of the table that describes the problem */
 
 typedef struct callback {
   lua_State *L;
@@ -38,7 +38,8 @@ typedef struct callback {
   int failed;   /* true if the call failed; the error value is on top of the stack */
 } callback;
 
-/* Calls the function with a list and copies the returned list. lua_pcall calls this function. */
+/* Calls the user's function with a list and copies the list that it returns. Is called by
+ * lua_pcall. */
 static int call_protected(lua_State *L) {
   callback *call = lua_touserdata(L, 2);
   lua_getfield(L, PROBLEM, call->name);
@@ -68,8 +69,8 @@ static int evaluate(callback *call, const char *name, const gsl_vector *x, doubl
   return call->failed ? GSL_EBADFUNC : GSL_SUCCESS;
 }
 
-/* Computes the residuals. The memory of `f` is used as an array, because the vectors and
- * matrices that GSL allocates here are contiguous. */
+/* Computes the residuals. The memory of `f` is used as an array, because GSL allocates the vectors
+ * and matrices of this solver without gaps. */
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f) {
   return evaluate(context, "residuals", x, f->data, f->size);
 }

@@ -25,8 +25,8 @@
 
 extern char **environ;
 
-/* LINE is the length of the longest line [bytes]. WORDS is the largest number of stored bytes of a
- * worker's standard error. The other constants are limits of a pool. */
+/* LINE is the length of the longest line of a worker [bytes]. WORDS is the number of bytes of a
+ * worker's standard error that are stored. MOST_WORKERS and MOST_ARGUMENTS are limits of a pool. */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
@@ -47,13 +47,13 @@ typedef struct pool {
 
 /* --- one worker ------------------------------------------------------------------------------- */
 
-/* Starts a worker. Returns 0 or an errno. `ends` are the channels for input, output and errors.
- * The child process uses end [0] of the first channel and end [1] of the other two. */
+/* Starts a worker. Returns 0 or an errno. `ends` are the channels for input, output and errors of
+ * the worker. The child process uses end [0] of the first channel and end [1] of the other two. */
 static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  int idle = 0; /* the memory is divided equally between this process and the idle workers */
+  int idle = 0; /* workers that do not run share the memory equally with this process */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
   arc_child_def def = {"/proc/self/exe",
                        p->arguments,
@@ -83,7 +83,7 @@ static int start(const pool *p, worker *w) {
   return 0;
 }
 
-/* Kills a worker and waits for its end. Returns the wait status. */
+/* Kills a worker and waits for its end. Returns the exit status in the form of waitpid. */
 static int end_worker(worker *w) {
   const int how = w->process > 0 ? arc_child_kill(w->process) : 0;
   arc_child_close(&w->input);
@@ -279,7 +279,8 @@ static void hear(worker *w) {
   }
 }
 
-/* Appends { worker=, line= } to the list on top of the stack. */
+/* Appends { worker=, line= } to the list on top of the stack, for a line that a worker has
+ * written. */
 static void add_line(lua_State *L, int which, const char *line, size_t length) {
   lua_createtable(L, 0, 2);
   lua_pushinteger(L, which + 1);
@@ -302,8 +303,8 @@ static void split_lines(lua_State *L, int which, worker *w) {
   w->filled = left;
 }
 
-/* Appends { worker=, ended=, words= } to the list on top of the stack for a worker whose output
- * is closed. */
+/* Appends { worker=, ended=, words= } to the list on top of the stack, for a worker whose output is
+ * closed. */
 static void add_end(lua_State *L, int which, worker *w) {
   hear(w);
   const int status = end_worker(w);
@@ -373,7 +374,7 @@ static int process_processors(lua_State *L) {
 }
 
 /* process.pause(seconds, stand) waits. An interrupt ends the pause with the error "interrupted". If
- * the text `stand` is given, the error starts with this text and a colon. */
+ * the text `stand` is given, this text and a colon precede "interrupted" in the error. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
@@ -383,8 +384,8 @@ static int process_pause(lua_State *L) {
   return 0;
 }
 
-/* process.report(text) sets the progress of the present work. An interrupt then raises "TEXT:
- * interrupted". "" removes the text. */
+/* process.report(text) sets a text about the progress of the present work. An interrupt then raises
+ * "TEXT: interrupted". The empty text "" removes the text. */
 static int process_report(lua_State *L) {
   interrupt_report(luaL_checkstring(L, 1));
   return 0;

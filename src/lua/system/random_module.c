@@ -1,5 +1,5 @@
-/* Module `archard.random`: points in the unit cube for a design and a seed, and quantiles and
- * correlations for uncertainties. No other file uses GSL's generators, distributions and
+/* Module `archard.random`: computes points in the unit cube for a design and a seed, and quantiles
+ * and correlations for uncertainties. No other file uses GSL's generators, distributions and
  * statistics. The results depend only on the arguments: the same seed gives identical points. */
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -48,10 +48,10 @@ static int fill_latin(const points *p) {
   return 0;
 }
 
-/* Fills Sobol points with a random digital shift (exclusive or) for each axis. The shift keeps the
- * uniformity of the set, makes the distribution of each point uniform, and makes no coordinate 0.
- * The first point (the origin), which GSL omits, is included, so that 2^m points are a complete
- * net. */
+/* Fills Sobol points with a random digital shift (exclusive or) for each axis. The shift preserves
+ * the uniformity of the set and makes the distribution of each point uniform. Half a cell is added,
+ * so that no coordinate is 0. The first point (the origin), which GSL omits, is included, because
+ * without it 2^m points would not be evenly distributed. */
 static int fill_sobol(const points *p) {
   const double cells = (double)(1UL << SOBOL_BITS);
   unsigned long flip[SOBOL_MOST];
@@ -130,8 +130,8 @@ static int student_quantile(lua_State *L) {
   return 1;
 }
 
-/* rank_correlation(a, b) returns Spearman's coefficient of two lists of equal length. It is NaN if
- * a list is constant. */
+/* rank_correlation(a, b) returns Spearman's rank correlation coefficient of two lists of equal
+ * length, or NaN if a list is constant. */
 static int rank_correlation(lua_State *L) {
   const args_location location = {"random.rank_correlation", ""};
   size_t count = 0, other = 0;

@@ -12,7 +12,8 @@
 
 static const char *const stream_names[] = {"stdin", "stdout", "stderr", NULL};
 
-/* Returns the stream of the argument: "stdin", "stdout" (default) or "stderr". */
+/* Returns the file descriptor of the stream that argument 1 names: "stdin", "stdout" (default) or
+ * "stderr". */
 static int check_stream(lua_State *L) {
   return luaL_checkoption(L, 1, "stdout", stream_names);
 }

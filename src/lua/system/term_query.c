@@ -40,7 +40,8 @@ static int answer_at(const unsigned char *bytes, size_t left) {
   return -1;
 }
 
-/* Returns true if the attributes in a reply such as ESC [ ? 62 ; 4 c contain 4 (sixel). */
+/* Returns true if the attributes in a reply such as ESC [ ? 62 ; 4 c include 4, which means sixel
+ * graphics. */
 static int has_four(const unsigned char *bytes, int length) {
   for (int i = 4; i + 1 < length; i++)
     if (bytes[i] == '4' && bytes[i - 1] == ';' && (bytes[i + 1] == ';' || bytes[i + 1] == 'c'))
@@ -101,8 +102,8 @@ static void read_answer(void) {
 
 /* --- query ------------------------------------------------------------------------------------ */
 
-/* Returns true for a foreground process on a terminal. Reading would suspend a background
- * process. */
+/* Returns true for a foreground process on a terminal. In a background process, reading from the
+ * terminal would suspend the process. */
 static int may_query(void) {
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }

@@ -8,10 +8,9 @@ typedef struct term_answer {
   int kitty, sixel; /* true if the terminal supports this graphics protocol */
 } term_answer;
 
-/* Queries the terminal of standard input and output once (at most one second) and stores the
- * reply for later calls. Both members are 0 if there is no terminal, the process is in the
- * background, or a key was typed before the query. If a key was typed, the next call queries
- * again. */
+/* Queries the terminal of standard input and output (for at most one second) and stores the reply
+ * for later calls. Both members are 0 if there is no terminal, if the process is in the background,
+ * or if a key was typed before the query. In these cases the next call queries again. */
 term_answer term_query_graphics(void);
 
 /* Returns the next key typed during the query, or -1 if there are no more. These keys must be read

@@ -1,5 +1,5 @@
 /* Implements the state object, which is the argument of the user's functions. The object reads the
- * present record and is reused for every call. It cannot be read after the call. */
+ * present record. It is reused for every call, and cannot be read after the call. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -36,7 +36,8 @@ static void push_volume(lua_State *L, const callback_state *state) {
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
-/* Metamethod __index: returns state.NAME. Upvalue: table that maps names to columns. */
+/* Metamethod __index: returns state.NAME. Upvalue: table that maps names to the numbers of
+ * columns. */
 static int state_index(lua_State *L) {
   const callback_state *state = self(L);
   const arc_wear_record *record = state->record;

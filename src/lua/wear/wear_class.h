@@ -18,9 +18,11 @@ void wear_note_saved(box *made);
 typedef struct wear_request {
   arc_wear_def def;
   double cycles; /* end of the run [cycles]; 0: the end is given as a distance */
-  double distance_before, cycle_before; /* [mm], [cycles] present position of a run in wear:set */
-  int own_steps; /* true if the user set scheme or jump, or wear:set changes the run */
-  int own_k;     /* true if the user set k or alpha, or wear:set changes the run */
+  double distance_before, cycle_before; /* [mm], [cycles] position at which wear:set is called */
+  int own_steps; /* true if the default scheme and jump do not apply: the user set one of them, or
+                    wear:set changes the run */
+  int own_k;     /* true if the coefficients of the bodies do not apply: the user set k or alpha, or
+                    wear:set changes the run */
   int worn;      /* true if the run starts on worn surfaces */
   int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
@@ -30,8 +32,8 @@ typedef struct wear_request {
  * or the defaults if `changed` is 0. Buffers of arrays stay on the stack. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* Returns the definition of a requested run, completed by the data of its model. Converts `cycles`
- * to a distance. */
+/* Returns the definition of a requested run with the missing values from the data of its model.
+ * Converts `cycles` to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` ------------------------------------------------------ */
@@ -104,8 +106,8 @@ void record_push(lua_State *L, const arc_wear_record *record);
 void record_push_line(lua_State *L, const arc_wear_record *record);
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count);
 
-/* history_push pushes the history of a run, records_push_columns `count` records. The result is
- * a table of arrays by column name. */
+/* history_push pushes the history of a run, records_push_columns pushes `count` records. The result
+ * is a table of arrays by column name. */
 void history_push(lua_State *L, const arc_wear *wear);
 void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count);
 

@@ -14,7 +14,7 @@ static const arc_setting series_fields[] = {
     {.name = NULL},
 };
 
-/* If the value of the setting is a table { distance=, value= }, reads it as a series, whose
+/* If the value of the setting is a table { distance=, value= }, reads the table as a series, whose
  * buffers stay on the stack. Any other value removes the series. The engine checks the numbers. */
 static void push_series(lua_State *L, int index, args_location location, const arc_setting *s,
                         arc_wear_def *def) {
@@ -131,13 +131,13 @@ static void settle_loading(lua_State *L, int index, args_location location, wear
   if (!changed && !args_given(L, index, "load") && largest > 0) request->def.load = largest;
 }
 
-/* Lists the settings that are allowed for a new run, or for a changed run. */
+/* Writes the settings that are allowed for a new run, or for a changed run, to `list`. */
 static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int changed) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (!(changed && s->forms & ARC_FIXED)) list[count++] = *s;
   if (changed)
-    list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* field of wear:set, read by wear_class.c */
+    list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* wear_class.c reads this field of wear:set */
   list[count] = (arc_setting){.name = NULL};
 }
 
@@ -148,7 +148,8 @@ static void read_cycles(lua_State *L, int index, args_location location, wear_re
   lua_pop(L, 1);
 }
 
-/* If the user sets the scheme but no tolerance, sets the default tolerance of this scheme. */
+/* If the user sets the scheme but no tolerance, sets the default tolerance of this scheme. The
+ * implicit scheme has no default tolerance if a jump is set. */
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
@@ -213,8 +214,7 @@ static void read_bodies(lua_State *L, int index, args_location location, wear_re
   lua_replace(L, index);
 }
 
-/* Raises an error if the user sets `geometry` to "3-D" or a similar name, because these are
- * geometries of the model. */
+/* Raises an error if the user sets `geometry` to a geometry of the model, such as "3-D". */
 static void refuse_space(lua_State *L, int index, args_location location) {
   if (args_get(L, index, "geometry") == LUA_TSTRING)
     for (const char *const *name = arc_space_names; *name; name++)

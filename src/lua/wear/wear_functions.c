@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Indices of the user values of the userdata that holds the functions of a run. During a call the
- * values on the stack have the same order. The index of a function is its index in
+/* Indices of the user values of the holder, a userdata that stores the functions of a run. During a
+ * call the values on the stack have the same order. The index of a function is its index in
  * arc_wear_settings plus 1. The indices of the state object and the error value follow. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
@@ -59,7 +59,8 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
            state->distance, state->cycle);
 }
 
-/* Calls a function of the user with the state object as argument. The function returns a number. */
+/* Calls a function of the user with the state object as argument. The function must return a
+ * number. */
 static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
                       double *value) {
   wear_functions *f = context;
@@ -86,7 +87,7 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
 typedef struct local_call {
   wear_functions *held;
   arc_body body;
-  int n, at; /* number of nodes; `at` is the index of the present node, -1 for all nodes */
+  int n, at; /* number of nodes; `at`: index of the present node, or -1 for all nodes */
   const double *x, *z, *p; /* z is NULL in two dimensions */
   double *factor;
 } local_call;
@@ -185,7 +186,7 @@ static arc_status call_local_factor(void *context, arc_body body, int n, const d
   return status;
 }
 
-/* --- context of calls of the engine ----------------------------------------------------------- */
+/* --- calls of the engine ---------------------------------------------------------------------- */
 
 static functions_call enter(lua_State *L, int holder, box *run, const arc_model_def *pair) {
   wear_functions *f = lua_touserdata(L, holder);

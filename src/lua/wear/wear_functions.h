@@ -29,11 +29,11 @@ typedef struct functions_call {
   functions_place outer;       /* context of the enclosing call */
 } functions_call;
 
-/* Prepares calls of the functions in the holder at `holder`. If the holder is nil, there is no
- * effect. While a function runs, `run` is marked as busy. Pushes values that must stay on the
- * stack until functions_leave. */
+/* Prepares calls of the functions in the holder at index `holder`; has no effect if the holder is
+ * nil. While a function runs, `run` is marked as busy. Pushes values that must stay on the stack
+ * until functions_leave. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
-/* Version of functions_enter for a run that is being constructed with the model definition
+/* Works like functions_enter for a run that is being constructed with the model definition
  * `pair`. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
@@ -44,8 +44,8 @@ int functions_failed(const functions_call *call);
  * values that functions_enter pushed stay on the stack. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
 
-/* Pushes the user's function of a field, such as "k", from the table of functions at the index
- * `holder`. Pushes nil if the field is not a function. */
+/* Pushes the user's function of a field, such as "k", from the holder at index `holder`. Pushes nil
+ * if the field is not a function. */
 void functions_push(lua_State *L, int holder, const char *field);
 
 /* Pushes the list of the fields of a definition that are functions. */
@@ -61,7 +61,7 @@ typedef struct callback_state {
 /* Pushes a state object and returns its data. */
 callback_state *state_push(lua_State *L);
 
-enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of box.busy of a run */
+enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of `busy` in the box of a run */
 enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 }; /* indices of the user values of a run's box */
 
 #endif

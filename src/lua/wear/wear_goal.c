@@ -1,5 +1,5 @@
-/* Reads the end conditions of a wear run: a distance or number of cycles, target values of
- * measures, and a function. */
+/* Reads the end conditions of a wear run: a distance or number of cycles, target values of results
+ * such as the depth, and a function. */
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
 
@@ -34,8 +34,8 @@ static void refuse_behind(lua_State *L, double covered, double wanted) {
                 args_show_number(L, covered), args_show_number(L, wanted));
 }
 
-/* Returns the distance at the end of `cycles` cycles. Raises an error for a run with loading, whose
- * cycles have different lengths. */
+/* Returns the distance at the end of `cycles` cycles [mm]. Raises an error for a run with loading,
+ * whose cycles may differ in length. */
 static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycles) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const double length = arc_wear_def_sliding(def, arc_model_definition(arc_wear_model(wear)));
@@ -62,9 +62,9 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 /* --- measures --------------------------------------------------------------------------------- */
 
 typedef struct measure {
-  const char *group, *name; /* name of a field of the run, and of its subfield (or NULL) */
+  const char *group, *name; /* a field such as depth, and its subfield (NULL: none) */
   int column;
-  int grows; /* true if the measure never decreases; the target must then exceed its value */
+  int grows; /* true if the measure never decreases; a target must then exceed its present value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name
@@ -80,7 +80,7 @@ static const measure measures[] = {
     {NULL, NULL, 0, 0},
 };
 
-/* Adds the number on top of the stack as a target. */
+/* Adds the number on top of the stack as a target value of the measure. */
 static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_location location,
                        wear_goals *goals) {
   const arc_setting range = {

@@ -1,5 +1,6 @@
-/* Reads the field `loading` of a run: blocks with plate position and load over a cycle. Both are
- * functions of t, arrays or numbers, and are sampled here. */
+/* Reads the field `loading` of a run: blocks with the motion of the lower body and the load over a
+ * cycle. These quantities are functions of t or arrays, and the load may also be a number. All are
+ * sampled in this file. */
 #include "archard/measure.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -36,8 +37,8 @@ typedef struct reading {
   lua_State *L;
   int table; /* stack index of the block's table */
   args_location location;
-  size_t given, count;    /* number of time points in the user's arrays, and of sampled points */
-  const double *from, *t; /* time points (0 to 1) of the user's arrays, and sampled time points */
+  size_t given, count;    /* number of time points of the user's arrays, and of sampled times */
+  const double *from, *t; /* time points (0 to 1) of the user's arrays, and sampled times */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
@@ -78,8 +79,9 @@ static size_t values_in(const reading *r, const char *name) {
   return length;
 }
 
-/* Sets the sampled times of the block. If the user sets `increments`, the times are uniform;
- * otherwise they are the times `t`, or uniform times for the user's arrays if there is no `t`. */
+/* Sets the sampled times of the block. If the user sets `increments`, the times are uniform.
+ * Otherwise they are the times `t`, or without `t` uniform times for the user's arrays, or for 100
+ * increments if there are only functions. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
   static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
@@ -135,9 +137,9 @@ static void sample_function(const reading *r, const char *name, double *value) {
   }
 }
 
-/* Samples the field `name` at the block's times into a buffer and appends the buffer to the list
- * at `holder`. A number is constant in time. If the field is nil, all values are `constant`; if
- * `constant` is NaN, an error is raised. */
+/* Samples the field `name` at the block's times into a buffer and appends the buffer to the list at
+ * `holder`. A number is constant in time. If the field is nil, all values are `constant`. If
+ * `constant` is NaN, a number or nil raises an error. */
 static const double *sample(const reading *r, int holder, const char *name, double constant) {
   lua_State *L = r->L;
   const int top = lua_gettop(L);

@@ -19,7 +19,7 @@ static const char *show_course(double record, double set, const char *unit, char
   return text;
 }
 
-/* Returns `value`, which belongs to the last update, or NaN if there was no update yet. */
+/* Returns `value`, a result of the last update, or NaN if there was no update yet. */
 static double of_update(const arc_wear_record *record, double value) {
   return record->update > 0 ? value : NAN;
 }
@@ -65,7 +65,7 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
-/* Returns true for settings that the first lines of the summary already contain. */
+/* Returns true for settings that are already in the first lines of the summary. */
 static int is_printed_above(const arc_setting *s) {
   static const int printed[] = {
       ARC_AT_scheme,   ARC_AT_k,         ARC_AT_alpha,      ARC_AT_load, ARC_AT_stroke,
@@ -128,14 +128,14 @@ static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
                           def->alpha_function != NULL, "", text, size);
 }
 
-/* Writes the load of the reference configuration, which is the load of the printed pressures. */
+/* Writes the load of the reference configuration, for which the pressures are printed. */
 static const char *show_load(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   return show_course(arc_wear_last(wear)->load_reference, def->load, " N", text, size);
 }
 
-/* Writes the number of increments. It is "auto" for 3-D and for loading if the user sets no
- * number. */
+/* Writes the number of increments, or "auto" if the user sets no number for a 3-D model or for
+ * loading. */
 static const char *show_increments(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
@@ -164,8 +164,8 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   pair_add_all_layers(text, model);
 }
 
-/* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". For bodies with layers these are the
- * coefficients of the layers at the surfaces. */
+/* Writes coefficients such as "k 1e-08 mm2/N, alpha 0.5". For bodies with layers, writes the
+ * coefficients of the layers at the present surfaces. */
 static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const double upper = arc_wear_open_k(wear, ARC_UPPER), lower = arc_wear_open_k(wear, ARC_LOWER);

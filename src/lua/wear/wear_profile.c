@@ -21,7 +21,7 @@ static int is_meshed(const arc_wear *wear) {
   return !arc_model_has_maps(arc_model_definition(arc_wear_model(wear)));
 }
 
-/* Pushes the arrays of the surfaces of a run. */
+/* Pushes a userdata with the surface arrays of a run, and returns the arrays. */
 static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const char *where,
                                       size_t *count) {
   arc_error error = {0};
@@ -31,8 +31,8 @@ static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const 
   return *held;
 }
 
-/* Pushes the table { x=, h=, y= } for wear:profile(body, { z = 0 } or { x = 0 }). wear:pressure
- * also uses this function. */
+/* Pushes the section { x=, NAME=, ... } for the methods wear:profile and wear:pressure of 3-D runs.
+ * The position of the section, { z = 0 } or { x = 0 }, is at index 3. */
 static int push_section(lua_State *L, const arc_wear *wear, const char *where,
                         const char *const *names) {
   size_t count;
@@ -83,8 +83,8 @@ int wear_profile(lua_State *L) {
   return 1;
 }
 
-/* Pushes and returns the contact of a run in the reference configuration (plate at x = 0,
- * nominal load). */
+/* Pushes and returns the contact of a run in the reference configuration: plate at x = 0, nominal
+ * load. */
 static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const char *where) {
   arc_error error = {0};
   arc_contact *contact = NULL;
@@ -104,8 +104,8 @@ int wear_contact(lua_State *L) {
   return 1;
 }
 
-/* Field wear.p_average: the largest pressure of wear:contact() after averaging over the default
- * length. */
+/* Field wear.p_average: the largest pressure of wear:contact() [MPa] after averaging over the
+ * default length. */
 int wear_p_average(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear");
   lua_settop(L, 1);
@@ -150,15 +150,15 @@ static arc_depths depths_of(const arc_shape *shape, arc_body body) {
   return (arc_depths){(size_t)profile.count, profile.x, profile.h};
 }
 
-/* wear:combined() returns { x=, h= }, the sum of both depths (Eq. 31). */
+/* wear:combined() returns { x=, h= }, the sum of both depths (Eq. 31 of Mattei and Di Puccio). */
 int wear_combined(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
   model_check_meshed(L, arc_shape_model(shape), "wear:combined");
   return measure_push_combined(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
-/* wear:local_partition() returns { x=, value= }, the cylinder's part of the sum (Eq. 30) at worn
- * points. */
+/* wear:local_partition() returns { x=, value= }, the cylinder's share of the sum of both depths at
+ * worn points (Eq. 30 of Mattei and Di Puccio). */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
   model_check_meshed(L, arc_shape_model(shape), "wear:local_partition");
@@ -167,7 +167,7 @@ int wear_local_partition(lua_State *L) {
 
 /* --- smoothness ------------------------------------------------------------------------------- */
 
-/* wear:roughness(body) returns the sawtooth part of the profile divided by the depth. */
+/* wear:roughness(body) returns the sawtooth part of the profile divided by the largest depth. */
 int wear_roughness(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:roughness");
   arc_body body = wear_body(L, wear, "wear:roughness");
@@ -175,7 +175,8 @@ int wear_roughness(lua_State *L) {
   return 1;
 }
 
-/* wear:stability() returns { eigenvalue=, jump_limit= }. Ripples grow if jump exceeds the limit. */
+/* wear:stability() returns { eigenvalue=, jump_limit= }. Ripples grow if the setting `jump` exceeds
+ * jump_limit. */
 int wear_stability(lua_State *L) {
   static const char where[] = "wear:stability";
   lua_settop(L, 1);

@@ -65,7 +65,7 @@ static void add_row(luaL_Buffer *text, const arc_wear_record *record) {
   luaL_addstring(text, line);
 }
 
-/* Prints at most 20 rows, selected at equal intervals, including the last one. */
+/* Prints at most 20 rows at equal intervals, including the last row. */
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);

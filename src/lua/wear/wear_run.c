@@ -14,8 +14,8 @@ static lua_Number next_update(const arc_wear *wear) {
 
 /* --- interruption ----------------------------------------------------------------------------- */
 
-/* Raises "interrupted" after Ctrl-C. The message has the position of the run, which the erased
- * progress bar no longer shows. */
+/* Raises "interrupted" after Ctrl-C. The message contains the position of the run, because the
+ * progress bar with this position was erased. */
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[80];
   const arc_wear_record *last = arc_wear_last(wear);
@@ -41,8 +41,8 @@ static int count_argument(lua_State *L, int index, const char *where) {
   return (int)value;
 }
 
-/* Pushes the last record. Its text shows the rows of the history from row `first` on, which are
- * the updates of this call. */
+/* Pushes the last record. The text of the record shows the rows of the history from row `first` on,
+ * which are the updates of this call. */
 static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);
@@ -72,7 +72,7 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_settop(L, 2);
 }
 
-/* Warns that wear:step had no effect, because the run is at the end of its distance. */
+/* Warns that wear:step had no effect, because the run has reached the end of its distance. */
 static void warn_finished(lua_State *L, const arc_wear *wear) {
   char text[160];
   snprintf(text, sizeof text,
@@ -82,8 +82,8 @@ static void warn_finished(lua_State *L, const arc_wear *wear) {
   lua_warning(L, text, 0);
 }
 
-/* wear:step(n) computes n steps and returns the last record. At the end of the run's distance it
- * has no effect. */
+/* wear:step(n) computes n steps and returns the last record. If the run has reached the end of its
+ * distance, the call has no effect. */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
   lua_settop(L, 2);
@@ -135,8 +135,8 @@ static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
 }
 
-/* Returns true if the engine must stop. An error of a function must also stop it here, because
- * in a predictor step the engine would ignore the error. */
+/* Returns true if the engine must stop, after an interrupt or an error of a function. The check for
+ * errors is needed because the engine ignores an error in a predictor step. */
 static int is_to_stop(void *context) {
   return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
@@ -156,7 +156,7 @@ static void push_display(lua_State *L, double goal) {
   lua_pushnumber(L, goal);
   if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
-  lua_pushnil(L); /* nil: the run does not display its progress */
+  lua_pushnil(L); /* nil: no progress is displayed */
 }
 
 /* Pushes the function that displays progress and returns its stack index. Returns 0 if there is no
@@ -182,7 +182,7 @@ static void call_undisturbed(lua_State *L) {
   if (hook) lua_sethook(L, hook, mask, count);
 }
 
-/* Calls the built-in display a last time, without an argument, which means that the run has
+/* Calls the function of the built-in display without an argument, which means that the run has
  * ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
@@ -193,7 +193,7 @@ static void end_display(lua_State *L, const run_call *call) {
   lua_settop(L, top);
 }
 
-/* Warns of targets that the run did not reach before the end of its distance. */
+/* Warns about targets that the run did not reach before the end of its distance. */
 static void warn_not_reached(lua_State *L, const arc_wear *wear, const wear_goals *goals) {
   char text[200];
   const arc_wear_record *last = arc_wear_last(wear);

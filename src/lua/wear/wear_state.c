@@ -1,4 +1,4 @@
-/* Class wear: fields (state, results, definition). */
+/* Class wear: the fields of a run (state, results, definition). */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -49,7 +49,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  /* in 3-D the depth is stored along y only */
+  /* in 3-D all wear is along y, so this field is equal to the field depth */
   if (arc_model_has_maps(pair_of(L))) return wear_depth(L);
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
@@ -84,10 +84,10 @@ static int wear_saved(lua_State *L) {
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
-/* Field `load`: the load of the reference configuration. The column load_reference is the load
- * of the last update instead. */
+/* Field `load`: the setting, which is the load of the reference configuration [N]. The column
+ * load_reference is the load of the last update instead. */
 NUMBER_FIELD(wear, load, def(L)->load)
-/* Field `stroke`: the stroke of the plate. It is also defined for runs with loading. */
+/* Field `stroke`: the stroke of the plate [mm], also for runs with loading. */
 NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))
 
 /* Pushes the user's function for a field. Returns 0 if the field is not a function. */
@@ -98,7 +98,7 @@ static int push_function(lua_State *L, const char *field) {
   return lua_isfunction(L, -1);
 }
 
-/* Pushes a quantity as the user set it: its function, or the value in the definition. */
+/* Pushes a setting in the form that the user set: its function, or its value in the definition. */
 static int push_quantity(lua_State *L, const arc_setting *s) {
   const arc_wear_def *settings = def(L);
   if (!push_function(L, s->name)) settings_push(L, s, settings);
@@ -135,8 +135,8 @@ static int wear_friction(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_friction]);
 }
 
-/* wear:loop() returns the periodic cycle on the present surfaces, { x=, tangential=, energy=,
- * stick_width=, gross= }. */
+/* wear:loop() returns the periodic cycle with friction on the present surfaces, { x=, tangential=,
+ * energy=, stick_width=, gross= }. */
 int wear_loop(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, "wear:loop");
   arc_error error = {0};
@@ -175,7 +175,7 @@ static int wear_functions_given(lua_State *L) {
   return 1;
 }
 
-/* Field w.loading: the sampled blocks of loading, or false if the run has a stroke instead. */
+/* Field w.loading: the sampled blocks of loading, or false if the run has no loading. */
 static int wear_loading(lua_State *L) {
   const arc_wear_def *settings = def(L);
   if (settings->blocks == 0)
@@ -185,14 +185,14 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-/* Field w.procedure: the procedure that the run uses. If the definition has "auto", this is the
+/* Field w.procedure: the procedure that the run uses. If the setting is "auto", this is the
  * procedure that the program has chosen. */
 static int wear_procedure(lua_State *L) {
   lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
   return 1;
 }
 
-/* Field w.update_at: the setting `update`. The field w.update is the number of updates. */
+/* Field w.update_at: the setting `update`, because the field w.update is the number of updates. */
 static int wear_update_at(lua_State *L) {
   lua_pushstring(L, arc_update_names[def(L)->update]);
   return 1;
