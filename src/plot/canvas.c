@@ -37,8 +37,8 @@ static const char *ending_of(const char *file) {
   return dot && (!slash || dot > slash) ? dot + 1 : "";
 }
 
-/* Returns the first available kind with the file ending `ending`. If `terminal` is not NULL, the
- * kind must also have this terminal. */
+/* Returns the first available kind for files that end in `ending`. If `terminal` is not NULL, the
+ * kind must have this terminal. */
 static const kind *find_kind(const char *ending, const char *terminal, const arc_gnuplot *session) {
   for (int i = 0; i < KINDS; i++)
     if (strcasecmp(kinds[i].ending, ending) == 0 &&
@@ -58,7 +58,7 @@ static arc_status no_terminal(const arc_plot_output *output, const char *ending,
                   "this gnuplot cannot draw %s. On Debian: apt-get install gnuplot-nox", ending);
 }
 
-/* Returns the ending of the output: "" if only the commands are written, NULL if the ending is
+/* Returns the file ending of the output: "" if only the commands are written, NULL if the ending is
  * unknown. */
 static const char *output_ending(const arc_plot_output *output) {
   if (output->medium == ARC_PLOT_TEXT) return "txt";
@@ -75,7 +75,7 @@ static int at_least(int value, int least) {
   return value > least ? value : least;
 }
 
-/* Chooses the smallest size at which the panels are legible, unless the user gives a size. */
+/* Sets the size that the user chose, or else the smallest size at which the panels are legible. */
 static void choose_size(const arc_plot_figure *figure, const arc_plot_output *output,
                         arc_canvas *canvas) {
   int rows, columns;
@@ -88,15 +88,15 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
 }
 
 enum { USUAL_DPI = 100, USUAL_POINTS = 11 };
-static const double PAPER_LINE =
-    1.44; /* line width of paper formats, 0.72 pt, relative to the 0.5 pt of pixel formats */
+static const double PAPER_LINE = 1.44; /* line width of paper formats (0.72 pt) divided by the line
+                                          width of pixel formats (0.5 pt) */
 
 static int is_paper(const arc_canvas *canvas) {
   return strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0;
 }
 
-/* Chooses the size of fonts, lines and marks. They grow with the number of pixels per inch.
- * Paper formats are measured in inches, so their sizes do not depend on this number. */
+/* Chooses the size of fonts, lines and marks, which grow with the number of pixels per inch. Sizes
+ * of paper formats do not depend on this number, because paper is measured in inches. */
 static void choose_letters(const arc_plot_output *output, const kind *found, arc_canvas *canvas) {
   double points = output->points > 0 ? output->points : USUAL_POINTS;
   double inches =
@@ -142,8 +142,8 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   return ARC_OK;
 }
 
-/* Writes the size of the canvas. The canvas for Braille dots has twice as many columns and four
- * times as many rows as the picture, because a character consists of eight dots. */
+/* Writes the size of the canvas. A canvas for Braille dots has twice as many columns and four times
+ * as many rows as the picture, because one character shows eight dots. */
 static void size_words(const arc_canvas *canvas, arc_text *script) {
   if (is_paper(canvas))
     arc_text_format(script, " size %gin,%gin", canvas->width / canvas->inch,
@@ -165,8 +165,8 @@ static void letter_words(const arc_canvas *canvas, arc_text *script) {
   arc_text_free(&word);
 }
 
-/* Writes the scale of lines and marks. The scale is written for each picture, because a terminal
- * keeps its last settings. Only cairo terminals have a scale of marks. */
+/* Writes the scale of lines and marks. It is written for each picture, because a terminal reuses
+ * its last settings. Only cairo terminals have a scale of marks. */
 static void scale_words(const arc_canvas *canvas, arc_text *script) {
   if (canvas->text) return;
   arc_text_format(script, " linewidth %.4g", canvas->scale);

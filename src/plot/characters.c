@@ -1,9 +1,9 @@
-/* Converts pictures in characters. Reads gnuplot's output into cells, adds the curves as Braille
+/* Converts pictures in characters: reads gnuplot's output into cells, adds the curves as Braille
  * dots, and writes the cells. For Braille dots gnuplot draws two pictures. The first picture has
  * axes and texts on the grid of characters. The second picture has only the curves, on a finer grid
- * where each character is one dot. In this method gnuplot itself clips the curves and draws
- * steps and logarithmic axes. The only escape sequences of its character terminal are colours,
- * ESC [ ... m. */
+ * where each character is one dot. Thus gnuplot itself clips the curves and draws steps and
+ * logarithmic axes. The only escape sequences of gnuplot's character terminal are colours, ESC [
+ * ... m. */
 #include "plot/characters.h"
 
 #include <stdlib.h>
@@ -11,11 +11,11 @@
 
 #include "plot/figure.h"
 
-/* Marks of curves: circle, square, triangle and diamond, first filled, then open. */
+/* Marks of curves in UTF-8: circle, square, triangle and diamond, first filled, then open. */
 static const char marks[ARC_DOT_MARKS][4] = {"\342\227\217", "\342\226\240", "\342\226\262",
                                              "\342\227\206", "\342\227\213", "\342\226\241",
                                              "\342\226\263", "\342\227\207"};
-static const char dash[] = "\342\240\222"; /* two dots at half height, for a line in the key */
+static const char dash[] = "\342\240\222"; /* Braille dots at half height: a line in the key */
 
 enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
 
@@ -91,14 +91,13 @@ static const cell *dot_at(const screen *s, size_t row, size_t column) {
   return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
 }
 
-/* Returns the mark that the character `c` in gnuplot's picture represents, or NULL if it
- * represents no mark. */
+/* Returns the mark for the letter `c` in gnuplot's picture, or NULL if `c` is no such letter. */
 static const char *mark_of(char c) {
   return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
 }
 
-/* Sets a cell to the Braille character of its eight dots. The character has the most frequent
- * colour of the dots. If one of the dots is a mark, the cell shows the mark instead. */
+/* Sets a cell to the Braille character of its eight dots, in the most frequent colour of the dots.
+ * If one of the dots is a mark, the cell shows the mark instead. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const char *mark = NULL;
@@ -117,8 +116,8 @@ static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   set_cell(to, mark ? mark : braille, pattern ? 3 : 0, colour);
 }
 
-/* Returns true if the cell is part of the frame and has a mark of a curve. A mark covers the frame;
- * a line does not. */
+/* Returns true if the cell is part of the frame and has a mark of a curve. Such a mark replaces the
+ * frame in the cell, but a line of a curve does not. */
 static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
   int found = 0;
   if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;
@@ -159,7 +158,7 @@ static void write_colour(writer *w, int colour) {
 }
 
 static void write_cell(writer *w, const cell *c) {
-  static const char lines[] = "=*#&$%@="; /* characters that draw black, red, green, yellow, blue,
+  static const char lines[] = "=*#&$%@="; /* characters for black, red, green, yellow, blue,
                                              magenta, cyan and white lines */
   write_colour(w, c->colour);
   if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))

@@ -4,13 +4,15 @@
 
 #include "plot/text.h"
 
-/* Appends the picture without form feeds, blanks at line ends, empty lines at its start and end,
- * and superfluous colour changes. With colours, gnuplot draws every curve with + - and |. This
- * function gives each colour its own character (as in pictures without colours), so that
- * colour-blind readers can distinguish curves. The colour is reset at each line end. If `dots`
- * is not NULL, it is gnuplot's picture of only the curves, with twice the columns and four times
- * the rows. Where `picture` is blank or black, the dots are added as Braille characters of eight
- * dots. Black characters in `picture` belong to curves. Marks of points are kept. */
+/* Appends the picture to `out` without form feeds, blanks at line ends, empty lines at its start
+ * and end, and superfluous colour changes. In coloured pictures gnuplot draws every curve with + -
+ * and |. This function replaces them by one character for each colour, so that colour-blind readers
+ * can distinguish curves. The colour is reset at each line end.
+ *
+ * If `dots` is not NULL, it is gnuplot's picture of only the curves, with twice the columns and
+ * four times the rows. Where `picture` is blank or black, the dots are added as Braille characters
+ * of eight dots. Black characters in `picture` belong to curves. Marks of points are not
+ * replaced. */
 void arc_characters(const char *picture, size_t length, const char *dots, size_t dots_length,
                     arc_text *out);
 

@@ -1,16 +1,17 @@
 /* Extends axes so that curves do not coincide with the frame.
  *
- * gnuplot draws only half of the width of a line at an end of the range. It ends a reversed axis at
- * the last point and extends logarithmic axes to the next decade. */
+ * Without an extension gnuplot draws only half of the width of a line at an end of the range, ends
+ * a reversed axis at the last point, and extends logarithmic axes to the next decade. */
 #include <math.h>
 #include <string.h>
 
 #include "plot/figure.h"
 
-/* Extensions of an axis as fractions of its range. */
+/* Extensions of an axis as fractions of its range: BEYOND at an end that the user set, MARGIN at an
+ * automatic end. */
 static const double BEYOND = 0.025, MARGIN = 0.04;
 
-/* Returns an axis that is reversed by the order of its two ends, without the flag `reverse`. */
+/* Returns the reversed axis without the flag `reverse`: its first end is larger than its second. */
 static arc_plot_axis turned_round(arc_plot_axis axis) {
   double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
   axis.min = high, axis.max = low, axis.reverse = 0;
@@ -19,7 +20,7 @@ static arc_plot_axis turned_round(arc_plot_axis axis) {
 
 /* --- logarithmic axes ------------------------------------------------------------------------- */
 
-/* Returns the greatest number of the form 1, 2 or 5 times a power of ten that is not above the
+/* Returns the largest number of the form 1, 2 or 5 times a power of ten that is not above the
  * value. */
 static double step_below(double value) {
   double power = pow(10, floor(log10(value) + 1e-9)), share = value / power * (1 + 1e-9);
@@ -50,7 +51,7 @@ static void set_log(arc_plot_axis *axis, double low, double high) {
   double from = step_below(low), to = step_above(high);
   if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
   double bottom = axis->min,
-         top = axis->max; /* the small extension 1e-9 ensures that ticks at the ends are drawn */
+         top = axis->max; /* the factors with 1e-9 ensure that ticks at the ends are drawn */
   if (isnan(bottom)) bottom = (isnan(top) || from < top ? from : top / 10) * (1 - 1e-9);
   if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
   axis->min = axis->reverse ? top : bottom;
@@ -98,8 +99,8 @@ static int same_end(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
-/* Returns true if the y axes of two panels have the same label and settings, and an automatic
- * end. */
+/* Returns true if the y axes of two panels have the same label and settings, and at least one
+ * automatic end. */
 static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
   const arc_plot_axis *p = &a->y, *q = &b->y;
   if (a->field || b->field || a->equal || b->equal || p->places || q->places) return 0;
@@ -108,7 +109,8 @@ static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
          same_end(p->max, q->max) && (isnan(p->min) || isnan(p->max));
 }
 
-/* Sets the ends of a linear axis shared by panels. An end at zero has no margin. */
+/* Sets the automatic ends of a linear axis that several panels share. An end at zero has no
+ * margin. */
 static void set_linear(arc_plot_axis *axis, double low, double high) {
   double margin = MARGIN * (high - low);
   if (!(high > low)) return;

@@ -13,7 +13,7 @@ static corner corner_of(const arc_plot_field *field, size_t polygon, int which) 
   return (corner){field->x[i], field->y[i], field->value[i]};
 }
 
-/* Returns true if the bounding box of a polygon overlaps the box, whose ends may be reversed. */
+/* Returns true if the bounding box of a polygon overlaps `box`, whose ends may be reversed. */
 static int touches(const arc_plot_field *field, size_t polygon, const arc_plot_box *box) {
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
   for (int k = 0; k < 4; k++) {
@@ -63,8 +63,8 @@ static double twice_area(const corner t[3]) {
   return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
 }
 
-/* Computes the point where the value on an edge is `level`. Returns 0 if there is no such point.
- * A corner exactly on the level is regarded as above the level. */
+/* Computes the point on the edge from a to b where the value is `level`. Returns 0 if there is no
+ * such point. A corner exactly on the level is regarded as above the level. */
 static int cut(corner a, corner b, double level, corner *point) {
   if ((a.value < level) == (b.value < level)) return 0;
   double share = (level - a.value) / (b.value - a.value);
@@ -72,8 +72,8 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-/* At most MOST_NUMBERS contour lines have numbers. The number of a level is at the segment that is
- * farthest from the frame, from the numbers of lower levels and from the next contour line.
+/* At most MOST_NUMBERS contour lines have numbers. The number of a contour line is at the segment
+ * that is farthest from the frame, from the numbers of lower levels and from the next contour line.
  * Distances are fractions of the box. */
 enum { MOST_NUMBERS = 40 };
 
@@ -82,7 +82,7 @@ typedef struct numbers {
   corner placed[MOST_NUMBERS];
   int count;
   double step;  /* difference between adjacent levels */
-  double least; /* minimum distance of a number to other items */
+  double least; /* minimum distance of a number to the frame, lines and other numbers */
   corner best;  /* best position for the number of the present level */
   double clearance;
 } numbers;

@@ -7,9 +7,9 @@ static int drawable(const arc_plot_panel *panel, double x, double y) {
   return isfinite(x) && isfinite(y) && !(panel->x.log && x <= 0) && !(panel->y.log && y <= 0);
 }
 
-/* Writes the points of a curve. A blank line in the data interrupts the curve. Two blank lines
- * would begin another data set, so only one is written. Blank lines before the first point are
- * omitted. */
+/* Writes the points of a curve. A blank line in the data interrupts the curve. Only one blank line
+ * is written, because two blank lines would begin another data set. Blank lines before the first
+ * point are omitted. */
 void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script) {
   int in_line = 0;
   for (size_t i = 0; i < curve->count; i++) {

@@ -22,7 +22,7 @@ int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_p
   return w->title_count > 1 || !panel || titled(panel) > 1;
 }
 
-/* Returns the position of a value on an axis, as a fraction of the range. */
+/* Returns the position of a value on an axis as a fraction of the range of the axis. */
 static double place(const arc_plot_axis *axis, double low, double high, double value) {
   return axis->log ? log(value / low) / log(high / low) : (value - low) / (high - low);
 }
@@ -38,15 +38,15 @@ static point point_at(const arc_plot_panel *panel, const arc_plot_curve *curve,
 }
 
 /* Returns the distance between two points in fractions of the frame, or 0 if one of them is outside
- * the range of x. */
+ * the x range of the frame. */
 static double length(point a, point b) {
   int seen = a.u >= -1e-9 && a.u <= 1 + 1e-9 && b.u >= -1e-9 && b.u <= 1 + 1e-9;
   double all = hypot(b.u - a.u, b.v - a.v);
   return seen && isfinite(all) ? all : 0;
 }
 
-/* Returns the position of a mark, as a fraction of the length of the curve. The position depends
- * on the number of the series, so that marks of coinciding curves do not overlap. */
+/* Returns the position of a mark as a fraction of the length of the curve. The position depends on
+ * the number of the series, so that the marks of coinciding curves do not overlap. */
 static double share_of(int mark, int series) {
   return (mark + (series + 0.5) / ARC_DOT_MARKS) / MARKS;
 }

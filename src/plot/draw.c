@@ -51,7 +51,8 @@ static void write_script(const arc_plot_figure *frames, size_t count, const arc_
   arc_text_word(script, anew);
 }
 
-/* Writes a script for the user. It sets no terminal, because the user chooses the terminal. */
+/* Writes a script that the user runs. The script sets no terminal, because the user chooses the
+ * terminal. */
 static arc_status user_script(const arc_plot_figure *figure, const arc_canvas *canvas,
                               arc_text *script) {
   arc_text_word(script, "# Draw with: gnuplot -p this-file\n");
@@ -86,7 +87,7 @@ static arc_status write_text(const arc_atomic_file *temporary, const arc_text *t
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* State of one drawing. */
+/* State while one or more figures are drawn. */
 typedef struct drawing {
   arc_gnuplot *session;
   const arc_plot_figure *frames;
@@ -96,9 +97,9 @@ typedef struct drawing {
   arc_canvas canvas;
 } drawing;
 
-/* Writes a long script to a temporary file and replaces the script by a command that loads this
- * file, because gnuplot reads its standard input slowly, byte by byte. If no file can be
- * written, the script stays unchanged. */
+/* Writes a long script to a temporary file, because gnuplot reads its standard input slowly, byte
+ * by byte. Replaces the script by a command that loads the file. If the file cannot be written, the
+ * script stays unchanged. */
 static void through_file(arc_text *script, arc_atomic_file **temporary) {
   const char *folder = getenv("TMPDIR");
   arc_error ignored;
@@ -162,8 +163,8 @@ static arc_status run(drawing *d, const char *temporary, arc_text *picture, arc_
   return status == ARC_OK && picture->failed ? no_memory(error) : status;
 }
 
-/* Writes the output file. Pictures in characters and commands are written by this program, all
- * other formats by gnuplot. */
+/* Writes the output file. This program writes pictures in characters and commands, gnuplot writes
+ * all other formats. */
 static arc_status fill_place(drawing *d, const arc_atomic_file *temporary, arc_error *error) {
   arc_text text = {0};
   arc_status status;

@@ -1,4 +1,4 @@
-/* Defaults, checks, grid and extent of a figure. */
+/* Default values of axes and panels, and the grid, extent and checks of a figure. */
 #include "plot/figure.h"
 
 #include <math.h>
@@ -84,7 +84,7 @@ static arc_status check_axis(const arc_plot_axis *axis, const char *name, size_t
   return ARC_OK;
 }
 
-/* Returns true if a value is in the range of an axis, of which one or both ends may be
+/* Returns true if a value is in the range of an axis. One or both ends of the range may be
  * automatic. */
 static int inside(const arc_plot_axis *axis, double value) {
   double low = fmin(axis->min, axis->max), high = fmax(axis->min, axis->max);
@@ -94,7 +94,7 @@ static int inside(const arc_plot_axis *axis, double value) {
   return isfinite(value) && !(value < low) && !(value > high);
 }
 
-/* Returns a text that describes why a curve cannot be drawn, or NULL if it can be drawn. */
+/* Returns a text with the reason why a curve cannot be drawn, or NULL if it can be drawn. */
 static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *curve) {
   arc_plot_axis open_x = panel->x, open_y = panel->y;
   open_x.min = open_x.max = open_y.min = open_y.max = NAN;
@@ -108,8 +108,8 @@ static const char *no_points(const arc_plot_panel *panel, const arc_plot_curve *
   return drawable == 0 ? "has no positive point for the logarithmic axis" : NULL;
 }
 
-/* Returns true if the colour is in gnuplot's list. gnuplot itself would accept any word as a colour
- * and draw an unknown colour in black. */
+/* Returns true if the colour is #rrggbb or in the list of colours. gnuplot itself would accept any
+ * word as a colour and draw an unknown colour in black. */
 static int is_colour(const char *colour) {
   static const char names[] = " " ARC_PLOT_COLOURS " ";
   char word[24];
@@ -148,8 +148,8 @@ static arc_status check_curve(const arc_plot_panel *panel, size_t number, size_t
   return ARC_OK;
 }
 
-/* Fails if no curve has a point inside the ranges. gnuplot's message for this error ("all points y
- * value undefined") does not name the cause. */
+/* Fails if no curve has a point inside the ranges. gnuplot's own message in this case ("all points
+ * y value undefined") does not name the cause. */
 static arc_status check_visible(const arc_plot_panel *panel, size_t number, arc_error *error) {
   size_t seen = panel->field != NULL;
   for (size_t i = 0; i < panel->curve_count && !seen; i++)

@@ -1,7 +1,7 @@
 /* Manages a session with gnuplot: starts gnuplot, reads its version, sends commands, reads the
  * replies, and starts gnuplot again after it has ended. gnuplot continues after an error. Therefore
- * every list of commands ends with a command that prints a marker line with the error number. The
- * output before this line is the answer. */
+ * the last command of every request prints a marker line with the error number. The output before
+ * the marker line is the answer. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,8 +17,7 @@ struct arc_gnuplot {
   arc_process process;
   double version;
   char *terminals;
-  unsigned long questions; /* number of the last marker line; each marker line of a session has its
-                              own number */
+  unsigned long questions; /* number of the last request, which is part of its marker line */
 };
 
 static const char remedy[] = "On Debian: apt-get install gnuplot-nox";
@@ -72,7 +71,7 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name) {
 
 /* --- commands and answers --------------------------------------------------------------------- */
 
-/* Returns the readable last part of gnuplot's error output. The output contains the command, a
+/* Returns the message at the end of gnuplot's error output. The output contains the command, a
  * caret, and then "line 0: MESSAGE" or "\"file\" line 7: MESSAGE". */
 static const char *last_words(arc_text *errors) {
   if (!errors->data) return "gnuplot gave no reason";
@@ -102,8 +101,8 @@ static arc_status missing(const arc_gnuplot *session, arc_error *error) {
                   remedy);
 }
 
-/* Ends the process after a failed exchange and sets the error. Exit status 127 means that there
- * is no such program: a shell returns this status, and also a spawn call that cannot report the
+/* Ends the process after a failed exchange and sets the error. Exit status 127 means that there is
+ * no such program. This status is returned by a shell, and by a spawn call that cannot report the
  * error. */
 static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end end,
                          arc_error *error) {
@@ -134,8 +133,8 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
   }
 }
 
-/* Removes the marker line and the line break before it from the answer. Returns the error number in
- * the marker line. */
+/* Removes the marker line and the line break before the marker line from the answer. Returns the
+ * error number in the marker line. */
 static int error_number(arc_text *answer, const char *mark) {
   size_t start = answer->length - 1;
   while (start > 0 && answer->data[start - 1] != '\n') start--;
@@ -153,7 +152,7 @@ static arc_status judge(arc_gnuplot *session, arc_exchange *x, arc_exchange_end 
   return arc_fail(error, ARC_ARGUMENT, "gnuplot refuses: %.300s", last_words(&x->errors));
 }
 
-/* Sends commands to the running gnuplot. Fills `answer` on success. */
+/* Sends commands to the running gnuplot. If they succeed, sets `answer`. */
 static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, double patience,
                       arc_text *answer, arc_error *error) {
   char mark[48];
@@ -161,7 +160,8 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
   arc_text question = {0};
   arc_text_word(&question, "reset errors\narchard_failed = 0\nset print '-'\n");
   arc_text_add(&question, commands, count);
-  /* A line break is printed before the marker line, because a picture may end without one. */
+  /* The first print command writes a line break, because a picture may end without one and the
+   * marker must begin a line. */
   arc_text_format(&question, "\nprint ''\nprint sprintf('%s%%d>>', archard_failed + GPVAL_ERRNO)\n",
                   mark);
   if (question.failed) {
@@ -215,7 +215,7 @@ static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_err
   return ARC_OK;
 }
 
-/* Sets the error for a failed first answer: gnuplot does not start. The message contains advice. */
+/* Sets the error if gnuplot fails to answer its first request. The message contains advice. */
 static arc_status failed_start(arc_gnuplot *session, arc_status status, arc_error *error) {
   arc_process_end(&session->process, 0.0);
   if (status != ARC_IO || !error) return status;

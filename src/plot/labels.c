@@ -4,7 +4,7 @@
 
 #include "plot/figure.h"
 
-/* A curve with a title, and the height of the title as a fraction of the frame's height. */
+/* A curve with a title. `height` is the height of the title as a fraction of the frame's height. */
 typedef struct label {
   size_t curve;
   double height;
@@ -43,8 +43,8 @@ static int lower(const void *a, const void *b) {
   return p->curve < q->curve ? -1 : 1;
 }
 
-/* Moves overlapping labels upwards. Then moves labels that are above the top of the frame down,
- * in the same order. */
+/* Moves overlapping labels upwards. Then moves labels that are above the frame downwards, without
+ * changing their order. */
 static void spread(label *labels, size_t count, double gap) {
   for (size_t i = 1; i < count; i++)
     labels[i].height = fmax(labels[i].height, labels[i - 1].height + gap);

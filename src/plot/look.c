@@ -7,8 +7,8 @@
 
 enum { SERIES = 8, KEY_ENTRIES = 8 };
 
-/* Colours of the curves in pictures of pixels. Colour-blind readers can distinguish them.
- * Pictures in characters use the six colours of the terminal instead. */
+/* Colours of the curves in pictures of pixels, which colour-blind readers can distinguish. Pictures
+ * in characters use six colours of the terminal instead. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
@@ -23,8 +23,7 @@ static const char *const dashes[SERIES] = {"solid",           "(14,6)",    "(20,
                                            "(7,5)",           "(30,7)",    "(14,5,4,5,4,5)",
                                            "(10,5,10,5,4,5)", "(30,6,7,6)"};
 
-/* Numbers of gnuplot's marks. Curves of points have open marks, so that they do not hide other
- * points. */
+/* Numbers of gnuplot's marks. Curves of points have open marks, which do not hide other points. */
 static const int line_marks[SERIES] = {7, 5, 9, 11, 13, 15, 2, 1};
 static const int open_marks[SERIES] = {6, 4, 8, 10, 12, 14, 2, 1};
 
@@ -44,8 +43,8 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, after);
 }
 
-/* Writes the lines of a label. Only a text with subscripts, superscripts or powers (`marked`) is
- * written as gnuplot's enhanced text. A long text is broken into lines. */
+/* Writes a label in double quotes; a long label is broken into lines. If `marked` is true, the
+ * label has subscripts, superscripts or powers and is written as gnuplot's enhanced text. */
 static void add_label(arc_writer *w, const char *words, double columns, int marked) {
   arc_text shown = {0};
   size_t count = arc_text_line(words, columns);
@@ -145,8 +144,8 @@ void arc_look_collect(arc_writer *w) {
     }
 }
 
-/* Returns true if a curve has an entry in the key. Of many curves on a colour scale, a picture in
- * characters lists the first, the last and some between them. */
+/* Returns true if a curve has an entry in the key. If many curves are coloured by value, the key of
+ * a picture in characters lists only the first, the last and some between them. */
 static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
   const arc_plot_curve *curve = &panel->curves[position];
   size_t last = panel->curve_count - 1;
@@ -157,7 +156,8 @@ static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t posit
   return 0;
 }
 
-/* Returns the number of lines of a key whose entries (title and sample) are side by side. */
+/* Returns the number of lines of a key with entries side by side. An entry is a title with a sample
+ * of the line. */
 static double lines_of_key(size_t titles, size_t longest, double columns) {
   const double in_a_row = fmax(1, floor(columns / ((double)longest + 14)));
   return ceil((double)titles / in_a_row);
@@ -194,9 +194,9 @@ double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Colour and dash pattern of a curve, as numbers from 1. Each of the eight colours has its own dash
- * pattern. Further curves combine the colours with other patterns. In pictures of characters, other
- * marks replace the dash patterns. */
+/* Colour and dash pattern of a curve, as numbers from 1. Each of the first eight curves has its own
+ * colour and pattern; further curves combine the colours with other patterns. In pictures of
+ * characters other marks replace the dash patterns. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -216,8 +216,8 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
-/* Returns true if a filled curve is closed, such as the outline of a band. The area of any other
- * filled curve extends down to zero. */
+/* Returns true if a filled curve is closed, such as the outline of a band. Any other filled curve
+ * has an area that extends down to zero. */
 static int comes_back(const arc_plot_curve *curve) {
   int there = 0, back = 0;
   for (size_t i = 1; i < curve->count; i++) {
@@ -227,7 +227,7 @@ static int comes_back(const arc_plot_curve *curve) {
   return there && back;
 }
 
-enum { MANY = 60 }; /* a curve with more points has dots instead of marks */
+enum { MANY = 60 }; /* a curve with more points has small dots instead of marks */
 
 int arc_look_bars_apart(const arc_writer *w, const arc_plot_curve *curve) {
   return curve->error && curve->style == ARC_PLOT_POINTS && curve->count > MANY && !w->canvas->text;
@@ -269,7 +269,7 @@ static unsigned rgb_of(const char *colour) {
   return 0; /* black */
 }
 
-/* Writes a colour. For print in grey, writes a grey with the same luminance (Rec. 601) instead. */
+/* Writes a colour. For grey output, writes the grey with the same luminance (Rec. 601) instead. */
 static void colour_words(arc_writer *w, const char *colour) {
   unsigned rgb = rgb_of(colour);
   unsigned y = (299 * (rgb >> 16) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255)) / 1000;
@@ -298,7 +298,7 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
-  int chosen = curve->colour && curve->dash == 0; /* the user chose a colour, but no dash pattern */
+  int chosen = curve->colour && curve->dash == 0; /* the user set a colour, but no dash pattern */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
@@ -311,8 +311,8 @@ static void title_words(arc_writer *w, const char *title) {
   arc_writer_label(w, "", title, "");
 }
 
-/* Writes the mark of the points if curves are drawn in Braille dots, where each colour has its
- * own mark. */
+/* Writes the mark of a curve's points if curves are drawn as Braille dots, where each colour has
+ * its own mark. */
 static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t position) {
   int marked = curve->error || curve->style == ARC_PLOT_POINTS;
   if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
@@ -321,8 +321,8 @@ static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t positi
                     ARC_DOT_MARK + pen_of(w, curve, position).series - 1);
 }
 
-/* Draws a curve in black at the cells that Braille dots will replace later. Its entry in the key
- * has the curve's colour. */
+/* Draws a curve in black at the cells that Braille dots will replace later. The curve's entry in
+ * the key has the colour of the curve. */
 static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t position) {
   arc_plot_curve sample = panel->curves[position];
   style_words(w, panel, &sample);
@@ -384,7 +384,7 @@ void arc_look_draw_key(arc_writer *w) {
     const arc_plot_curve *curve = first_of(w, i, &position);
     arc_text_word(w->out, i ? ", NaN" : " NaN");
     arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
-    sample.error = NULL; /* the key shows a sample without error bars */
+    sample.error = NULL; /* the key shows the sample without error bars */
     if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
     if (curve && arc_dot_marked(w, NULL, curve)) sample.style = ARC_PLOT_LINESPOINTS;
     look(w, NULL, &sample, position);

@@ -1,6 +1,6 @@
-/* Subscripts, superscripts and Greek letters in titles. A subscript requires a single letter
- * before _, a superscript requires digits after ^. Forms that occur in names of files or columns
- * are not changed. Other characters that gnuplot would interpret are escaped. */
+/* Subscripts, superscripts and Greek letters in titles. A subscript requires a single letter before
+ * _, a superscript requires digits after ^, so that names of files or columns are not changed.
+ * Other characters that gnuplot would interpret are escaped. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@ static int is_letter(unsigned char c) {
   return isalpha(c) || c >= 0x80;
 }
 
-/* Returns the number of bytes of the combining accents (U+0300 to U+036F) that end at `at`. They
+/* Returns the number of bytes of the combining accents (U+0300 to U+036F) that end at `at`. Accents
  * belong to the letter before them. */
 static size_t accents_before(const char *words, const char *at) {
   size_t length = 0;
@@ -24,8 +24,8 @@ static size_t accents_before(const char *words, const char *at) {
   return length;
 }
 
-/* Returns the number of bytes of the letter that ends at `at` if this letter is a word by itself,
- * which can have a subscript. Otherwise returns 0. */
+/* Returns the number of bytes of the letter that ends at `at` if this letter is a word of one
+ * letter, so that it can have a subscript. Otherwise returns 0. */
 static size_t symbol_before(const char *words, const char *at) {
   size_t length = 1 + accents_before(words, at);
   while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
@@ -99,8 +99,8 @@ typedef struct letter {
   const char *name, *utf8;
 } letter;
 
-/* Returns the Greek letter whose complete name is at `name`, after a backslash. Returns NULL if
- * there is no such letter. */
+/* Returns the Greek letter whose complete name is at `name` (the text after a backslash), or NULL
+ * if there is no such letter. */
 static const letter *letter_at(const char *name) {
   static const letter letters[] = {
       {"alpha", "\316\261"},   {"beta", "\316\262"},  {"gamma", "\316\263"}, {"delta", "\316\264"},

@@ -73,13 +73,13 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
   arc_text_format(w->out, "set key on %s nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
   if (place == ARC_PLOT_KEY_BELOW &&
-      framed) /* without this command gnuplot would draw the key at the edge of the canvas */
+      framed) /* without this command gnuplot draws the key at the edge of the canvas */
     arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
                     (frame->left + frame->right) / 2,
                     frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
 }
 
-/* --- ranges */
+/* --- ranges ----------------------------------------------------------------------------------- */
 
 static void grow(double *low, double *high, double share) {
   double more = share * (*high - *low) / 2;
@@ -87,10 +87,9 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* Returns true if the ranges of a panel with equal scales are extended to the aspect ratio of the
- * frame. They are extended in pictures of characters, and if there are other panels, so that frames
- * align. In pixels the ranges of a field are not extended, because the frame would have empty
- * margins. */
+/* Returns true if the ranges of a panel with equal scales are extended to fill the frame: in
+ * pictures of characters, and in figures with several panels, so that frames align. In pixels the
+ * ranges of a field are not extended, because the frame would have empty margins. */
 static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
   return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
 }
@@ -155,8 +154,8 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
   return longest;
 }
 
-/* Returns the width by which the last number of the x axis extends beyond the frame, about half
- * of the number. */
+/* Returns the width [characters] by which the last number of the x axis extends beyond the frame,
+ * about half of the length of this number. */
 static double half_number(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   arc_plot_box box = arc_plot_extent(panel);
   arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
@@ -168,14 +167,14 @@ static double half_number(const arc_writer *w, const arc_plot_panel *panel, doub
 
 double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
   double range[2];
-  /* gnuplot's default margin has space for a colour scale */
+  /* gnuplot's default margin has enough space for a colour scale */
   int has_scale = panel->field || arc_look_scale(w, panel, range);
   if (w->canvas->text || has_scale || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
   return fmax(arc_labels_width(panel), half_number(w, panel, columns));
 }
 
-/* Sets border and grid lines. A field has no grid, because the grid would cover it. Pictures in
- * characters do not use these settings. */
+/* Sets border and grid lines. A panel with a field has no grid lines, because they would cover the
+ * field. Pictures in characters do not use these settings. */
 static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
   if (w->canvas->text) return;
   arc_text_word(w->out, panel->field ? "unset grid\nset border 15\n"
@@ -185,25 +184,25 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* --- field ------------------------------------------------------------------------------------ */
 
-/* Returns the distance between the numbers of a colour scale without contour lines, which is as
- * high as the box; 0: gnuplot chooses it. */
+/* Returns the distance between the numbers of a colour scale that is as high as the box and has no
+ * contour lines; 0: gnuplot chooses the distance. */
 static double scale_step(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                          const arc_plot_frame *frame, const double range[2]) {
-  static const double enough = 14; /* rows */
-  static const double wide = 0.5;  /* width of a character, in rows */
+  static const double enough = 14; /* [rows] from this height on gnuplot chooses the distance */
+  static const double wide = 0.5;  /* width of a character divided by the height of a row */
   double rows = frame->rows;
   if (panel->equal)
     rows = fmin(rows, wide * frame->columns * (box->y1 - box->y0) / (box->x1 - box->x0));
   return rows < enough ? arc_field_step(range, (int)fmax(0, ticks_in_rows(w, rows) - 2)) : 0;
 }
 
-/* Writes the colour palette. One palette is for values of one sign, another for values of both
- * signs, with white at zero. */
+/* Writes the colour palette: for fields of one sign, for fields of both signs (with white at zero,
+ * except in greys), or for curves. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                          const arc_plot_frame *frame, const double range[2]) {
   static const char *const palettes[][2] = {
-      /* palettes for fields of one sign, fields of both signs, and curves (without light colours,
-       * which would be hardly visible), each in colours and in greys */
+      /* palettes for fields of one sign, for fields of both signs, and for curves (without light
+       * colours, which would be hardly visible), each in colours and in greys */
       {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
        "0 '#f7f7f7', 1 '#303030'"},
       {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",
@@ -262,7 +261,8 @@ static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_
   }
 }
 
-/* Writes the samples as an image. Six digits are more exact than the resolution of the colours. */
+/* Writes the samples as an image. The six digits of a sample are more exact than the resolution of
+ * the colours. */
 static void image_block(arc_writer *w, size_t number, const grid *g) {
   arc_text_format(w->out, "$f%zu << END\n", number);
   for (int n = 0; n < g->columns * g->rows; n++) {
@@ -282,8 +282,8 @@ static void image_words(arc_writer *w, size_t number, const grid *g, const arc_p
   arc_text_word(w->out, " with image notitle");
 }
 
-/* Writes the plot command of the levels. The highest level is first, so that it is also first in
- * the key. */
+/* Writes the plot command of the levels. The highest level is written first, so that it is the
+ * first in the key. */
 static void text_levels(arc_writer *w, size_t number, const double range[2]) {
   double step = (range[1] - range[0]) / LEVELS;
   for (int k = LEVELS - 1; k >= 0; k--) {
@@ -380,7 +380,7 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
   }
 }
 
-/* Returns the range that gnuplot shows. Automatic ends of the y axis are extended to the next
+/* Returns the ranges that gnuplot shows, with automatic ends of the y axis extended to the next
  * tick. */
 static arc_plot_box to_ticks(const arc_writer *w, const arc_plot_panel *panel, double rows) {
   arc_plot_box box = arc_plot_extent(panel);

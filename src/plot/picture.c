@@ -31,7 +31,8 @@ static int begins(FILE *stream, const char *first) {
   return fread(bytes, 1, count, stream) == count && memcmp(bytes, first, count) == 0;
 }
 
-/* Returns true if the file ends with these bytes, apart from line breaks after them. */
+/* Returns true if the file ends with the bytes `last`. Line breaks after these bytes are
+ * ignored. */
 static int ends(FILE *stream, const char *last) {
   char bytes[32];
   size_t count = strlen(last);

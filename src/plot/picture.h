@@ -4,8 +4,9 @@
 
 #include "archard/base.h"
 
-/* Checks the first and last bytes of a picture, because gnuplot does not report a full disk. The
- * format is determined by the ending of `file`. Errors: ARC_IO if the picture is incomplete. */
+/* Checks the first and last bytes of the picture at `path`, because gnuplot does not report a full
+ * disk. The ending of the file name `file` determines the format. Errors: ARC_IO if the picture is
+ * incomplete. */
 arc_status arc_picture_check(const char *path, const char *file, arc_error *error);
 
 #endif

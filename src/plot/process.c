@@ -1,6 +1,6 @@
 /* Starts and ends a child process and exchanges data with it. The child's standard input and output
- * are one socket. Writing to a socket can avoid the signal SIGPIPE, so the caller's signal handlers
- * need not be changed. */
+ * are one socket. Data can be sent to a socket without the signal SIGPIPE, so the caller's signal
+ * handlers need not be changed. */
 #include "plot/process.h"
 #include "system/child.h"
 
@@ -22,7 +22,7 @@ static double seconds(void) {
 /* --- start of a process ----------------------------------------------------------------------- */
 
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
-  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0]: end of this process, [1]: of the child */
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0]: end in this process, [1]: in the child */
   pid_t pid = 0;
   int opened = arc_child_channel(talk, 1), failed = opened;
   if (!failed) failed = opened = arc_child_channel(errors, 0);
@@ -68,7 +68,7 @@ static ssize_t give(int descriptor, const char *bytes, size_t count) {
   return sent;
 }
 
-/* Returns true if the last line of the answer is complete and begins with `mark`. */
+/* Returns true if the last line of the answer is complete and begins with the text `mark`. */
 static int finished(const arc_text *answer, const char *mark) {
   if (answer->length == 0 || answer->data[answer->length - 1] != '\n') return 0;
   size_t start = answer->length - 1;
@@ -76,8 +76,8 @@ static int finished(const arc_text *answer, const char *mark) {
   return strncmp(answer->data + start, mark, strlen(mark)) == 0;
 }
 
-/* Waits for data, at most 0.1 s, and transfers the data in both directions. Returns the number
- * of bytes, or -1 if the child has ended. */
+/* Waits for data, at most 0.1 s, and transfers data in both directions. Returns the number of
+ * transferred bytes, or -1 if the child has ended. */
 static long one_round(arc_process *process, arc_exchange *exchange, size_t *sent) {
   struct pollfd watched[2] = {{process->talk, POLLIN, 0}, {process->errors, POLLIN, 0}};
   if (*sent < exchange->length) watched[0].events |= POLLOUT;

@@ -22,8 +22,8 @@ static double longest_title(const arc_plot_panel *panel) {
   return (double)longest;
 }
 
-/* Computes the margins of all panels. `columns` is the line width of a panel's title, `wide` the
- * width of a panel with its margins. */
+/* Computes margins that are sufficient for all panels. `columns` is the line width of a panel's
+ * title, `wide` is the width of a panel with its margins. */
 static margins margins_of(const arc_writer *w, double columns, double wide) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
@@ -52,7 +52,7 @@ static double own_keys(const arc_writer *w) {
   return lines > 0 ? lines + 0.2 : 0;
 }
 
-/* Returns the left margin. All panels have the same left margin, computed from the longest tick
+/* Returns the left margin, which is the same for all panels. It is computed from the longest tick
  * label of all panels, so that the frames align. */
 static double left_of_frames(const arc_writer *w, double least, double rows) {
   int labelled = 0;

@@ -1,4 +1,4 @@
-/* Growing texts and the quoting of user texts. In double quotes, gnuplot runs a text between
+/* Texts that grow, and the quoting of user texts. In double quotes, gnuplot runs a text between
  * backquotes as a shell command, and a line break ends the gnuplot command. Therefore both are
  * written as character codes. Single quotes are not used, because gnuplot 5.4 reads some pairs
  * of quotes as the end of one text and the beginning of the next. */
@@ -53,7 +53,7 @@ void arc_text_free(arc_text *text) {
   memset(text, 0, sizeof *text);
 }
 
-/* Returns the code point at `bytes` and sets its length. For invalid UTF-8 returns -1 with
+/* Returns the code point at `bytes` and sets its length [bytes]. For invalid UTF-8 returns -1 with
  * length 1. */
 static long code_point(const unsigned char *bytes, size_t *length) {
   static const long smallest[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -75,7 +75,7 @@ static long code_point(const unsigned char *bytes, size_t *length) {
   return code;
 }
 
-/* Returns the ASCII text that replaces the character with this code point. */
+/* Returns the ASCII text that replaces the character with this code point; "?" if there is none. */
 static const char *spelled(long code) {
   static const struct {
     long code;

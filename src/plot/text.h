@@ -1,10 +1,10 @@
-/* A growing text, and the quoting of user texts for gnuplot commands. */
+/* A text that grows, and the quoting of user texts for gnuplot commands. */
 #ifndef PLOT_TEXT_H
 #define PLOT_TEXT_H
 
 #include <stddef.h>
 
-/* A text that grows. It must be initialised with zeros. If memory is exhausted, `failed` is set
+/* A text that grows. It must be initialised with zeros. If memory is exhausted, `failed` is set,
  * and later additions have no effect. */
 typedef struct arc_text {
   char *data; /* the text, terminated by a zero byte; NULL if empty */
@@ -35,8 +35,8 @@ void arc_text_enhanced(arc_text *text, const char *words);
 /* Returns the number of characters (not bytes) of a UTF-8 text. For NULL returns 0. */
 size_t arc_text_characters(const char *words);
 
-/* Returns the number of bytes in the first line of a text that is wrapped at `columns`
- * characters. A line ends after a comma, colon or blank. */
+/* Returns the number of bytes in the first line of a text that is wrapped at `columns` characters.
+ * Lines end at a blank, if possible at a blank after a comma, colon or semicolon. */
 size_t arc_text_line(const char *words, double columns);
 
 void arc_text_free(arc_text *text);

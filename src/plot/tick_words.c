@@ -30,13 +30,13 @@ static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) 
   arc_text_word(w->out, ") enhanced\n");
 }
 
-/* Returns the minus sign U+2212 for a negative number, else an empty text. */
+/* Returns the minus sign U+2212 for a negative number, otherwise an empty text. */
 static const char *minus_of(double number) {
   return number < 0 ? "\342\210\222" : "";
 }
 
-/* Writes the tick labels of a linear axis. All labels have the power of ten of the largest
- * number, such as 0.5e-8 beside 1.0e-8. */
+/* Writes the tick labels of a linear axis with powers of ten. All labels have the power of the
+ * largest number, such as 0.5e-8 beside 1.0e-8. */
 static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks) {
   const int decimals = ticks->exponent - (int)floor(log10(ticks->step) + 1e-9);
   arc_text_format(w->out, "set %stics add ('0' 0", axis);
@@ -48,8 +48,8 @@ static void power_words(arc_writer *w, const char *axis, const arc_ticks *ticks)
   arc_text_word(w->out, ")\n");
 }
 
-/* Sets tick positions at which the numbers do not overlap, because gnuplot does not check this.
- * In a window gnuplot chooses the positions, because the user may zoom. */
+/* Sets tick positions at which the numbers do not overlap, because gnuplot does not prevent
+ * overlaps. In a window gnuplot chooses the positions, because the user may zoom. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
   tic_format(w, axis, &ticks);
   if (ticks.decades && !w->canvas->window) {
@@ -82,7 +82,7 @@ void arc_ticks_write(arc_writer *w, const char *name, const arc_plot_axis *axis,
 }
 
 void arc_ticks_of_scale(arc_writer *w, double step) {
-  enum { longest = 3 }; /* numbers with more decimals are shown as powers of ten */
+  enum { longest = 3 }; /* most decimals; with more, %h writes powers of ten */
   const int fraction = arc_ticks_fraction(step);
   if (step > 0)
     arc_text_format(w->out, "set cbtics %.17g\n", step);

@@ -1,5 +1,5 @@
-/* Chooses round tick values with short labels that do not overlap. Without these values gnuplot
- * would write 0.000000001 instead of 1e-09, and labels that overlap. */
+/* Chooses round tick values with short labels that do not overlap. gnuplot by itself would write
+ * 0.000000001 instead of 1e-09, and labels that overlap. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,8 +12,8 @@
  * or more. */
 enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
-/* Returns the smallest step of the form 1, 2 or 5 times a power of ten for which the span has at
- * most `steps` steps. */
+/* Returns the smallest step of the form 1, 2 or 5 times a power of ten that divides the span into
+ * at most `steps` (2 or more) steps. */
 static double round_step(double span, double steps) {
   double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
   double share = rough / power;
@@ -24,8 +24,8 @@ double arc_field_step(const double range[2], int levels) {
   return round_step(range[1] - range[0], levels + 1);
 }
 
-/* Returns the number of digits needed to distinguish adjacent ticks. For example, 100.001 and
- * 100.002 need six digits. */
+/* Returns the number of significant digits that distinguish adjacent ticks, from DIGITS to
+ * MOST_DIGITS. For example, 100.001 and 100.002 need six digits. */
 static int digits_of(double low, double high, double step) {
   double largest = fmax(fabs(low), fabs(high));
   double digits = floor(log10(largest)) - floor(log10(step)) + 1;
@@ -36,8 +36,8 @@ int arc_ticks_fraction(double step) {
   return step > 0 && step < 1 ? -(int)floor(log10(step) + 1e-9) : 0;
 }
 
-/* Returns the length of the longest label. The range is extended to the next tick at both ends,
- * as gnuplot extends automatic ends. */
+/* Returns the length of the longest label [characters]. The range is extended to the next tick at
+ * both ends, as gnuplot extends automatic ends. */
 static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   char label[40];
   size_t longest = 1;
@@ -52,8 +52,8 @@ static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   return longest;
 }
 
-/* Returns the length of the longest label in the form 7e-4, with as many decimals as the step
- * needs. */
+/* Returns the length of the longest label in the form 7e-4 [characters], with as many decimals as
+ * the step needs. */
 static size_t longest_power(double low, double high, const arc_ticks *ticks) {
   double largest = fmax(fabs(low), fabs(high));
   int lowest = (int)floor(log10(ticks->step) + 1e-9), highest = (int)floor(log10(largest) + 1e-9);
@@ -62,7 +62,7 @@ static size_t longest_power(double low, double high, const arc_ticks *ticks) {
          (abs(exponent) > 9) + 1;
 }
 
-/* Returns the number of decimals of the mantissa: 1 for 1.2e-3, 0 for 1e-3. */
+/* Returns the number of decimals of the mantissa of a number: 1 for 1.2e-3, 0 for 1e-3. */
 static int decimals_of(double value) {
   char text[40];
   snprintf(text, sizeof text, "%.*e", DIGITS - 1, value);
@@ -93,7 +93,7 @@ static arc_ticks with_step(double low, double high, double step) {
   return ticks;
 }
 
-/* Returns true if the span is unknown or zero; then gnuplot chooses the ticks. */
+/* Returns true if the span is unknown or zero, so that gnuplot must choose the ticks. */
 static int is_free(double span) {
   return !isfinite(span) || span == 0;
 }
