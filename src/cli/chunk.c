@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Replaces an error value of any type by its text. */
+/* Replaces an error value of any type by a text. */
 static int to_text(lua_State *L) {
   if (lua_type(L, 1) != LUA_TSTRING && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
     lua_pushfstring(L, "(error value is a %s)", luaL_typename(L, 1));
@@ -17,8 +17,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Returns true if the stack from `level` on has a Lua function other than the chunk, so that a
- * traceback is useful. */
+/* Returns true if the stack from `level` on contains a Lua function other than the chunk. Only
+ * then is a traceback useful. */
 static int has_callers(lua_State *L, int level) {
   lua_Debug frame;
   for (; lua_getstack(L, level, &frame); level++) {
@@ -28,9 +28,9 @@ static int has_callers(lua_State *L, int level) {
   return 0;
 }
 
-/* Message handler of lua_pcall that adds the traceback to the message. After an interrupt it
- * adds no traceback and calls no Lua code, because the hook is still active. For an error object
- * the traceback omits the frames of the program's own scripts. */
+/* Message handler of lua_pcall that adds a traceback to the message. After an interrupt it adds
+ * no traceback and calls no Lua code, because the hook is still active. For an error object the
+ * traceback omits the frames of the program's own scripts. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
   const int level = lua_istable(L, 1) ? error_user_level(L) : 1;
@@ -39,14 +39,14 @@ static int describe(lua_State *L) {
   return 1;
 }
 
-/* Returns the length of `text` without the ending `foot`, or `length` if `text` has no such
- * ending. */
+/* Returns the length of `text` without the ending `foot`. If `text` does not have this ending,
+ * returns `length`. */
 static size_t without(const char *text, size_t length, const char *foot) {
   size_t tail = strlen(foot);
   return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
 }
 
-/* Returns the length of a traceback without its last lines, if these are frames of this program. */
+/* Returns the length of a traceback without those last lines that are frames of this program. */
 static size_t without_foot(const char *text) {
   size_t length = without(text, strlen(text), "\n\t[C]: in ?");
   return without(text, length, "\n\t(...tail calls...)");

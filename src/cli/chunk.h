@@ -1,4 +1,4 @@
-/* cli/chunk.h - protected calls for all chunks of the user. */
+/* cli/chunk.h - protected calls of the chunks that a user enters. */
 #ifndef CLI_CHUNK_H
 #define CLI_CHUNK_H
 
@@ -7,12 +7,12 @@
 typedef enum run_status { RUN_OK, RUN_FAILED, RUN_INTERRUPTED } run_status;
 
 /* Calls the function that is on the stack below its `arguments` values, as lua_call does. On
- * failure it removes the function from the stack, prints message and traceback on standard
- * error, and clears a pending interrupt. */
+ * failure it removes the function from the stack, prints the message and the traceback on
+ * standard error, and clears a pending interrupt. */
 run_status run_call(lua_State *L, int arguments, int results);
 
-/* Pops the error value on top of the stack and prints it, as run_call does after a failure.
- * Callers use it for chunks that could not be loaded. */
+/* Pops the error value on top of the stack and prints it, as run_call does after a failure. Used
+ * for chunks that could not be loaded. */
 run_status run_refused(lua_State *L);
 
 #endif

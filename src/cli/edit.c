@@ -1,6 +1,6 @@
-/* The line editor; no other file includes readline. It uses readline's callback interface, so that
- * signals can be handled between keys, without a jump out of readline. history_file.c reads and
- * writes the history file. */
+/* The line editor, the only file that includes readline. It uses readline's callback interface,
+ * so that signals can be handled between keys without a jump out of readline. history_file.c
+ * reads and writes the history file. */
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
@@ -24,9 +24,9 @@ static struct {
   void *context;
   edit_proposal proposal;
   char *path;         /* path of the history file, or NULL */
-  char *line;         /* line that readline passed to on_line */
+  char *line;         /* line that on_line received from readline */
   int done;           /* true after readline called on_line */
-  sigset_t kept_back; /* signals blocked except while waiting for a key */
+  sigset_t kept_back; /* signals that are blocked except while waiting for a key */
 } editor;
 
 static volatile sig_atomic_t continued;
@@ -44,8 +44,8 @@ static void forget_proposal(void) {
   memset(&editor.proposal, 0, sizeof editor.proposal);
 }
 
-/* Generator of completions for readline: returns the next word that begins with `text`, which
- * readline frees. */
+/* Generates completions for readline: returns the next word that begins with `text`. readline
+ * frees the word. */
 static char *next_word(const char *text, int state) {
   static size_t next;
   if (state == 0) next = 0;
@@ -72,7 +72,7 @@ static char **attempt_completion(const char *text, int start, int end) {
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Removes all entries from the history that equal `entry`. */
+/* Removes all entries that equal `entry` from the history. */
 static void forget_copies(const char *entry) {
   for (int i = history_length - 1; i >= 0; i--) {
     const HIST_ENTRY *old = history_get(history_base + i);
@@ -115,7 +115,8 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* show-all-if-ambiguous is set before readline reads the user's inputrc, which may change it. */
+  /* The default of show-all-if-ambiguous is set before readline reads the user's inputrc, which may
+   * change it. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();
@@ -138,7 +139,7 @@ static void on_line(char *line) {
   editor.line = line;
   editor.done = 1;
   rl_callback_handler_remove();
-  if (line == NULL) fputs("\n", rl_outstream); /* after Ctrl-D the cursor is moved to a new line */
+  if (line == NULL) fputs("\n", rl_outstream); /* after Ctrl-D the cursor moves to a new line */
 }
 
 static void abandon_line(void) {
@@ -149,8 +150,8 @@ static void abandon_line(void) {
   rl_callback_handler_remove();
 }
 
-/* Lets readline process a caught signal. readline restores the terminal, then calls the previous
- * handler or the default action. */
+/* Makes readline process a signal that was caught. readline restores the terminal and then calls
+ * the previous handler or the default action. */
 static void treat_signals(const sigset_t *normal) {
   do {
     sigprocmask(SIG_SETMASK, normal, NULL);
@@ -161,8 +162,8 @@ static void treat_signals(const sigset_t *normal) {
   continued = 0;
 }
 
-/* Waits for a key or a signal, with signals unblocked. Returns 0 after a signal, even if a key
- * is already available. */
+/* Waits for a key or a signal while signals are unblocked. Returns 0 after a signal, even if a
+ * key is already available. */
 static int wait_for_key(const sigset_t *normal) {
   fd_set input;
   FD_ZERO(&input);
@@ -173,8 +174,8 @@ static int wait_for_key(const sigset_t *normal) {
   return ready && rl_pending_signal() == 0;
 }
 
-/* Processes keys that the user typed while the terminal answered a query. Keys after the end of a
- * line are kept for the next prompt. */
+/* Processes the keys that the user pressed while the terminal answered a query. Keys after the
+ * end of a line are stored for the next prompt. */
 static void replay_typed(void) {
   for (int key; !editor.done && (key = term_query_next_key()) >= 0;) {
     rl_stuff_char(key);

@@ -1,6 +1,7 @@
-/* cli/edit.h - the line editor of the prompt, with history, completion, Ctrl-C, Ctrl-D and Ctrl-Z.
+/* cli/edit.h - the line editor of the prompt, with history, completion, Ctrl-C, Ctrl-D and
+ * Ctrl-Z.
  *
- * There is one terminal, so there is one editor, and its state is in static variables. */
+ * There is only one terminal and therefore one editor, whose state is in static variables. */
 #ifndef CLI_EDIT_H
 #define CLI_EDIT_H
 
@@ -10,20 +11,21 @@ typedef enum edit_result { EDIT_LINE, EDIT_INTERRUPTED, EDIT_END } edit_result;
 
 /* Possible completions of the text before the cursor. */
 typedef struct edit_proposal {
-  char **words; /* `count` strings; array and strings are from malloc, and the editor frees them */
+  char **words; /* `count` strings; the editor frees the array and the strings, which are from
+                   malloc */
   size_t count;
-  int files;   /* true: complete names of files instead of words */
-  char append; /* character appended to a single completion; '\0' for none */
+  int files;   /* true: file names are completed instead of words */
+  char append; /* character appended if there is only one completion; '\0' for none */
 } edit_proposal;
 
-/* Function that fills `proposal` (initially zero) with completions of the text before the cursor.
- * The words complete the identifier or string at the end of this text. */
+/* Function that adds completions of the text before the cursor to `proposal`, which is initially
+ * zero. The words complete the identifier or string at the end of this text. */
 typedef void (*edit_complete_fn)(void *context, const char *before, edit_proposal *proposal);
 
 /* Initialises the editor and reads the history file. */
 void edit_start(edit_complete_fn complete, void *context);
 
-/* Removes duplicates from the history file: only the latest copy of each entry is kept. */
+/* Removes duplicates from the history file. The latest copy of each entry remains. */
 void edit_finish(void);
 
 /* Reads one line without its newline. Pasted text may contain newlines. After EDIT_LINE the caller

@@ -1,8 +1,8 @@
-/* Reads and writes the history file. The file is read completely, split into entries, and rewritten
- * without duplicates if necessary. Sessions lock its folder while they use the file. An entry
- * consists of a line "#TIME" and the lines of its text. A text line that has the form "#TIME"
- * itself is written with a backslash before it. Remains of a crash (half a line, a line "#TIME"
- * without text, zero bytes) do not affect other entries. */
+/* Reads and writes the history file. The file is read as a whole, split into entries and, if
+ * necessary, rewritten without duplicates. Sessions lock its folder while they use the file. An
+ * entry consists of a line "#TIME" and the lines of its text. A line of text that has the form
+ * "#TIME" itself is written with a backslash before it. Remains of a crash (half a line, a line
+ * "#TIME" without text, zero bytes) do not affect other entries. */
 #include "cli/history_file.h"
 
 #include "archard/base.h"
@@ -18,12 +18,12 @@
 #include <time.h>
 #include <unistd.h>
 
-/* An entry of the history. The pointers to its header "#TIME" and its text are addresses in the
- * text of the file. */
+/* An entry of the history. The pointers to its header "#TIME" and to its text refer to the text
+ * of the file. */
 typedef struct entry {
   char *header, *text;
-  int position, copy; /* position: index of the entry in the file; copy: true if a later entry has
-                         equal text */
+  int position, copy; /* position: index of the entry in the file; copy: true if a later entry
+                         has the same text */
 } entry;
 
 typedef struct history {
@@ -41,7 +41,7 @@ static char *join(const char *folder, const char *name) {
   return path;
 }
 
-/* Creates all missing folders of `path`, with access for the user only. Returns 0 on failure. */
+/* Creates all missing folders of `path`, which only the user can access. Returns 0 on failure. */
 static int make_folders(char *path) {
   for (char *slash = path + 1;; slash++) {
     if (*slash != '/' && *slash != '\0') continue;
@@ -69,7 +69,7 @@ char *history_file_open(void) {
   return path;
 }
 
-/* Locks the folder and returns a descriptor. Closing the descriptor releases the lock. */
+/* Locks the folder and returns a file descriptor. Closing the descriptor releases the lock. */
 static int lock_folder(const char *path) {
   char *folder = strdup(path);
   if (folder == NULL) return -1;
@@ -91,7 +91,7 @@ static int is_header(const char *line) {
   return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
 }
 
-/* Returns true if a line is a header, apart from backslashes before it. */
+/* Returns true if a line is a header after removal of the backslashes at its beginning. */
 static int looks_like_header(const char *line) {
   return is_header(line + strspn(line, "\\"));
 }
@@ -119,7 +119,7 @@ static void put_entry(FILE *file, const char *header, const char *text) {
   }
 }
 
-/* Adds a newline if the last line of the file has none. */
+/* Adds a newline if the last line of the file does not end with one. */
 static void mend_end(FILE *file) {
   struct stat facts;
   char last;
@@ -142,7 +142,7 @@ void history_file_append(const char *path, const char *text) {
   unlock_folder(lock);
 }
 
-/* Writes the entries from index `first` to the end. Returns 0 if an entry could not be written
+/* Writes the entries from index `first` on. Returns 0 if an entry could not be written
  * completely. */
 static int put_entries(const char *path, const history *self, int first) {
   FILE *file = fopen(path, "w");
@@ -163,7 +163,7 @@ static void rewrite(const char *path, const history *self, int first) {
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-/* Reads the file and removes its zero bytes, which would end the string. */
+/* Reads the file and removes its zero bytes, which would end the string early. */
 static char *read_text(const char *path) {
   char *text;
   size_t size, kept = 0;
@@ -180,7 +180,7 @@ static int count_headers(char *text) {
   return count;
 }
 
-/* Removes the backslashes added by put_entry. */
+/* Removes the backslashes that put_entry added. */
 static void restore_lines(char *text) {
   char *to = text;
   for (char *line = text, *after; line; line = after) {
@@ -193,7 +193,7 @@ static void restore_lines(char *text) {
   *to = '\0';
 }
 
-/* Replaces the newline before `line` by a zero, so that the text before `line` ends there. */
+/* Replaces the newline before `line` by a zero byte, so that the text before `line` ends there. */
 static void cut_before(char *line) {
   line[-1] = '\0';
 }
@@ -223,8 +223,8 @@ static int by_text(const void *left, const void *right) {
   return order ? order : a->position - b->position;
 }
 
-/* Marks entries whose text is repeated later. Returns the number of entries that are not marked,
- * or -1 if memory is exhausted. */
+/* Marks the entries whose text is repeated later. Returns the number of unmarked entries, or -1
+ * if memory is exhausted. */
 static int mark_copies(history *self) {
   entry **sorted = malloc((size_t)self->count * sizeof *sorted);
   if (sorted == NULL) return -1;
@@ -239,8 +239,8 @@ static int mark_copies(history *self) {
   return kept;
 }
 
-/* Counts backwards over entries that are not copies. Returns the index of the entry at which the
- * count is `limit`, or 0 if there are fewer. */
+/* Counts backwards over the entries that are not copies. Returns the index of the entry at which
+ * the count is `limit`, or 0 if there are fewer entries. */
 static int first_kept(const history *self, int limit) {
   int i = self->count;
   while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;

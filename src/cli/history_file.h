@@ -1,9 +1,9 @@
 /* cli/history_file.h - the history of the prompt in a file.
  *
- * The file is $XDG_STATE_HOME/archard/history, with ~/.local/state if the variable is not set.
- * Folder and file are private to the user. An entry is a line "#TIME" followed by its lines. An
- * entry is appended immediately, so that several sessions may write and a killed session loses
- * nothing. */
+ * The file is $XDG_STATE_HOME/archard/history; if the variable is not set, ~/.local/state
+ * replaces $XDG_STATE_HOME. Only the user can read the folder and the file. An entry is a line
+ * "#TIME" followed by the lines of its text. An entry is appended immediately, so that several
+ * sessions may write and a killed session loses nothing. */
 #ifndef CLI_HISTORY_FILE_H
 #define CLI_HISTORY_FILE_H
 
@@ -16,8 +16,8 @@ char *history_file_open(void);
 void history_file_append(const char *path, const char *entry);
 
 /* Calls `found` (may be NULL) for at most the last `limit` entries, oldest first. A repeated
- * text is reported once, at its latest position. If the file has more entries, it is rewritten
- * with only these entries. */
+ * text is reported once, at its latest position. If the file has further entries, it is
+ * rewritten without them. */
 void history_file_read(const char *path, int limit, history_entry_fn found, void *context);
 
 #endif

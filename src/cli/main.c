@@ -22,8 +22,8 @@
 
 enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/* Options and arguments of the command line. `steps` has the options -e and -l in the order in
- * which the user wrote them. */
+/* Options and arguments of the command line. `steps` contains the options -e and -l in the order
+ * of the command line. */
 typedef struct command {
   struct step {
     int kind;         /* option letter, 'e' or 'l' */
@@ -41,19 +41,19 @@ static void print_usage(FILE *stream) {
   fputs("usage: archard [options] [script [arguments]]\n"
         "  -e CHUNK        run the Lua text CHUNK\n"
         "  -l MODULE       require MODULE and assign it to the global MODULE\n"
-        "  -i              go to the prompt after the script\n"
+        "  -i              open the prompt after the script\n"
         "  --lax           undefined names are nil, not errors\n"
-        "  --sandbox       run an untrusted script: no other programs, only files below its\n"
-        "                  folder and the working folder, and limits:\n"
-        "  --memory MIB    of Lua, the engine and started programs, default 1024\n"
+        "  --sandbox       run an untrusted script: only files below its folder and the\n"
+        "                  working folder, only gnuplot and workers started, and limits:\n"
+        "  --memory MIB    memory of Lua, the engine and started programs, default 1024\n"
         "  --seconds S     elapsed time, default 3600\n"
-        "  --instructions N  of Lua, default 1e11\n"
-        "  --sandbox=strict  the same, but do not run if the system cannot enforce it\n"
+        "  --instructions N  Lua instructions, default 1e11\n"
+        "  --sandbox=strict  as --sandbox, but do not run if the system cannot enforce it\n"
         "  -v, --version   print the version\n"
         "  -h, --help      print this help\n"
         "  -               run standard input as a script\n"
         "  --              end of the options\n"
-        "Without a script, archard shows its prompt, or executes standard input line by line.\n"
+        "Without a script, archard shows its prompt, or runs standard input line by line.\n"
         "At the prompt, help() explains the objects. See also archard(1).\n",
         stream);
 }
@@ -108,8 +108,8 @@ static void read_options(command *self) {
   if (self->sandbox.wanted ? idle || self->interactive : limits) self->wrong = 1;
 }
 
-/* Sets the global `arg`. arg[0] is the script. The arguments before the script have negative
- * indices, as in the standard interpreter. */
+/* Sets the global table `arg`. arg[0] is the script. The arguments before the script have
+ * negative indices, as in the standard interpreter. */
 static void set_arg_table(lua_State *L, const command *self) {
   int zero = self->script < self->argc ? self->script : 0;
   lua_createtable(L, self->argc - zero, zero + 1);
@@ -177,7 +177,7 @@ static run_status run_command(lua_State *L, const command *self) {
 }
 
 /* Prints warnings of Lua's warn() and of this program on standard error. Messages that begin
- * with "@" are control messages of Lua. */
+ * with "@" are control messages of Lua and are not printed. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;
@@ -192,14 +192,15 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
-/* Returns the path of the script, or NULL if there is no script or the script is standard input. */
+/* Returns the path of the script. Returns NULL without a script or if the script is standard
+ * input. */
 static const char *script_path(const command *self) {
   const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
   return name && strcmp(name, "-") != 0 ? name : NULL;
 }
 
-/* Opens Lua's libraries and the module, and runs the script or the prompt. It is called by
- * lua_pcall, because it may raise Lua errors. */
+/* Opens Lua's libraries and the module, and runs the script or the prompt. Called by lua_pcall,
+ * because it may raise Lua errors. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
   luaL_checkversion(L);
@@ -225,8 +226,8 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* Returns the exit status after the finalizers, which run after the script under the same limits. A
- * finalizer that exceeds a limit makes the status a failure. */
+/* Returns the exit status after the finalizers, which run after the script under the same
+ * limits. If a finalizer exceeded a limit, the result is the status of a failure. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());
@@ -257,8 +258,8 @@ static int close_output(int status) {
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
-/* Ends the program by _exit if a computation was stopped. This computation may still run on its
- * thread and would crash when exit() closes its libraries. */
+/* Ends the program by _exit if a computation was stopped, because this computation may still run
+ * on its thread. It would crash when exit() closes the libraries that it uses. */
 static void leave_at_once(int status, void *unused) {
   (void)unused;
   if (!interrupt_ever()) return;

@@ -1,5 +1,5 @@
 /* Reads chunks from the line editor or standard input, runs them and prints their values.
- * scripts/lib/prompt.lua decides when a chunk is complete and formats values;
+ * scripts/lib/prompt.lua decides whether a chunk is complete and formats values.
  * scripts/session/complete.lua completes words. */
 #include "cli/repl.h"
 
@@ -16,7 +16,7 @@
 
 /* Lines of an incomplete chunk. */
 typedef struct pending {
-  char *text; /* text of the lines; NULL if there are none */
+  char *text; /* text of the lines; NULL without lines */
   size_t length;
 } pending;
 
@@ -88,8 +88,8 @@ typedef struct prompt {
   pending chunk;
 } prompt;
 
-/* Lua function of two arguments: the prompt, and the text before the cursor. Returns a list of
- * words or "files", and the character that is appended if there is only one word. */
+/* Lua function with two arguments: the prompt, and the text before the cursor. Returns a list of
+ * words or the text "files", and the character to append if there is only one word. */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
   push_module_function(L, "archard.session.complete", "words");
@@ -116,7 +116,7 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
   lua_pushcfunction(L, find_words);
   lua_pushlightuserdata(L, self);
   lua_pushstring(L, before);
-  /* After an internal error there are no completions. */
+  /* after an internal error there are no completions */
   if (lua_pcall(L, 2, 2, 0) == LUA_OK) {
     const char *append = lua_tostring(L, -1);
     proposal->append = append ? *append : '\0';
@@ -129,8 +129,8 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
 
 /* --- the prompt ------------------------------------------------------------------------------- */
 
-/* Pushes a text of scripts/lib/prompt.lua ("first", "more", "banner"), in colours if they are
- * allowed. */
+/* Pushes a text of scripts/lib/prompt.lua ("first", "more" or "banner"), with colours if they
+ * are allowed. */
 static void push_text(lua_State *L, const char *which) {
   push_module_function(L, "archard.lib.prompt", "text");
   lua_pushstring(L, which);
@@ -139,8 +139,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- end of a session ------------------------------------------------------------------------- */
 
-/* Calls the function `name` of the script that ends sessions. The argument is the value on top of
- * the stack, which is replaced by the result, or by nil on failure. */
+/* Calls the function `name` of the script that ends sessions. The argument on top of the stack
+ * is replaced by the result, or by nil on failure. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
@@ -150,7 +150,7 @@ static run_status ask(lua_State *L, const char *name) {
 }
 
 /* Interprets the user's answer to the question whether to end the session. Returns 1 for quit, 0
- * for stay, and -1 if the answer is unclear. An error counts as stay. */
+ * for stay, and -1 for an unclear answer. An error counts as stay. */
 static int understand(lua_State *L, const char *line) {
   lua_pushstring(L, line);
   const run_status status = ask(L, "answer");
@@ -160,7 +160,7 @@ static int understand(lua_State *L, const char *line) {
 }
 
 /* Requests a confirmation if there are unsaved runs. Returns true if the session may end. Ctrl-D
- * instead of an answer also ends the session. */
+ * at this question also ends the session. */
 static int may_leave(lua_State *L) {
   lua_pushnil(L);
   int answer = ask(L, "question") == RUN_OK && lua_isstring(L, -1) ? -1 : 1;
@@ -217,7 +217,7 @@ static void take_line(prompt *self, const char *line) {
   interrupt_clear();
 }
 
-/* Reads a line and runs it. Returns 1 if the user ends the session. */
+/* Reads a line and runs the chunk if it is complete. Returns 1 if the user ends the session. */
 static int next_line(prompt *self) {
   char *line = NULL;
   const edit_result result = read_line(self, &line);
@@ -247,8 +247,8 @@ void repl_run(lua_State *L) {
 
 /* --- piped input ------------------------------------------------------------------------------ */
 
-/* Compiles the chunk, whose first line is line `first` of the input, and runs the chunk if it is
- * complete. `last_line` is true at the end of the input. */
+/* Compiles the chunk and runs it if it is complete. Its first line is line `first` of the input.
+ * `last_line` is true at the end of the input. */
 static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
   int state = compile(L, chunk, "=stdin", first);
   if (state == CHUNK_OPEN && !last_line) return RUN_OK;
@@ -260,7 +260,7 @@ static run_status take_piped(lua_State *L, pending *chunk, int first, int last_l
   return state == CHUNK_READY ? evaluate(L) : run_refused(L);
 }
 
-/* Returns the length of a line without its line end. Zero bytes stay in the line; Lua reports
+/* Returns the length of a line without its line end. Zero bytes remain in the line; Lua reports
  * them as an error. */
 static size_t line_length(const char *line, size_t length) {
   if (length > 0 && line[length - 1] == '\n') length--;
@@ -277,7 +277,7 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    /* as in scripts, a first line that begins with # is skipped */
+    /* a first line that begins with # is skipped, as in scripts */
     const int is_note = number == 1 && line[0] == '#';
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;

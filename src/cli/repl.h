@@ -6,11 +6,11 @@
 
 #include <lua.h>
 
-/* Runs the prompt until the user ends it. Errors are printed and do not end the prompt. */
+/* Runs the prompt until the user ends the session. Errors are printed and do not end the prompt. */
 void repl_run(lua_State *L);
 
-/* Runs standard input like typed lines up to the first error, without banner, prompt or colours.
- * Messages have the line number of the input. */
+/* Runs standard input like typed lines, but without banner, prompt or colours. Stops at the
+ * first error. Messages contain the line number in the input. */
 run_status repl_run_pipe(lua_State *L);
 
 #endif

@@ -21,8 +21,8 @@
 
 static const double mebi = 1048576;
 
-/* One file may be as large as the memory limit. All files together may be FILES_AT_ONCE times as
- * large, but may fill at most half of the free disk space. */
+/* A single file may be as large as the memory limit. All files together may be FILES_AT_ONCE
+ * times as large as this limit, but may fill at most half of the free disk space. */
 enum { FILES_AT_ONCE = 4 };
 
 sandbox sandbox_usual(void) {
@@ -41,8 +41,8 @@ int sandbox_set(sandbox *self, const char *name, const char *text) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* Allocator of Lua (lua_Alloc) that enforces the memory limit. For a new block (`block` NULL),
- * Lua passes the type of the object in `old`, not a size. */
+/* Allocator of Lua (lua_Alloc) that enforces the memory limit. If `block` is NULL, Lua passes
+ * the type of a new object in `old` instead of a size. */
 static void *allocate(void *context, void *block, size_t old, size_t size) {
   sandbox *self = context;
   const size_t held = block ? old : 0;
@@ -70,8 +70,8 @@ static void folder_of(const char *path, char folder[PATH_MAX]) {
   snprintf(folder, PATH_MAX, "%.*s", (int)length, slash ? path : ".");
 }
 
-/* Returns the path of the program `name` in the folders of PATH, or `name` itself if no folder
- * contains the program. */
+/* Returns the path of the program `name` in one of the folders of PATH, or `name` itself if no
+ * folder contains the program. */
 static const char *find(const char *name, char path[PATH_MAX]) {
   const char *folders = getenv("PATH");
   while (folders && *folders && !strchr(name, '/')) {
@@ -87,14 +87,14 @@ static void report_missing(int missing) {
   static const char *const what[] = {
       "that no other files are opened and no other programs run (it has no Landlock of version 3)",
       "that no connections are made (it has no filter for system calls)",
-      "how many processes there are (it does not count processes of root)"};
+      "a limit of the number of processes (it does not count processes of root)"};
   for (int i = 0; i < 3; i++)
     if (missing & 1 << i)
       fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);
 }
 
-/* Name of an environment variable that marks a program as restarted inside the jail; its value is
- * the process id. */
+/* Environment variable that marks a program that was restarted in the jail. Its value is the
+ * process id. */
 static const char mark[] = "ARCHARD_CONFINED";
 
 static int is_confined(void) {
@@ -104,8 +104,8 @@ static int is_confined(void) {
   return confined;
 }
 
-/* Sets the environment variable `mark`, and makes the working folder the folder for temporary
- * files, also in child processes. */
+/* Sets the environment variable `mark`. Sets the working folder as the folder of temporary
+ * files, also for child processes. */
 static void set_environment(const char *folder) {
   char number[24];
   snprintf(number, sizeof number, "%ld", (long)getpid());
@@ -127,7 +127,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  /* without `strict` the limit of processes is optional, as there are few workers */
+  /* without `strict` the limit of processes may be missing, because there are few workers */
   if (!self->strict) missing &= ~ARC_JAIL_PROCESSES;
   report_missing(missing);
   if (missing && self->strict) return 0;

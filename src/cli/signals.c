@@ -1,4 +1,4 @@
-/* Installs signal handlers, which request a stop by the functions of lua/base/interrupt.h. */
+/* Installs signal handlers. They request a stop by the functions of lua/base/interrupt.h. */
 #include "cli/signals.h"
 
 #include "lua/base/interrupt.h"
@@ -24,15 +24,15 @@ static void on_interrupt_stay(int signal_number) {
   errno = saved;
 }
 
-/* Handles the first Ctrl-C. SA_RESETHAND has already restored the default action, so that the
- * second Ctrl-C ends the program. */
+/* Handles the first Ctrl-C. SA_RESETHAND has already restored the default action, so the second
+ * Ctrl-C ends the program. */
 static void on_interrupt_once(int signal_number) {
   (void)signal_number;
   interrupt_request();
 }
 
-/* Installs a handler without SA_RESTART, so that a signal ends a waiting read and Lua's hook can
- * run. */
+/* Installs a handler without SA_RESTART, so that a signal interrupts a waiting read and Lua's
+ * hook can run. */
 static void install(int signal_number, void (*handler)(int), int flags) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
@@ -43,7 +43,7 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
-  /* SIGXFSZ is ignored, so that write() fails at the size limit of a file */
+  /* with SIGXFSZ ignored, write() fails at the size limit of a file */
   install(SIGXFSZ, SIG_IGN, 0);
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
@@ -52,8 +52,8 @@ void signals_install(int stay) {
 
 enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* GRACE: grace time [us] */
 
-/* Starts a timer. `seconds` is limited to a valid range, because a timer with zero or with a too
- * large time would never expire. */
+/* Starts a timer. `seconds` is limited to a valid range, because a timer would never expire with
+ * zero or with too large a time. */
 static void set_alarm(int clock, double seconds) {
   static const double shortest = 1e-6, longest = 1e9;
   seconds = fmin(fmax(seconds, shortest), longest);

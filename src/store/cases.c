@@ -1,4 +1,5 @@
-/* Reads and writes the list of cases in a run file, their status and their named values. */
+/* Reads and writes the list of cases in a run file, the status of each case and its named
+ * values. */
 #include "store/store.h"
 
 #include <math.h>
@@ -58,7 +59,7 @@ static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error
   return ARC_OK;
 }
 
-/* Appends the case of a row to the array and increases its size. */
+/* Appends the case in a row to the array and increments the size of the array. */
 static arc_status add_case(arc_store *store, query *q, arc_case **cases, size_t *count,
                            arc_error *error) {
   arc_case *grown = arc_store_grown(*cases, *count, sizeof *grown);
@@ -90,8 +91,8 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status of a case ------------------------------------------------------------------------- */
 
-/* Checks that the case exists after an update that changed no row. Errors: ARC_ARGUMENT if there
- * is no case `id`. */
+/* Checks that case `id` exists, after an update that changed no row. Errors: ARC_ARGUMENT if the
+ * case does not exist. */
 static arc_status find_done(arc_store *store, int id, arc_error *error) {
   int found = 0;
   const arc_status status = find(store, id, &found, error);
@@ -154,8 +155,8 @@ static const char *const look_up[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
-/* Sets a text as parameter of a query. A long text is stored separately, and its name is the
- * parameter. `name` must be valid until the query has run. */
+/* Sets a text as a parameter of a query. A long text is stored separately; the parameter is then
+ * the name of the text. `name` must be valid until the query has run. */
 static arc_status set_text(arc_store *store, query *q, const char *text, char name[ARC_TEXT_NAME],
                            arc_error *error) {
   const arc_status status = arc_store_put_text(store, text, name, error);
@@ -170,7 +171,7 @@ static arc_status set_value(arc_store *store, query *q, const arc_value *value,
   case ARC_VALUE_NUMBER:
     arc_query_set_number(q, 3, value->number);
     break;
-  case ARC_VALUE_FLAG: /* flags are the only values stored as integers */
+  case ARC_VALUE_FLAG: /* only flags are stored as integers */
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
@@ -205,7 +206,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* Buffers for the array or the text of a value that is read from a row. The caller frees them. */
+/* Memory for the array or the text of a value that is read from a row. The caller frees both. */
 typedef struct buffers {
   double *array;
   char *text;
@@ -233,7 +234,7 @@ static arc_status read_array(const arc_store *store, query *q, arc_value *value,
 }
 
 /* Returns true if a name is a path such as "model.mesh.size": printable ASCII without empty
- * parts. */
+ * components. */
 static int is_path(const char *name) {
   const size_t length = strlen(name);
   for (size_t i = 0; i < length; i++)

@@ -1,6 +1,6 @@
-/* Defines the names of columns in the file, and writes parts of SQL texts that contain these names.
- * The history has a column for each item of the list in archard/wear.h. A column name includes the
- * unit, such as half_width_mm. */
+/* Defines the names of columns in the file, and writes the parts of SQL texts that contain these
+ * names. The history has a column for each item in the list of archard/wear.h. The name of a
+ * column includes the unit, such as half_width_mm. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -31,7 +31,8 @@ static const column others[] = {
 
 /* --- parts of SQL texts ----------------------------------------------------------------------- */
 
-/* Writes the name of a column with its unit. "update" is a keyword of SQL and becomes "updates". */
+/* Writes the name of a column with its unit. The name "update" is a keyword of SQL and is
+ * replaced by "updates". */
 static void put_name(FILE *to, const column *c) {
   fputs(strcmp(c->name, "update") == 0 ? "updates" : c->name, to);
   if (c->unit[0]) fputc('_', to);
@@ -62,7 +63,7 @@ static void put_values(FILE *to) {
   for (size_t c = 0; c < COUNT(history); c++) fputs(", ?", to);
 }
 
-/* Returns true for columns of the history that are shown as settings: k, alpha and jump. */
+/* Returns true for the columns of the history that are also settings: k, alpha and jump. */
 static int is_setting(const char *name) {
   const arc_setting *s = arc_setting_find(arc_wear_settings, name);
   return s && s->kind != ARC_OTHER && strcmp(name, "distance") != 0 && strcmp(name, "update") != 0;
@@ -77,14 +78,14 @@ static void put_results(FILE *to) {
 }
 
 /* Settings whose column has another name, because the name of the setting is also the name of a
- * result, a keyword of SQL, or (for settings of the model) the name of a setting of the run. Each
- * row contains the prefix, the setting and the column. */
+ * result or a keyword of SQL or, for settings of the model, the name of a setting of the run.
+ * Each row contains the prefix, the setting and the column. */
 static const char *const renamed[][3] = {{"", "distance", "total_distance"},
                                          {"", "update", "update_at"},
                                          {"", "order", "scheme_order"},
                                          {"model.", "geometry", "model_geometry"}};
 
-/* Returns the column of a setting. For example, the setting mesh.size has the column
+/* Returns the column of a setting. For example, the column of the setting mesh.size is
  * "mesh_size". */
 static column column_of(const char *prefix, const char *path, const arc_setting *s,
                         char name[static 96]) {
@@ -98,8 +99,8 @@ static column column_of(const char *prefix, const char *path, const arc_setting 
   return (column){name, counted ? "" : s->unit, s->text};
 }
 
-/* Writes the names of the values that can replace a setting: its function, its series, or the
- * blocks of loading. */
+/* Writes the names of the values that may replace the number of a setting: its function, its
+ * series, or the blocks of loading. */
 static void put_instead(FILE *to, const char *path, unsigned forms) {
   fputs("''", to);
   if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
@@ -107,16 +108,16 @@ static void put_instead(FILE *to, const char *path, unsigned forms) {
   if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
 }
 
-/* Context of a loop over the settings: output file, prefix of the names, and function that
- * writes a setting. */
+/* Context of a loop over the settings: the output file, the prefix of the names, and the
+ * function that writes a setting. */
 typedef struct walk {
   FILE *to;
   const char *prefix;
   void (*put)(struct walk *walk, const char *path, const arc_setting *s);
 } walk;
 
-/* Writes the SQL expression for the value of a setting. The value is from the definition of the
- * case, or from its settings if the case has no definition. */
+/* Writes the SQL expression for the value of a setting. The value is read from the definition of
+ * the case, or from the settings of the case if there is no definition. */
 static void put_setting(walk *at, const char *path, const arc_setting *s) {
   char name[96];
   const column c = column_of(at->prefix, path, s, name);
@@ -158,9 +159,9 @@ static void put_bytes(FILE *to) {
   for (unsigned b = 0; b < 256; b++) fprintf(to, "%02x", b);
 }
 
-/* Writes an SQL expression that decodes a double from its bits. `bytes` in the expression is the
- * list of all byte values. Each LIMIT prevents SQLite from evaluating the inner query again for
- * every use. Subnormal numbers become 0. */
+/* Writes an SQL expression that decodes a double from its bits. The expression requires a column
+ * `bytes` with all byte values. Each LIMIT prevents SQLite from evaluating an inner query again
+ * for every use. Subnormal numbers become 0. */
 static void put_number(FILE *to, const char *array) {
   const int least_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
   fputs("(SELECT CASE WHEN e = 0 THEN f * 0.0 WHEN e = 2047 THEN NULL WHEN e < 1023 THEN f / power"
@@ -181,7 +182,8 @@ static void put_number(FILE *to, const char *array) {
       array);
 }
 
-/* Writes the columns of `surfaces` from the arrays with the same names. */
+/* Writes the columns of the view `surfaces`, which are decoded from the arrays with the same
+ * names. */
 static void put_numbers(FILE *to) {
   for (const char *const *name = arc_surface_names; *name; name++) {
     fputs(", ", to);
@@ -222,7 +224,7 @@ static const struct {
              {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
-/* If `text` begins with one of the words, appends the text that replaces the word. Otherwise
+/* If `text` begins with one of the words to be replaced, appends the replacement. Otherwise
  * appends the first character. Returns the number of characters of `text` that were processed. */
 static size_t put_part(FILE *to, const char *text) {
   for (size_t p = 0; p < COUNT(parts); p++) {

@@ -1,5 +1,5 @@
-/* The only file that calls SQLite. Translates its codes to statuses and messages with advice, and
- * restricts it to the run file, its journal and unnamed files. */
+/* The only file that calls SQLite. Translates the codes of SQLite to statuses and messages with
+ * advice. Restricts SQLite to the run file, its journal and files without a name. */
 #include "store/database.h"
 #include "archard/lock.h"
 #include "store/journal.h"
@@ -14,7 +14,7 @@
 struct database {
   sqlite3 *handle;
   char *path, *name;       /* path of the file, and its name in messages */
-  long long bytes, beside; /* [bytes] sizes of the file and the attached file before the query */
+  long long bytes, beside; /* sizes of the file and of the attached file before the query [bytes] */
   arc_lock_kind locks;
   long long work; /* number of instructions that the query may still execute, divided by WATCH */
 };
@@ -22,11 +22,11 @@ struct database {
 struct query {
   database *db;
   sqlite3_stmt *statement;
-  int failed; /* SQLite's code for the first parameter that could not be set */
+  int failed; /* SQLite's error code for the first parameter that was not set */
   long long rows;
 };
 
-/* Longest time that a process waits for another process with the same file [ms]. A transaction
+/* Longest time that a process waits while another process uses the file [ms]. A transaction
  * needs about 10 ms. */
 enum { PATIENCE = 60000 };
 
@@ -36,8 +36,8 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
-  case SQLITE_PERM:  /* only open_guarded returns this code, for a file that is not safe */
-  case SQLITE_ERROR: /* the file lacks a table or column, as this program's SQL is correct */
+  case SQLITE_PERM:  /* only from open_guarded, for a file that is not safe */
+  case SQLITE_ERROR: /* a table or column is missing in the file; the SQL is correct */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
   case SQLITE_INTERRUPT: /* the query exceeded its limit of instructions */
@@ -121,9 +121,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
 /* --- limits ----------------------------------------------------------------------------------- */
 
 /* Files are not trusted: for example, pages may form cycles, and tables may be views. Therefore
- * a query has a limit of instructions, which grows with the size of the file. The queries of
- * this program need about 50 instructions for a row of 30 bytes, and a few times more for
- * merges. */
+ * the number of instructions of a query is limited in proportion to the size of the file. The
+ * queries of this program need about 50 instructions for a row of 30 bytes, and a few times more
+ * for merges. */
 enum { WATCH = 10000, LARGEST_VALUE = 64 << 20 };
 static const long long work_at_least = 10000000, work_a_byte = 100, rows_at_least = 100000;
 
@@ -142,8 +142,8 @@ static void measure(database *db) {
   begin_work(db);
 }
 
-/* Prevents SQLite from executing code that the file contains: views, triggers, functions with
- * side effects. */
+/* Prevents SQLite from executing code in the file: views, triggers, and functions with side
+ * effects. */
 static void distrust(database *db) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
@@ -155,17 +155,17 @@ static void distrust(database *db) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* File system interfaces for SQLite with restrictions, one interface for each kind of lock. */
+/* Restricted file system interfaces of SQLite, one interface for each kind of lock. */
 enum { KINDS = ARC_LOCK_NONE + 1 };
 static const char *const guarded_names[KINDS] = {"archard", "archard-by-name", "archard-alone"};
 static const char *const beneath_names[KINDS] = {"unix", "unix-dotfile", "unix-none"};
 static sqlite3_vfs guarded[KINDS];
 static int (*open_beneath)(sqlite3_vfs *, const char *, sqlite3_file *, int, int *);
 
-/* Opens a file for SQLite, but not super-journals, write-ahead logs and unsafe journals. If such
- * files (journals that name another file, links, pipes) are beside an untrusted file, SQLite
- * could delete or write any file, or wait forever. SQLite deletes only files that it could open,
- * and the journal of its own file. */
+/* Opens a file for SQLite. Rejects super-journals, write-ahead logs and unsafe journals
+ * (journals that name another file, links, pipes). If such files are beside an untrusted file,
+ * SQLite could delete or write any file, or wait forever. SQLite deletes only files that it
+ * could open, and the journal of its own file. */
 static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
                         int *given) {
   const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
@@ -179,7 +179,7 @@ static int register_guarded(int kind) {
   sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
   if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  open_beneath = beneath->xOpen; /* SQLite has one open function for all kinds of file lock */
+  open_beneath = beneath->xOpen; /* SQLite's open function is the same for all kinds of locks */
   *own = *beneath;
   own->pNext = NULL;
   own->zName = guarded_names[kind];
@@ -191,7 +191,7 @@ static int register_guarded(int kind) {
   return sqlite3_vfs_register(own, 0);
 }
 
-/* Registers the restricted interfaces; further calls have no effect. */
+/* Registers the restricted interfaces. Further calls have no effect. */
 static int guard(void) {
   static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
   pthread_mutex_lock(&lock);
@@ -203,7 +203,7 @@ static int guard(void) {
 
 /* --- lists of numbers ------------------------------------------------------------------------- */
 
-/* List of the numbers in the rows of an SQL group. */
+/* A list of the numbers in the rows of an SQL group. */
 typedef struct number_list {
   double *number;
   size_t count, capacity;
@@ -235,8 +235,8 @@ static void give_numbers(sqlite3_context *context) {
     sqlite3_result_blob64(context, list->number, list->count * sizeof *list->number, free);
 }
 
-/* Defines the SQL function array_of(number). It joins the numbers of a group to one array, in the
- * order of the rows. */
+/* Defines the SQL function array_of(number), which joins the numbers of a group to one array in
+ * the order of the rows. */
 static int define_arrays(sqlite3 *handle) {
   return sqlite3_create_function(handle, "array_of", 1, SQLITE_UTF8 | SQLITE_DIRECTONLY, NULL, NULL,
                                  add_number, give_numbers);
@@ -247,13 +247,13 @@ static int define_arrays(sqlite3 *handle) {
 static arc_status configure(database *db, arc_error *error) {
   sqlite3_extended_result_codes(db->handle, 1);
   sqlite3_busy_timeout(db->handle, PATIENCE);
-  /* so that a misspelt column name in double quotes is an error, not a text */
+  /* a misspelt column name in double quotes is then an error rather than a text */
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   distrust(db);
   if (define_arrays(db->handle) != SQLITE_OK) return fail(db, SQLITE_NOMEM, error);
-  /* The journal is a rollback journal, not a write-ahead log. Therefore the database is a single
-   * file while it is idle, and network file systems are supported. */
+  /* The journal is a rollback journal rather than a write-ahead log. Therefore the database is a
+   * single file while it is idle, and it may be on a network file system. */
   return arc_database_run(
       db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA cell_size_check = ON",
       error);
@@ -278,8 +278,8 @@ arc_status arc_database_open(const char *path, const char *name, int writable, i
   database *db = new_database(path, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
-  /* SQLite needs no mutex, because only one thread uses a store. A mutex for every parameter
-   * would cost a third of the time. */
+  /* SQLite needs no mutex, because only one thread uses a store. Locking a mutex for every
+   * parameter would cost a third of the time. */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
@@ -308,8 +308,8 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
-/* Replaces the database by a copy without a file name. SQLite keeps the copy in memory while it is
- * small, and in a hidden file when it becomes large. */
+/* Replaces the database by a copy without a file name. SQLite stores a small copy in memory, and
+ * a large copy in a hidden file. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
   arc_status status = arc_database_open("", db->name, 1, 1, &made, error);
@@ -337,9 +337,9 @@ static arc_status attach(database *db, const char *path, arc_error *error) {
   return status;
 }
 
-/* Attaches another database. A temporary copy has no path, so its content is copied instead. The
- * attached file is only read, and its journal is in memory. With a journal file, SQLite would
- * regard a change as a change of two files and record it in a third file. */
+/* Attaches another database. The content of a temporary copy, which has no path, is copied
+ * instead. The attached file is only read, and its journal is in memory. With a journal file,
+ * SQLite would treat a change as a change of two files and record it in a third file. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
   const char *path = sqlite3_db_filename(other->handle, "main");
   db->beside = other->bytes;
@@ -406,7 +406,7 @@ void arc_query_set_text(query *q, int index, const char *text) {
 }
 
 void arc_query_set_array(query *q, int index, const double *values, size_t count) {
-  /* The address of an empty array may be NULL, which SQLite would store as the value NULL. */
+  /* The address of an empty array may be NULL, which SQLite would store as NULL. */
   const void *bytes = count > 0 ? (const void *)values : "";
   note(q, sqlite3_bind_blob64(q->statement, index, bytes, count * sizeof(double), SQLITE_STATIC));
 }
@@ -471,7 +471,7 @@ size_t arc_query_array_count(query *q, int column) {
   return (size_t)sqlite3_column_bytes(q->statement, column) / sizeof(double);
 }
 
-/* Copies the numbers, because the blobs of SQLite may be unaligned for doubles. */
+/* Copies the numbers, because a blob of SQLite may not be aligned for doubles. */
 void arc_query_array(query *q, int column, double *values, size_t count) {
   const void *bytes = sqlite3_column_blob(q->statement, column);
   size_t there = arc_query_array_count(q, column);
@@ -481,8 +481,8 @@ void arc_query_array(query *q, int column, double *values, size_t count) {
 
 /* --- the whole file --------------------------------------------------------------------------- */
 
-/* Reports that the file failed a check. The message of SQLite may instead describe an I/O error,
- * which is then reported. */
+/* Reports that the file failed a check. If the check failed because of an I/O error, reports the
+ * I/O error instead. */
 static arc_status refuse_unsound(const database *db, const char *said, arc_error *error) {
   if (system_error(db, SQLITE_IOERR)) return fail(db, SQLITE_IOERR, error);
   return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", db->name, said);

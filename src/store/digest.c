@@ -1,6 +1,7 @@
-/* Computes and compares checksums (FNV-1a, 64 bit) of all data of finished cases. The transaction
- * that finishes the case stores its checksum, and functions that read the case compare it. SQLite
- * detects damage to the structure of a file; the checksums detect damage to the values. */
+/* Computes and compares checksums (FNV-1a, 64 bit) of all data of finished cases. The checksum
+ * is stored by the transaction that finishes the case, and compared by the functions that read
+ * the case. SQLite detects damage to the structure of a file; the checksums detect damage to the
+ * values. */
 #include "store/store.h"
 
 #include <stdio.h>
@@ -17,7 +18,7 @@ static const char *const parts[] = {
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
     "SELECT * FROM arrays WHERE case_id = ?1 ORDER BY part, updates, body, name"};
 
-/* Queries for surfaces and state in files of a format older than 5. */
+/* Queries for surfaces and states in files of formats before 5. */
 static const char *const older_parts[] = {
     "SELECT * FROM older_surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM older_state WHERE case_id = ?1 ORDER BY body"};
@@ -28,8 +29,7 @@ uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count) {
   return sum;
 }
 
-/* Adds a value and its type to a checksum. The type is included so that 1 and "1" have different
- * checksums. */
+/* Adds a value and its type to a checksum. With the type, 1 and "1" have different checksums. */
 static arc_status add_value(query *q, int column, uint64_t *sum) {
   const column_kind kind = arc_query_kind(q, column);
   const unsigned char tag = (unsigned char)kind;
@@ -93,7 +93,7 @@ static arc_status seal(arc_store *store, int id, arc_error *error) {
   return status;
 }
 
-/* Runs a query for the next case whose id is greater than `after`. Sets *id to its id, or to 0
+/* Runs a query for the next case with an id greater than `after`. Sets *id to this id, or to 0
  * if there are no more cases. */
 static arc_status first_case(arc_store *store, const char *sql, int after, int *id,
                              arc_error *error) {
@@ -109,7 +109,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
 
 /* --- cases that need a checksum --------------------------------------------------------------- */
 
-/* SQL condition that is true for cases that must have a checksum. */
+/* SQL condition: true if the case must have a checksum. */
 #define NEEDS_ONE                                                                                  \
   "(status = 'done' OR EXISTS (SELECT 1 FROM definition WHERE case_id = id) OR EXISTS (SELECT 1 "  \
   "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM arrays WHERE case_id = id))"
@@ -169,9 +169,8 @@ arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
 
 /* --- comparing checksums ---------------------------------------------------------------------- */
 
-/* These queries return the checksum of a case, and 1 if the case must have a checksum, otherwise 0.
- * of_run is used before a run is read. It also requires a checksum for data whose case is missing.
- */
+/* These queries return the checksum of a case, and 1 if the case must have a checksum, otherwise
+ * 0. of_run is used before a run is read and also requires a checksum for data without a case. */
 static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
@@ -205,8 +204,8 @@ static arc_status compare(arc_store *store, const char *sql, int id, arc_error *
   return status;
 }
 
-/* Computes the checksum of a case and compares it with the stored checksum within one transaction,
- * because another program may store the case at the same time. */
+/* Computes the checksum of a case and compares it with the stored checksum. Both are read in one
+ * transaction, because another program may store the case at the same time. */
 static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
   if (store->verified == id || is_open(store, id)) return ARC_OK;
   int own = 0;

@@ -1,7 +1,6 @@
 /* Checks the journal beside a run file. A journal that ends with a file name and SQLite's magic
- * number belongs to a change of several files. SQLite would apply the journal and then delete
- * the file with that name. Archard changes only one file at a time, so it never writes such a
- * journal. */
+ * number belongs to a change of several files. SQLite would apply this journal and then delete
+ * the named file. Archard changes only one file at a time and never writes such a journal. */
 #include "store/journal.h"
 
 #include <errno.h>
@@ -13,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Sizes [bytes] of the last parts of a journal that names another file: length of the name,
- * checksum of the name, magic number. */
+/* Sizes [bytes] of the fields at the end of a journal that names another file: length of the
+ * name, checksum of the name, magic number. */
 enum { LENGTH = 4, SUM = 4, MAGIC = 8, TAIL = LENGTH + SUM + MAGIC };
 
 static int names_a_file(int journal, off_t size) {
@@ -25,7 +24,7 @@ static int names_a_file(int journal, off_t size) {
 }
 
 /* Returns true if the journal is safe. A journal that cannot be opened is safe, because SQLite
- * cannot open it either, except if it is a link. */
+ * cannot open it either. A link is not safe. */
 int arc_journal_is_sound(const char *journal) {
   const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   struct stat facts;

@@ -1,10 +1,10 @@
-/* Merges run files, such as parts of a study computed separately. */
+/* Merges run files, such as the parts of a study that were computed separately. */
 #include "store/store.h"
 
 #include <stdlib.h>
 
-/* Runs a query that must have no rows. If there is a row, fails with an error that contains the
- * case in the first row and the text `what`. */
+/* Runs a query that must not return rows. If it returns a row, reports an error with the case in
+ * this row and the text `what`. */
 static arc_status expect_none(arc_store *store, const char *sql, const char *from, const char *what,
                               arc_error *error) {
   query *q;
@@ -25,8 +25,8 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
 #define HISTORY "case_id, step@columns"
 #define ARRAYS  "case_id, " ARC_ARRAYS
 
-/* SQL query for the first case whose rows differ between the two files. In these macros c is a list
- * of columns, t a table, w a condition, f and g are the two files. */
+/* SQL query for the first case whose rows differ between the two files. The parameters of the
+ * macros are: c, list of columns; t, table; w, condition; f and g, the two files. */
 #define ROWS(f, t, c, w)    "SELECT " c " FROM " f "." t w
 #define LESS(f, g, t, c, w) "SELECT * FROM (" ROWS(f, t, c, w) " EXCEPT " ROWS(g, t, c, w) ")"
 #define DIFFERS(t, c, w)                                                                           \
@@ -49,8 +49,8 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
   " WHERE case_id IN (SELECT a.id FROM main.cases a JOIN other.cases b ON a.id = b.id"             \
   " WHERE a.status = 'done' AND b.status = 'done')"
 
-/* Fails if a case is finished in both files with different results. If a case was computed
- * twice, its results are equal in every bit and are accepted. */
+/* Returns an error if a case is finished in both files with different results. The results of a
+ * case that was computed twice are equal in every bit and are accepted. */
 static arc_status check_same_results(arc_store *store, const char *from, arc_error *error) {
   static const char *const parts[] = {DIFFERS("results", VALUES, IN_BOTH),
                                       DIFFERS("history", HISTORY, IN_BOTH),
@@ -68,7 +68,8 @@ static arc_status check_same_results(arc_store *store, const char *from, arc_err
   "DELETE FROM main." table NEW "; INSERT INTO main." table " (" columns ") SELECT " columns       \
   " FROM other." table NEW
 
-/* Replaces unfinished cases by finished cases of the other file. The checksums are computed
+/* Replaces the data of unfinished cases by the data of cases that are finished in the other
+ * file, and copies the status of cases that are not waiting there. The checksums are computed
  * again, because the columns of the other file may have another order. */
 static arc_status copy_finished(arc_store *store, const char *from, arc_error *error) {
   static const char *const steps[] = {
@@ -102,8 +103,8 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   return arc_store_leave(store, 1, status, error);
 }
 
-/* Attaches the other file. It is first opened as a store, so that the message is clear if it is
- * not a run file. */
+/* Attaches the other file. The file is first opened as a store, so that the message is clear if
+ * it is not a run file. */
 static arc_status attach(arc_store *store, const char *from, arc_error *error) {
   arc_store *other = NULL;
   arc_status status = arc_store_open(from, ARC_STORE_READ, &other, error);

@@ -1,9 +1,9 @@
-/* Ends transactions without a commit, after a failure or after reading. */
+/* Rolls back transactions, after a failure or after reading. */
 #include "store/store.h"
 
 /* Rolls back the transaction, unless SQLite has already rolled it back after a failure. The
- * statement is repeated, because it can fail if memory is exhausted, and an open transaction
- * would lock the file. */
+ * statement is repeated because it may fail if memory is exhausted; a transaction that remains
+ * open would lock the file. */
 void arc_store_rollback(arc_store *store) {
   enum { most_tries = 10 };
   store->opened = 0;

@@ -1,5 +1,5 @@
-/* Enlarges arrays while the rows of a query are read. The rows are not counted before reading,
- * because their number may change. */
+/* Enlarges arrays while the rows of a query are read, and reads the ids of cases. The rows are
+ * not counted in advance, because their number may change. */
 #include "store/store.h"
 
 #include <limits.h>

@@ -1,4 +1,5 @@
-/* Recognises, creates, opens and replaces run files, and reads and writes their notes. */
+/* Identifies, creates, opens and replaces run files, and reads and writes their notes (name and
+ * text). */
 #include "store/journal.h"
 #include "store/store.h"
 
@@ -44,8 +45,7 @@ static arc_status check_header(const arc_store *store, const unsigned char *head
   return status;
 }
 
-/* Checks the header before SQLite opens the file, because SQLite may write to files that it
- * recognises. */
+/* Checks the header before SQLite opens the file, because SQLite may write to any database file. */
 static arc_status check_file(const arc_store *store, arc_error *error) {
   unsigned char header[100];
   FILE *file;
@@ -88,7 +88,8 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
-/* Fails if there is a journal without its file. SQLite would apply this journal to the new file. */
+/* Returns an error if there is a journal without its file. SQLite would apply this journal to
+ * the new file. */
 static arc_status check_left(const arc_store *store, arc_error *error) {
   if (!arc_journal_stands(store->file) || access(store->file, F_OK) == 0) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
@@ -97,7 +98,7 @@ static arc_status check_left(const arc_store *store, arc_error *error) {
                   store->path, store->path);
 }
 
-/* Creates the new file completely under a temporary name. */
+/* Creates the complete new file under a temporary name. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
   arc_status status = check_left(store, error);
   if (status == ARC_OK) status = arc_atomic_file_create(store->path, &store->temporary, error);
@@ -108,7 +109,7 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
 }
 
 /* Creates a file and opens it. If several programs create a file with the same name at once, the
- * first program creates it and the others open it. */
+ * first program creates it and all others open it. */
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
@@ -118,7 +119,7 @@ static arc_status create(arc_store *store, arc_error *error) {
 }
 
 /* Converts a file of an older format. If the store is opened for writing, the file itself is
- * converted, otherwise a temporary copy. */
+ * converted. Otherwise a temporary copy is converted. */
 static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_error *error) {
   long long format;
   arc_status status = arc_schema_format(store, &format, error);
@@ -128,8 +129,8 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
 }
 
 /* Opens a file. Even in read mode the file is opened for writing if possible, because only then
- * SQLite can roll back the transaction of a killed program. In read mode this program writes
- * nothing else. */
+ * can SQLite roll back the transaction of a program that was killed. In read mode this program
+ * itself does not write. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->file, W_OK) == 0;
   arc_status status = arc_database_open(store->file, store->path, writable, 0, &store->db, error);
@@ -179,8 +180,7 @@ static arc_status check_kind(arc_store *old, const char *kind, arc_error *error)
   return status;
 }
 
-/* Checks the path of a new file. A file with this path must not exist, or must be of the same
- * kind. */
+/* Checks the path of a new file. If a file with this path exists, it must be of the same kind. */
 static arc_status check_replaced(const arc_store *store, const char *kind, arc_error *error) {
   if (access(store->file, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;

@@ -1,7 +1,8 @@
 /* Creates the tables of a run file and the views for users, and converts files of older formats.
- * The names of the columns are defined in columns.c. A file that is opened for writing is converted
- * in one transaction. A program that only reads never changes the file, because an older program
- * may still use it or it may be write-protected; a temporary copy is converted instead. */
+ * The names of the columns are defined in columns.c. A file that is opened for writing is
+ * converted in one transaction. A file that is opened for reading is never changed, because an
+ * older program may still use it, or it may be write-protected; a temporary copy is converted
+ * instead. */
 #include "store/store.h"
 
 #include <stdlib.h>
@@ -9,7 +10,8 @@
 #define TEXT_OF(number) TEXT(number)
 #define TEXT(number)    #number
 
-/* The columns for numbers have no SQL type, because the type REAL would lose the sign of zero. */
+/* Columns for numbers have no SQL type, because with the type REAL the sign of zero would be
+ * lost. */
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
 #define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
@@ -28,7 +30,7 @@ static const char tables[] =
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
     "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;" MAKE_ARRAYS;
 
-/* Statements that remove the views. The views are created again whenever the tables change. */
+/* Statements that remove the views. The views are created again when the tables change. */
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
                                  "DROP VIEW IF EXISTS history_of;"
                                  "DROP VIEW IF EXISTS units;";
@@ -83,9 +85,9 @@ static const char to_arrays[] =
     "DROP TABLE older_surfaces; DROP TABLE older_state;";
 /* clang-format on */
 
-/* Conversions from each format to the next format. A conversion must not be changed after a
- * release. `names` renames tables and columns to the names in the present SQL texts. `values` adds
- * or changes values that are included in the checksums. */
+/* Conversions from each format to the next format. A conversion must not be changed after its
+ * release. `names` renames tables and columns to their names in the present SQL texts. `values`
+ * adds or changes values that are part of the checksums. */
 static const struct migration {
   int from;
   const char *names, *values;
@@ -128,8 +130,8 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
-    /* In format 5, "auto" was a separate value, and a case in two dimensions without jump,
-     * tolerance and scheme had 100 cycles per update. */
+    /* In format 5, "auto" was a separate value, and a 2-D case without jump, tolerance and
+     * scheme had 100 cycles per update. */
     {5, "",
      "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
      "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
@@ -160,20 +162,20 @@ arc_status arc_schema_make(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_database_run(store->db, "COMMIT", error) : status;
 }
 
-/* Removes the views. In formats before 5 `surfaces` is a table, which is kept. */
+/* Removes the views. In formats before 5 `surfaces` is a table and is preserved. */
 static arc_status forget_views(arc_store *store, long long format, arc_error *error) {
   const arc_status status = arc_database_run(store->db, drop_views, error);
   if (status != ARC_OK || format < 5) return status;
   return arc_database_run(store->db, "DROP VIEW IF EXISTS surfaces", error);
 }
 
-/* Converts the tables. A case with a correct checksum gets a new checksum at the commit. A
+/* Converts the tables. A case with a correct checksum receives a new checksum at the commit. A
  * damaged case keeps its wrong checksum. */
 static arc_status migrate(arc_store *store, long long format, arc_error *error) {
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
-  store->older = format < 5; /* in formats before 5, surfaces and state were separate tables */
+  store->older = format < 5; /* in formats before 5, surfaces and states had their own tables */
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)

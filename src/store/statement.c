@@ -1,4 +1,5 @@
-/* Runs SQL patterns with names of columns inserted, for a whole store or for one of its cases. */
+/* Runs SQL patterns, in which names of columns are inserted, for a whole store or for one of its
+ * cases. */
 #include "store/store.h"
 
 #include <stdlib.h>

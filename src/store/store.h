@@ -1,4 +1,4 @@
-/* The struct arc_store, and functions used only inside this folder. */
+/* The struct arc_store, and functions that only this folder uses. */
 #ifndef STORE_STORE_H
 #define STORE_STORE_H
 
@@ -16,20 +16,20 @@
 
 struct arc_store {
   database *db;
-  char *path, *file;          /* name of the file as the user gave it, and its absolute path */
-  arc_atomic_file *temporary; /* new file that is not published yet, or NULL */
+  char *path, *file;          /* name of the file as the user wrote it, and its absolute path */
+  arc_atomic_file *temporary; /* new file that has not been published yet, or NULL */
   int older;                  /* true while the tables are in a format older than 5 */
   int verified;               /* id of the case whose checksum was compared last; 0: none */
-  int *open; /* [opened] ids of cases that changed in this transaction and need new checksums */
+  int *open; /* ids of the `opened` cases that changed in this transaction and need new checksums */
   size_t opened;
 };
 
-/* Sets the error ARC_FORMAT. The message is "PATH: the file is damaged: ", followed by the case and
- * its damage. */
+/* Sets the error ARC_FORMAT. The message is "PATH: the file is damaged: ", followed by the case
+ * and the formatted text. */
 arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
                              ...) __attribute__((format(printf, 4, 5)));
-/* Reports an error that the engine found in the data of a case as damage of the file. Errors
- * that can also occur with an intact file keep their status. */
+/* Reports an error that the engine found in the data of a case as damage of the file. An error
+ * that can also occur with an intact file keeps its status. */
 arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
                              const arc_error *why);
 
@@ -48,10 +48,10 @@ arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error);
 /* Opens a transaction if none is open. Sets *own to 1 if this call opened the transaction,
  * otherwise to 0. */
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
-/* Ends the transaction if arc_store_enter opened it (`own`): commits if `status` is ARC_OK,
+/* Ends the transaction if arc_store_enter began it (`own`). Commits if `status` is ARC_OK,
  * otherwise rolls back. Returns `status`, or the error of the commit. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
-/* These functions begin and end a transaction that only reads, from one snapshot of the file. The
+/* These functions begin and end a transaction that only reads a snapshot of the file. The
  * transaction must be short, because programs that write wait for its end. */
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
@@ -62,20 +62,20 @@ void arc_store_look_away(arc_store *store, int own);
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings --------------- */
 
 /* Returns an SQL text in which the words of `pattern` are replaced: @columns by ", NAME" for
- * each column of the history, @values by the same number of ", ?", @results by the columns that
- * are results, @settings by the expressions of the settings, @bytes by all bytes in hexadecimal,
- * @numbers by the columns of `surfaces`, @units by the rows of `units`. The caller frees the
- * text. Returns NULL if memory is exhausted. */
+ * each column of the history; @values by the same number of ", ?"; @results by the columns of
+ * the results; @settings by the expressions of the settings; @bytes by all byte values in
+ * hexadecimal; @numbers by the columns of `surfaces`; @units by the rows of `units`. The caller
+ * frees the text. Returns NULL if memory is exhausted. */
 char *arc_columns_sql(const char *pattern);
 
-/* Runs statements without results. In this function and the functions below, `sql` is a pattern
- * for arc_columns_sql. */
+/* Runs statements without results. In this function and the two functions below, `sql` is a
+ * pattern of arc_columns_sql. */
 arc_status arc_store_script(arc_store *store, const char *sql, arc_error *error);
 
-/* Opens a query with the id of a case as parameter 1. */
+/* Opens a query whose parameter 1 is the id of a case. */
 arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error);
 
-/* Runs a statement with the id of the case as parameter 1. */
+/* Runs a statement whose parameter 1 is the id of a case. */
 arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
 /* --- format.c, schema.c: format number, tables and views -------------------------------------- */
@@ -91,19 +91,19 @@ arc_status arc_schema_update(arc_store *store, arc_error *error);
 
 /* --- digest.c: checksums of finished cases ---------------------------------------------------- */
 
-/* Removes the checksum of a case. Must be called before the case is changed. The commit gives
- * the case a new checksum if it is finished or has a run. Other cases without a checksum were
- * not written by archard and never get a checksum. */
+/* Removes the checksum of a case. Must be called before the case is changed. At the commit, the
+ * case receives a new checksum if it is finished or has a run. Other cases without a checksum
+ * were not written by archard and never receive one. */
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
-/* Removes the checksums of all cases in the result of the query `ids`. */
+/* Removes the checksums of all cases that the query `ids` returns. */
 arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error);
 arc_status arc_store_seal_changed(arc_store *store, arc_error *error);
-/* Removes all correct checksums before the tables are changed. Wrong checksums are kept. A
- * missing checksum that is required is replaced by a wrong one. */
+/* Removes all correct checksums before the tables are changed. Wrong checksums are preserved. A
+ * required checksum that is missing is replaced by a wrong one. */
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
-/* arc_store_verify compares the checksum of a case, arc_store_verify_run the checksum of a case
- * whose run is read (which must have a checksum), arc_store_verify_all the checksums of all
- * cases. Errors: ARC_FORMAT if a checksum does not match or a finished case has no checksum. */
+/* arc_store_verify compares the checksum of a case; arc_store_verify_run does so for a case
+ * whose run is read, which must have a checksum; arc_store_verify_all compares the checksums of
+ * all cases. Errors: ARC_FORMAT if a checksum does not match or a finished case has no checksum. */
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
@@ -115,18 +115,18 @@ uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
 
 /* --- texts.c: long texts, each stored once ---------------------------------------------------- */
 
-enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, with its final zero */
+enum { ARC_TEXT_NAME = 24 }; /* size of the name of a text, including the final zero byte */
 
-/* Stores a long text and sets `name` to the name of the text. For a short text `name` is "", and
- * the caller stores the text itself. */
+/* Stores a long text and sets `name` to the name of the text. For a short text, which is not
+ * stored, `name` is "". */
 arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
                               arc_error *error);
-/* Sets *text to the text that is stored as `name`, or to NULL if `name` does not have the form of
- * such a name. The caller frees the text. Errors: ARC_FORMAT if the text is missing or its checksum
- * is not the one in its name. */
+/* Sets *text to the text with the name `name`, or to NULL if `name` does not have the form of
+ * such a name. The caller frees the text. Errors: ARC_FORMAT if the text is missing or does not
+ * match the checksum in its name. */
 arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
-/* Compares all texts with their names, which contain a checksum. Errors: ARC_FORMAT if a text
- * does not match its name. */
+/* Compares the checksums of all texts with the checksums in their names. Errors: ARC_FORMAT if a
+ * text does not match its name. */
 arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ---------------------------- */

@@ -1,7 +1,7 @@
-/* Stores definitions as named values. A table with the type and address of each value is used for
- * writing, reading and checking. The table is made from the lists of settings, so that a new
- * setting needs no code here. A setting NAME may also have the values NAME_function (a flag,
- * because functions are not stored), NAME_series.distance and NAME_series.value. */
+/* Stores definitions as named values. A table with the name, type and address of each value is
+ * used for writing, reading and checking. The table is made from the lists of settings, so that
+ * a new setting needs no code here. A setting NAME may also have the values NAME_function (a
+ * flag, because functions are not stored), NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
 
@@ -14,20 +14,21 @@
 
 enum { LONGEST_NAME = 96 };
 
-/* The name, type and address of a value of a definition. */
+/* The name, type and address of a value in a definition. */
 typedef struct slot {
   char name[LONGEST_NAME];
   enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
-  void *at;     /* address of a value with the type of `kind` */
-  int *count;   /* address of the array's length, shared with other arrays; *count is 0 if absent */
-  int optional; /* true if the array may be absent from the file */
+  void *at;     /* address of the value, whose type depends on `kind` */
+  int *count;   /* address of the array's length, which several arrays may share; *count is 0
+                   without an array */
+  int optional; /* true if the array may be missing in the file */
 } slot;
 
 typedef struct slots {
   slot *slot;
   size_t count;
-  int failed; /* true if out of memory */
+  int failed; /* true if memory is exhausted */
 } slots;
 
 static void add(slots *list, const char *name, const char *ending, slot added) {
@@ -46,7 +47,8 @@ static void add_series(slots *list, const char *path, arc_series *series) {
       (slot){.kind = SLOT_ARRAY, .at = &series->value, .count = &series->count});
 }
 
-/* Context of add_setting: the table of values, and the definition that contains the values. */
+/* Context of add_setting: the table of values, and the definition to which their addresses
+ * refer. */
 typedef struct added {
   slots *list;
   char *def;
@@ -89,7 +91,7 @@ static void add_settings(slots *list, const arc_setting *settings, const char *p
 }
 
 /* Returns a table of all values of a run. The blocks of `loading` must be allocated. `msh` is
- * the address of the Gmsh text of imported meshes, which is NULL if there are none. */
+ * the address of the Gmsh text of imported meshes; the text is NULL without imported meshes. */
 static slots table_of(arc_stored_run *run, arc_loading *loading, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
@@ -196,10 +198,10 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 
 /* --- values in the file ----------------------------------------------------------------------- */
 
-/* A value that was read from a case, and the memory of its name and content. */
+/* A value that was read from a case, and the memory of its name and contents. */
 typedef struct kept {
   arc_value value;
-  void *memory; /* memory that the value points to */
+  void *memory; /* memory to which the value refers */
 } kept;
 
 typedef struct stock {
@@ -222,7 +224,7 @@ void arc_stored_run_free(arc_stored_run *run) {
   *run = (arc_stored_run){.memory = NULL};
 }
 
-/* Copies a value. Returns 0 if out of memory. */
+/* Copies a value. Returns 0 if memory is exhausted. */
 static int copy_value(const arc_value *from, kept *to) {
   const size_t numbers = from->array ? from->count * sizeof(double) : 0;
   const size_t name = strlen(from->name) + 1, text = from->text ? strlen(from->text) + 1 : 0;
@@ -235,7 +237,7 @@ static int copy_value(const arc_value *from, kept *to) {
   return 1;
 }
 
-/* State of reading a case. */
+/* State of the function that reads a case. */
 typedef struct reading {
   const arc_store *store;
   int id;
@@ -300,8 +302,8 @@ static int read_text(const slot *s, const arc_value *value) {
   return fits;
 }
 
-/* Reads an array. Several arrays may share one length, which is set by the array that is read
- * first. Returns 0 if the array is invalid. */
+/* Reads an array. Several arrays may share one length, which is the length of the array that is
+ * read first. Returns 0 if the array is invalid. */
 static int read_array(const slot *s, const arc_value *value) {
   if (value->kind != ARC_VALUE_ARRAY || value->count == 0 || value->count > 1000000) return 0;
   if (*s->count != 0 && (size_t)*s->count != value->count) return 0;
@@ -310,7 +312,7 @@ static int read_array(const slot *s, const arc_value *value) {
   return 1;
 }
 
-/* Reads a value. Returns 0 if it is invalid for this setting. */
+/* Reads a value. Returns 0 if the value is invalid for this setting. */
 static int read_value(const slot *s, const arc_value *value) {
   switch (s->kind) {
   case SLOT_WHOLE:
@@ -342,8 +344,8 @@ static int is_called(const void *name, const void *s) {
   return strcmp(name, ((const slot *)s)->name);
 }
 
-/* Allocates the blocks of loading. The number of blocks is limited by the number of stored
- * values, because each block has at least two values. */
+/* Allocates the blocks of loading. The number of blocks must not exceed half the number of
+ * stored values, because each block has at least two values. */
 static arc_status make_blocks(const reading *r) {
   stock *s = r->stock;
   int blocks = 0;
@@ -390,7 +392,7 @@ static arc_status fill(reading *r) {
 
 static void stand_in(void) {}
 
-/* Reads the imported meshes. Invalid meshes are rejected by the reader of Gmsh files. */
+/* Reads the imported meshes. The reader of Gmsh files rejects invalid meshes. */
 static arc_status read_meshes(const reading *r) {
   arc_error why = {0};
   if (!r->msh) return ARC_OK;
@@ -407,8 +409,8 @@ static arc_status check_model(const reading *r, arc_error *why) {
   return arc_model_check_given(&r->run->model, r->run->given, why);
 }
 
-/* Lets the engine check the definition. A dummy replaces each function of the user, because
- * functions are not stored. */
+/* Checks the definition by the functions of the engine. A dummy replaces each function of the
+ * user, because functions are not stored. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
   arc_wear_def def = r->run->def;

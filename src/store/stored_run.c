@@ -1,5 +1,5 @@
-/* Saves and reads the history, surfaces and state of runs in a run file. All data is checked before
- * use, because files are not trusted. */
+/* Saves and reads the history, surfaces and state of runs in a run file. All data is checked
+ * before use, because files are not trusted. */
 #include "store/store.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   return status;
 }
 
-/* Values of the column `part` of the table `arrays`: surfaces, or state of a run. */
+/* Values of the column `part` in the table `arrays`: surfaces, or the state of a run. */
 static const char surface[] = "surface", state[] = "state";
 
 static arc_status save_arrays(arc_store *store, int id, const char *part, const arc_array *arrays,
@@ -72,8 +72,8 @@ static arc_status forget(arc_store *store, int id, arc_error *error) {
   return arc_store_run(store, "DELETE FROM arrays WHERE case_id = ?1", id, error);
 }
 
-/* Checks data before they are saved. The checks are those of the reader, so that the saved file
- * can be opened later. */
+/* Checks data before they are saved. The reader makes the same checks, so the saved file can be
+ * opened later. */
 static arc_status check_run(const arc_store *store, const arc_wear *wear, const arc_array *surfaces,
                             size_t count, arc_error *error) {
   size_t rows;
@@ -102,8 +102,8 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const 
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-/* Reads `count` numbers of a row, beginning at column `column`. NULL becomes NaN. Returns 0 if a
- * value has another type. */
+/* Reads `count` numbers of a row, beginning with column `column`. NULL becomes NaN. Returns 0 if
+ * a value has another type. */
 static int read_numbers(query *q, int column, double *to, int count) {
   for (int i = 0; i < count; i++) {
     const column_kind kind = arc_query_kind(q, column + i);
@@ -161,7 +161,7 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
 
 /* --- arrays ----------------------------------------------------------------------------------- */
 
-/* Arrays that were read. Each array has one block of memory for its values and its name. */
+/* Arrays that were read. The values and the name of each array are in one block of memory. */
 typedef struct array_list {
   arc_array *array;
   size_t count;
@@ -181,8 +181,8 @@ static int body_named(const char *name, arc_body *body) {
   return 0;
 }
 
-/* Reads the two sizes of an array from adjacent columns. Their product must be the length of the
- * array in the next column. Returns 0 if it is not. */
+/* Reads the two sizes of an array from adjacent columns. Returns 0 if their product is not the
+ * length of the array in the next column. */
 static int read_size(query *q, int column, size_t size[2]) {
   const long long rows = arc_query_whole(q, column), columns = arc_query_whole(q, column + 1);
   const size_t values = arc_query_array_count(q, column + 2);
@@ -220,8 +220,8 @@ static arc_status read_array(arc_store *store, int id, query *q, array_list *lis
   return ARC_OK;
 }
 
-/* Reads the arrays of a case for the use `part`, sorted by update, body and name. The arrays are
- * one block of memory, which the caller frees. */
+/* Reads the arrays of a case with the value `part`, sorted by update, body and name. The arrays
+ * are in one block of memory, which the caller frees. */
 static arc_status read_arrays(arc_store *store, int id, const char *part, arc_array **arrays,
                               size_t *count, arc_error *error) {
   query *q;
@@ -278,8 +278,8 @@ typedef struct stored_run {
   size_t rows, arrays;
 } stored_run;
 
-/* Reads history and state in one transaction, because another program may store the run at the same
- * time. */
+/* Reads the history and the state in one transaction, because another program may store the run
+ * at the same time. */
 static arc_status read_stored(arc_store *store, int id, stored_run *run, arc_error *error) {
   int own = 0;
   arc_status status = arc_store_look(store, &own, error);

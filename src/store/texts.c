@@ -1,5 +1,6 @@
-/* Stores long texts, such as imported meshes. Each text is stored only once, under a name made from
- * its checksum. Values refer to this name. A text has the same name in all files. */
+/* Stores long texts, such as imported meshes. Each text is stored only once, under a name made
+ * from its checksum. Values contain this name instead of the text. A text has the same name in
+ * all files. */
 #include "store/store.h"
 
 #include <inttypes.h>
@@ -7,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A text with fewer characters is stored in the row of its value, unless the text has the form
- * of a name. */
+/* Number of characters from which on a text is stored separately. A shorter text is stored in the
+ * row of its value, unless it has the form of a name. */
 enum { LONG = 1000 };
 static const char prefix[] = "text:";
 

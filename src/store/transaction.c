@@ -1,9 +1,9 @@
-/* Begins and ends transactions. The start of a transaction checks that the format is still
- * supported. The commit writes the checksums of finished cases. */
+/* Begins and ends transactions. At the start of a transaction the format of the file is checked.
+ * At the commit the checksums of finished cases are written. */
 #include "store/store.h"
 
 /* Begins a transaction. Checks the format, because a newer version may have converted the file
- * since it was opened. Also checks that the sandbox's limit of disk space is not exhausted. */
+ * since it was opened. Also checks that the sandbox's limit of disk space is not exceeded. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
   long long format;
   arc_status status = arc_file_allowed(store->path, store->file, ARC_FILE_WRITE, error);
